@@ -1,0 +1,52 @@
+# Every library comes from Debian 12 packages; scripts/install-dependencies lists them.
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+find_package(Threads REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(Boost REQUIRED)
+find_package(GEOS REQUIRED)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+find_path(VALIJSON_INCLUDE_DIR valijson/validator.hpp REQUIRED)
+
+# GEOS' C++ interface (OverlayNG, index trees) lives in libgeos beside the C one.
+find_library(GEOS_CXX_LIBRARY geos REQUIRED)
+add_library(stepmill_geos INTERFACE)
+target_link_libraries(stepmill_geos INTERFACE ${GEOS_CXX_LIBRARY})
+target_compile_definitions(stepmill_geos INTERFACE USE_UNSTABLE_GEOS_CPP_API)
+
+# OCCT's own package file drags in its visualisation tool kits; only these are needed.
+find_path(OCCT_INCLUDE_DIR Standard_Version.hxx PATH_SUFFIXES opencascade REQUIRED)
+add_library(stepmill_occt INTERFACE)
+target_include_directories(stepmill_occt SYSTEM INTERFACE ${OCCT_INCLUDE_DIR})
+foreach(toolkit TKSTEP TKSTEPBase TKSTEPAttr TKSTEP209 TKXSBase TKHLR TKOffset TKFillet TKBool TKBO
+        TKShHealing TKMesh TKPrim TKTopAlgo TKGeomAlgo TKBRep TKGeomBase TKG3d TKG2d TKMath TKernel)
+  find_library(OCCT_${toolkit} ${toolkit} REQUIRED)
+  target_link_libraries(stepmill_occt INTERFACE ${OCCT_${toolkit}})
+endforeach()
+
+add_library(stepmill_warnings INTERFACE)
+target_compile_options(stepmill_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Werror
+  # GCC 12 reports these in Eigen and the standard library under -O2, in code that is right.
+  -Wno-error=maybe-uninitialized -Wno-error=null-dereference -Wno-error=array-bounds
+  -Wno-error=stringop-overflow -Wno-error=restrict)
+if(STEPMILL_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(STEPMILL_COSTLY_CHECKS)
+  add_compile_definitions(STEPMILL_COSTLY_CHECKS=1)
+endif()
+
+# The standard headers nearly every file needs, compiled once per module.
+set(STEPMILL_PRECOMPILED
+  <algorithm> <cmath> <functional> <map> <memory> <optional> <set> <span> <string> <vector> <Eigen/Geometry>)

@@ -1,0 +1,16 @@
+# stepmill_module(NAME SOURCES ... DEPENDS modules ... LIBRARIES targets ...)
+#
+# One static library `stepmill_<name>` per module. DEPENDS are modules above it in the data flow and are
+# public, since their types stand in this module's headers; LIBRARIES stay private.
+function(stepmill_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  set(target stepmill_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(stepmill::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/include PRIVATE ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE stepmill_warnings ${ARG_LIBRARIES})
+  foreach(module ${ARG_DEPENDS})
+    target_link_libraries(${target} PUBLIC stepmill_${module})
+  endforeach()
+  target_precompile_headers(${target} PRIVATE ${STEPMILL_PRECOMPILED})
+endfunction()
