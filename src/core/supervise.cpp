@@ -1,0 +1,1 @@
+#include "stepmill/core/supervise.h"
