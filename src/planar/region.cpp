@@ -1,0 +1,391 @@
+// Regions and their measures, from the lines and arcs themselves.
+
+#include "stepmill/planar/region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planar/segment.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill {
+
+using planar::cross;
+
+// Box2 ---------------------------------------------------------------------------------------------------
+
+void Box2::add(const Vec2& p) {
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
+}
+
+Box2 Box2::grown(double by_mm) const {
+    if (empty()) return *this;
+    return {min - Vec2::Constant(by_mm), max + Vec2::Constant(by_mm)};
+}
+
+bool Box2::overlaps(const Box2& other) const {
+    return min.x() <= other.max.x() && other.min.x() <= max.x() && min.y() <= other.max.y() &&
+           other.min.y() <= max.y();
+}
+
+// Construction -------------------------------------------------------------------------------------------
+
+Region makePolygon(const std::vector<Vec2>& corners) {
+    STEPMILL_CHECK(corners.size() >= 3, "a polygon has at least three corners");
+    Loop loop{snapToGrid(corners.front()), {}};
+    for (std::size_t i = 1; i <= corners.size(); ++i)
+        loop.segments.push_back({snapToGrid(corners[i % corners.size()]), std::nullopt});
+    return {{signedArea(loop) < 0 ? reversed(loop) : loop}};
+}
+
+Region makeRectangle(const Vec2& min, const Vec2& max) {
+    return makePolygon({min, {max.x(), min.y()}, max, {min.x(), max.y()}});
+}
+
+Region makeRoundedRectangle(const Vec2& min, const Vec2& max, double radius_mm) {
+    const double r = snapToGrid(radius_mm);
+    if (r <= 0) return makeRectangle(min, max);
+    const Vec2 lo = snapToGrid(min);
+    const Vec2 hi = snapToGrid(max);
+    STEPMILL_CHECK(2 * r <= std::min(hi.x() - lo.x(), hi.y() - lo.y()) + kGridMm,
+                   "corner radius is more than half of the shorter side");
+    // Corner i has its centre inside the rectangle; the arc turns from direction -90 degrees + 90 i.
+    const Vec2 centres[4] = {{hi.x() - r, lo.y() + r},
+                             {hi.x() - r, hi.y() - r},
+                             {lo.x() + r, hi.y() - r},
+                             {lo.x() + r, lo.y() + r}};
+    const Vec2 directions[5] = {{0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    Loop loop{snapToGrid(Vec2(centres[3] + r * directions[4])), {}};
+    for (int i = 0; i < 4; ++i) {
+        const Vec2 centre = snapToGrid(centres[i]);
+        const Vec2 arc_start = snapToGrid(Vec2(centre + r * directions[i]));
+        const Vec2 arc_end = snapToGrid(Vec2(centre + r * directions[i + 1]));
+        // A side that the radii leave no length of is left out.
+        if ((arc_start - loop.end()).norm() > 0.5 * kGridMm) loop.segments.push_back({arc_start, {}});
+        loop.segments.push_back({arc_end, Arc{centre, r, true}});
+    }
+    loop.segments.back().to = loop.start;
+    return {{loop}};
+}
+
+Region makeCircle(const Vec2& centre, double radius_mm) {
+    const Vec2 c = snapToGrid(centre);
+    const double r = snapToGrid(radius_mm);
+    STEPMILL_CHECK(r > 0, "a circle has a positive radius");
+    const Vec2 right = snapToGrid(Vec2(c.x() + r, c.y()));
+    const Vec2 left = snapToGrid(Vec2(c.x() - r, c.y()));
+    const Arc arc{c, r, true};
+    return {{Loop{right, {{left, arc}, {right, arc}}}}};
+}
+
+// Measures -----------------------------------------------------------------------------------------------
+
+namespace {
+
+/// theta - sin(theta), without cancellation for small angles.
+double angleMinusSine(double theta) {
+    if (std::abs(theta) > 0.1) return theta - std::sin(theta);
+    const double s = theta * theta;
+    return theta * s / 6 * (1 - s / 20 * (1 - s / 42 * (1 - s / 72)));
+}
+
+/// Calls visit(from, segment) for every edge of the path.
+template <typename Visit>
+void forEachSegment(const Path& path, Visit visit) {
+    const Vec2* from = &path.start;
+    for (const Segment& segment : path.segments) {
+        visit(*from, segment);
+        from = &segment.to;
+    }
+}
+
+template <typename Visit>
+void forEachSegment(const Region& region, Visit visit) {
+    for (const Loop& loop : region.loops)
+        forEachSegment(loop, visit);
+}
+
+/// Compass points of the circle that lie on the arc.
+template <typename Visit>
+void forEachExtreme(const Vec2& from, const Vec2& to, const Arc& arc, Visit visit) {
+    const Vec2 directions[4] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (const Vec2& direction : directions) {
+        const Vec2 p = arc.centre + arc.radius_mm * direction;
+        if (planar::inSweep(from, to, arc, p)) visit(p);
+    }
+}
+
+}  // namespace
+
+double signedArea(const Loop& loop) {
+    double twice = 0;
+    forEachSegment(loop, [&](const Vec2& from, const Segment& segment) {
+        twice += cross(from - loop.start, segment.to - loop.start);
+        if (!segment.arc) return;
+        const double r = segment.arc->radius_mm;
+        twice += r * r * angleMinusSine(sweepAngle(from, segment.to, *segment.arc));
+    });
+    return twice / 2;
+}
+
+double area(const Region& region) {
+    double sum = 0;
+    for (const Loop& loop : region.loops)
+        sum += signedArea(loop);
+    return sum;
+}
+
+double perimeter(const Region& region) {
+    double sum = 0;
+    for (const Loop& loop : region.loops)
+        sum += length(loop);
+    return sum;
+}
+
+Box2 boundingBox(const Path& path) {
+    Box2 box;
+    box.add(path.start);
+    forEachSegment(path, [&](const Vec2& from, const Segment& segment) {
+        box.add(segment.to);
+        if (segment.arc) forEachExtreme(from, segment.to, *segment.arc, [&](const Vec2& p) { box.add(p); });
+    });
+    return box;
+}
+
+Box2 boundingBox(const Region& region) {
+    Box2 box;
+    for (const Loop& loop : region.loops) {
+        const Box2 part = boundingBox(loop);
+        box.add(part.min);
+        box.add(part.max);
+    }
+    return box;
+}
+
+Vec2 centroid(const Region& region) {
+    STEPMILL_CHECK(!region.empty(), "the empty region has no centre of area");
+    const Vec2 origin = region.loops.front().start;
+    double sum = 0;
+    Vec2 moment = Vec2::Zero();
+    forEachSegment(region, [&](const Vec2& from, const Segment& segment) {
+        const Vec2 a = from - origin;
+        const Vec2 b = segment.to - origin;
+        const double triangle = cross(a, b) / 2;
+        sum += triangle;
+        moment += triangle * (a + b) / 3;
+        if (!segment.arc) return;
+        // Circular segment: area r^2 (theta - sin theta) / 2, and its first moment about the circle's
+        // centre is 2/3 r^3 sin^3(theta / 2) towards the middle of the arc.
+        const double r = segment.arc->radius_mm;
+        const double sweep = sweepAngle(from, segment.to, *segment.arc);
+        const double cap = r * r * angleMinusSine(sweep) / 2;
+        const double half_sine = std::sin(sweep / 2);
+        const Vec2 middle = (pointAt(from, segment, 0.5) - segment.arc->centre) / r;
+        sum += cap;
+        moment += cap * (segment.arc->centre - origin);
+        moment += 2.0 / 3.0 * r * r * r * half_sine * half_sine * half_sine * middle;
+    });
+    STEPMILL_CHECK(sum > 0, "centre of area of a region without area");
+    return origin + moment / sum;
+}
+
+namespace planar {
+
+namespace {
+
+/// On which side of a-b lies p: +1 left, -1 right. A point on the line counts as if moved to the right by
+/// a little and upwards by much less, so that it is on one side only, and the same for every caller.
+int sideOf(const Vec2& a, const Vec2& b, const Vec2& p) {
+    const double left = cross(b - a, p - a);
+    if (left != 0) return left > 0 ? 1 : -1;
+    const double dy = b.y() - a.y();
+    if (dy != 0) return dy > 0 ? -1 : 1;
+    return b.x() > a.x() ? 1 : -1;
+}
+
+}  // namespace
+
+int windingNumber(const Loop& loop, const Vec2& p) {
+    int winding = 0;
+    forEachSegment(loop, [&](const Vec2& from, const Segment& segment) {
+        const Vec2& to = segment.to;
+        const bool spans = (from.y() <= p.y()) != (to.y() <= p.y());
+        if (!segment.arc) {
+            if (!spans) return;
+            const int side = sideOf(from, to, p);
+            if (to.y() > p.y() ? side > 0 : side < 0) winding += side;
+            return;
+        }
+        // The chord, and one more turn for points between chord and arc.
+        const Arc& arc = *segment.arc;
+        const bool in_circle = (p - arc.centre).squaredNorm() < arc.radius_mm * arc.radius_mm;
+        if (!spans && !in_circle) return;
+        const int side = from == to ? 0 : sideOf(from, to, p);
+        if (spans && (to.y() > p.y() ? side > 0 : side < 0)) winding += side;
+        if (in_circle && arc.ccw && side <= 0) ++winding;
+        if (in_circle && !arc.ccw && side >= 0) --winding;
+    });
+    return winding;
+}
+
+int windingNumber(const Region& region, const Vec2& p) {
+    int winding = 0;
+    for (const Loop& loop : region.loops)
+        winding += windingNumber(loop, p);
+    return winding;
+}
+
+Vec2 lowestPoint(const Path& path) {
+    Vec2 lowest = path.start;
+    const auto offer = [&](const Vec2& p) {
+        if (p.y() < lowest.y() || (p.y() == lowest.y() && p.x() < lowest.x())) lowest = p;
+    };
+    forEachSegment(path, [&](const Vec2& from, const Segment& segment) {
+        offer(segment.to);
+        if (segment.arc) forEachExtreme(from, segment.to, *segment.arc, offer);
+    });
+    return lowest;
+}
+
+Vec2 pointAwayFrom(const Loop& loop, const Loop& other) {
+    Vec2 best = loop.start;
+    double best_distance = -1;
+    forEachSegment(loop, [&](const Vec2& from, const Segment& segment) {
+        const Vec2 middle = pointAt(from, segment, 0.5);
+        double distance = std::numeric_limits<double>::infinity();
+        forEachSegment(other, [&](const Vec2& other_from, const Segment& other_segment) {
+            distance = std::min(distance, distanceTo(middle, other_from, other_segment));
+        });
+        if (distance > best_distance) {
+            best = middle;
+            best_distance = distance;
+        }
+    });
+    return best;
+}
+
+}  // namespace planar
+
+bool contains(const Region& region, const Vec2& p) {
+    if (planar::windingNumber(region, p) > 0) return true;
+    return distanceToBoundary(region, p) <= kGridMm;
+}
+
+double distanceToBoundary(const Region& region, const Vec2& p) {
+    double distance = std::numeric_limits<double>::infinity();
+    forEachSegment(region, [&](const Vec2& from, const Segment& segment) {
+        distance = std::min(distance, distanceTo(p, from, segment));
+    });
+    return distance;
+}
+
+// Structure ----------------------------------------------------------------------------------------------
+
+namespace {
+
+bool lowerLeft(const Loop& a, const Loop& b) {
+    const Vec2 p = planar::lowestPoint(a);
+    const Vec2 q = planar::lowestPoint(b);
+    if (p.y() != q.y()) return p.y() < q.y();
+    if (p.x() != q.x()) return p.x() < q.x();
+    return std::abs(signedArea(a)) < std::abs(signedArea(b));
+}
+
+bool encloses(const Box2& outer, const Box2& inner) {
+    const Box2 slack = outer.grown(2 * kGridMm);
+    return (slack.min.array() <= inner.min.array()).all() && (slack.max.array() >= inner.max.array()).all();
+}
+
+struct Outer {
+    Region component;
+    Box2 box;
+    double area_mm2 = 0;
+};
+
+/// The smallest outer loop around the hole, or nothing.
+Outer* ownerOf(const Loop& hole, std::vector<Outer>& outers) {
+    const Box2 box = boundingBox(hole);
+    const double hole_area = -signedArea(hole);
+    Outer* owner = nullptr;
+    for (Outer& outer : outers) {
+        if (outer.area_mm2 < hole_area || !encloses(outer.box, box)) continue;
+        if (owner && owner->area_mm2 <= outer.area_mm2) continue;
+        const Loop& boundary = outer.component.loops.front();
+        if (planar::windingNumber(boundary, planar::pointAwayFrom(hole, boundary)) > 0) owner = &outer;
+    }
+    return owner;
+}
+
+}  // namespace
+
+std::vector<Region> components(const Region& region) {
+    std::vector<Outer> outers;
+    std::vector<Loop> holes;
+    for (const Loop& loop : region.loops) {
+        const double loop_area = signedArea(loop);
+        if (loop_area > 0)
+            outers.push_back({Region{{loop}}, boundingBox(loop), loop_area});
+        else
+            holes.push_back(loop);
+    }
+    std::sort(outers.begin(), outers.end(), [](const Outer& a, const Outer& b) {
+        return lowerLeft(a.component.loops.front(), b.component.loops.front());
+    });
+    std::sort(holes.begin(), holes.end(), lowerLeft);
+    for (const Loop& hole : holes) {
+        // With one outer loop there is nothing to search.
+        Outer* owner = outers.size() == 1 ? &outers.front() : ownerOf(hole, outers);
+        if (!owner) throw Error(ErrorCode::InvalidRegion, "region", "a hole lies outside all outer loops");
+        owner->component.loops.push_back(hole);
+    }
+    std::vector<Region> result;
+    for (Outer& outer : outers)
+        result.push_back(std::move(outer.component));
+    return result;
+}
+
+Region withoutHoles(const Region& region) {
+    Region result;
+    for (const Loop& loop : region.loops)
+        if (signedArea(loop) > 0) result.loops.push_back(loop);
+    // An island inside a filled hole is part of the filling.
+    Region outermost;
+    for (const Loop& loop : result.loops) {
+        const bool covered = std::any_of(result.loops.begin(), result.loops.end(), [&](const Loop& other) {
+            return &other != &loop && signedArea(other) > signedArea(loop) &&
+                   encloses(boundingBox(other), boundingBox(loop)) &&
+                   planar::windingNumber(other, planar::pointAwayFrom(loop, other)) > 0;
+        });
+        if (!covered) outermost.loops.push_back(loop);
+    }
+    return outermost;
+}
+
+Path reversed(const Path& path) {
+    Path result{path.end(), {}};
+    result.segments.reserve(path.segments.size());
+    for (std::size_t i = path.segments.size(); i-- > 0;) {
+        Segment segment{i == 0 ? path.start : path.segments[i - 1].to, path.segments[i].arc};
+        if (segment.arc) segment.arc->ccw = !segment.arc->ccw;
+        result.segments.push_back(segment);
+    }
+    return result;
+}
+
+Region translated(const Region& region, const Vec2& by) {
+    Region result = region;
+    const auto move = [&](Vec2& p) { p = snapToGrid(Vec2(p + by)); };
+    for (Loop& loop : result.loops) {
+        move(loop.start);
+        for (Segment& segment : loop.segments) {
+            move(segment.to);
+            if (segment.arc) move(segment.arc->centre);
+        }
+    }
+    return result;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "stepmill/planar/region.h"
+
+namespace stepmill::planar {
+
+inline double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Does the ray from the arc's centre through p meet the arc from `from` to `to`? True at the ends.
+bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p);
+
+/// Number of equal chords of at most that sagitta for an arc of that sweep; at least 1.
+int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm);
+
+/// How often the loop winds around p, which must not lie on it.
+int windingNumber(const Loop& loop, const Vec2& p);
+int windingNumber(const Region& region, const Vec2& p);
+
+/// The lowest, of these the leftmost point of the true curve.
+Vec2 lowestPoint(const Path& path);
+
+/// A point in the middle of one of `loop`'s edges, that one which is farthest from `other`.
+Vec2 pointAwayFrom(const Loop& loop, const Loop& other);
+
+}  // namespace stepmill::planar
