@@ -1,0 +1,106 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stepmill/catalog/tool.h"
+#include "stepmill/core/tolerances.h"
+#include "stepmill/feature/feature.h"
+#include "stepmill/planar/region.h"
+
+namespace stepmill {
+
+/// Why a tool takes no part in a feature.
+enum class ExclusionReason {
+    WrongType,         ///< a drill in a pocket, a ball or bull cutter on a flat floor
+    NoCuttingData,     ///< the library has no data for the material
+    TooWide,           ///< no free centre: the tool fits nowhere
+    NoEntry,           ///< fits, but can neither plunge, ramp, helix nor come in over an open edge
+    TooShort,          ///< flutes or stick-out do not reach the floor
+    HolderCollision    ///< holder or shank would touch part or stock somewhere the cutter must go
+};
+std::string toString(ExclusionReason reason);
+
+struct Exclusion {
+    ExclusionReason reason;
+    std::string text;   ///< for people, with the numbers ("reaches 30 mm, the floor is 45 mm deep")
+};
+
+/// How a tool gets down to depth in one component of its free centres.
+enum class EntryKind { OpenEdge, Helix, Ramp, Plunge };
+std::string toString(EntryKind kind);
+
+struct Entry {
+    EntryKind kind = EntryKind::Plunge;
+    /// OpenEdge: a free centre whose disc meets no material of the feature; Helix: the helix' centre;
+    /// Ramp: where the ramp starts; Plunge: where to go down.
+    Vec2 at = Vec2::Zero();
+    double helix_radius_mm = 0;   ///< of the centre's path; Helix only
+    Vec2 ramp_to = Vec2::Zero();  ///< other end of the ramp's zigzag; Ramp only
+};
+
+/// A feature with what every tool asks of it computed once: the clearance diagrams of target and
+/// obstruction. Immutable; share it between threads.
+class FeatureGround {
+  public:
+    FeatureGround(const Feature& feature, const Tolerances& tol);
+    ~FeatureGround();
+    FeatureGround(FeatureGround&&) noexcept;
+
+    const Feature& feature() const;
+    const Tolerances& tolerances() const;
+    /// offset(T, x) and offset(O, x), from diagrams built once.
+    Region targetOffset(double distance_mm) const;
+    Region obstructionOffset(double distance_mm) const;
+    /// Widest disc that fits the free space over the target at all; the cutter that would fit.
+    double widestCutterMm() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Areas of one tool in one feature [algorithms.md, section 3].
+struct AccessibleArea {
+    std::string tool_id;
+    double radius_mm = 0;
+    /// C_t: where the axis may stand, cutter clear of the obstruction, components without an entry left
+    /// out. May leave the target over open edges [Yao2000].
+    Region free_centres;
+    /// One per component of `free_centres`, in the order of components().
+    std::vector<Entry> entries;
+    /// A_t = offset(C_t, r).
+    Region accessible;
+    /// A_t n T.
+    Region coverable;
+    double accessible_area_mm2 = 0;       ///< within the target
+    double coverable_area_mm2 = 0;
+    double collision_free_area_mm2 = 0;   ///< A'_t within the target [DSouza2006, Alg. 3]
+    double access_volume_mm3 = 0;         ///< coverable area x depth [Lim2000]
+    /// Set when the tool cannot be used; the areas then tell what it could do without that.
+    std::optional<Exclusion> excluded;
+};
+
+/// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.
+AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material);
+
+/// What tool n has to sweep after the larger tool m [algorithms.md, section 4].
+struct DecomposedArea {
+    /// C = C_n minus where n's disc lies in what m has swept: the centres n must visit.
+    Region centres;
+    /// D_mn = offset(C, r_n).
+    Region area;
+    /// Centres of n whose disc meets no material: swept by m before. Links and entries there are free.
+    Region cleared_centres;
+    /// Area of the target n newly clears [mm2].
+    double new_area_mm2 = 0;
+};
+
+/// D_mn for a pair; `m` null stands for tool 0, nothing used yet: D_0n = A_n.
+/// Empty when m reaches all that n does.
+/// \pre m == nullptr or m->radius_mm >= n.radius_mm
+DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea* m, const AccessibleArea& n);
+
+}  // namespace stepmill

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/tool.h"
+#include "stepmill/core/tolerances.h"
+#include "stepmill/feature/feature.h"
+#include "stepmill/part/part.h"
+#include "stepmill/sequence/sequence.h"
+#include "stepmill/setup/setup.h"
+
+namespace stepmill {
+
+/// Something the reader of a plan must know. Codes are stable words for programs.
+struct Warning {
+    std::string code;      ///< "unit-doubt", "residual", "no-tool", "feature-failed", "travel", ...
+    std::string subject;   ///< "S1.F2", "part.step"
+    std::string text;
+};
+
+/// One visit of one tool to one feature.
+struct Operation {
+    std::string id;           ///< "S1.O3", numbered in machining order
+    std::string setup_id;
+    std::string feature_id;
+    std::string tool_id;
+    Role role = Role::Rough;
+    Toolpath path;
+    PathProof proof;
+    double z_top_mm = 0;
+    double z_floor_mm = 0;
+    double speed_rpm = 0;
+};
+
+struct PlannedFeature {
+    Feature feature;
+    ToolSequence sequence;   ///< its steps' paths have moved to the operations
+};
+
+struct PlannedSetup {
+    Setup setup;
+    std::vector<PlannedFeature> features;   ///< parents before children
+    std::vector<Unplanned> unplanned;
+    std::vector<Operation> operations;      ///< in machining order
+    double time_s = 0;                      ///< tool changes included
+};
+
+struct PlanTotals {
+    double time_s = 0;
+    double cutting_s = 0;       ///< all feed moves
+    double air_s = 0;           ///< rapids
+    double tool_change_s = 0;
+    int tool_changes = 0;
+    double cost = 0;
+    double lower_bound_s = 0;
+};
+
+/// The books: stock minus part, and where each part of it went.
+struct VolumeBalance {
+    double stock_minus_part_mm3 = 0;
+    double planned_mm3 = 0;
+    double residual_mm3 = 0;
+    double unreachable_mm3 = 0;
+
+    /// What no entry accounts for, as a share of stock minus part.
+    double gapShare() const;
+};
+
+struct Plan {
+    Part part;
+    Stock stock;
+    Machine machine;
+    ToolLibrary library;
+    std::string material;
+    Objective objective = Objective::Time;
+    std::vector<PlannedSetup> setups;
+    PlanTotals totals;
+    VolumeBalance balance;
+    std::vector<Warning> warnings;
+
+    /// Is all of stock - part machined, nothing left over but rounding?
+    bool complete(const Tolerances& tol) const;
+};
+
+struct PlanRequest {
+    SetupRequest setup;
+    SliceOptions slicing;
+    SequenceOptions sequence;
+};
+
+/// Called at the start of each stage ("slicing S1", "S1.F2") with the share done in [0, 1].
+using Progress = std::function<void(const std::string& stage, double share)>;
+
+/// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books.
+/// A feature whose planning fails becomes a residual with a warning; the rest of the plan stands.
+/// \throws Error for input the plan cannot go on with (stock too small, no tool for the material).
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library, const Machine& machine,
+              const Tolerances& tol, const Progress& progress = {});
+
+/// Puts operations in an order that keeps parents before children and each feature's own tool order, and
+/// that changes tools as rarely as a greedy look-ahead finds. Returns indices into `operations`.
+std::vector<int> orderOperations(const std::vector<Operation>& operations, const std::vector<Feature>& features);
+
+}  // namespace stepmill

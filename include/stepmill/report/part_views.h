@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "stepmill/part/part.h"
+
+namespace stepmill {
+
+/// A drawing of the part by hidden-line removal: visible edges solid, hidden ones thin and dashed.
+struct View {
+    std::string title;   ///< "Top", "Front", "Right", "Isometric"
+    std::string svg;     ///< one <svg> element, sized in mm by its viewBox
+};
+
+/// Top, front, right and isometric views. \throws Error(GeometryKernel)
+std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup);
+
+}  // namespace stepmill

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stepmill/access/access.h"
+#include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/tool.h"
+#include "stepmill/core/tolerances.h"
+#include "stepmill/planar/region.h"
+
+namespace stepmill {
+
+enum class MoveKind {
+    Rapid,     ///< G0, straight
+    Feed,      ///< at the cutting feed
+    Plunge     ///< descending, at the plunge feed (straight, ramp or helix)
+};
+
+/// One motion of the tool tip from where the previous one ended. With `arc` the move follows it in x and y
+/// while z changes evenly (a helix when it does).
+struct Move {
+    MoveKind kind = MoveKind::Rapid;
+    Vec3 to = Vec3::Zero();
+    std::optional<Arc> arc;
+    bool in_air = false;   ///< a feed move known to meet no material
+};
+
+/// Lengths and times of a path [mm, s].
+struct PathTotals {
+    double cut_length_mm = 0;        ///< all feed moves: G1, G2, G3
+    double feed_air_length_mm = 0;   ///< of these, what does not cut
+    double air_length_mm = 0;        ///< rapids
+    double feed_time_s = 0;
+    double rapid_time_s = 0;
+
+    double time_s() const { return feed_time_s + rapid_time_s; }
+    PathTotals& operator+=(const PathTotals& other);
+};
+
+/// What checking the emitted moves against the obstruction gave.
+struct PathProof {
+    /// Least distance between the cutter's edge and the obstruction over all moves below the feature's
+    /// top; negative would be a gouge [mm].
+    double least_clearance_mm = 0;
+    /// Rapids stay above the material or over ground already cleared.
+    bool rapids_clear = true;
+};
+
+/// The path of one tool in one feature over all depths of cut, in setup coordinates. Starts and ends at
+/// the retract height.
+struct Toolpath {
+    Vec3 start = Vec3::Zero();
+    std::vector<Move> moves;
+    std::string pattern;          ///< "contour-parallel", "drill"
+    int layers = 0;               ///< depths of cut, evenly divided
+    double step_over_mm = 0;      ///< as used
+    double step_down_mm = 0;      ///< depth / layers
+    double feed_mm_per_min = 0;
+    double plunge_feed_mm_per_min = 0;
+    PathTotals totals;
+};
+
+/// What one tool has to clear in one feature.
+struct ClearingTask {
+    Region free_centres;           ///< where the axis may go at every depth of the feature
+    std::vector<Entry> entries;    ///< one per component of free_centres, in components() order
+    Region centres;                ///< centres to be swept (all of free_centres, or a decomposed area's)
+    Region cleared_centres;        ///< centres where the disc meets no material; empty for a first tool
+    Region target;                 ///< T, to see open edges and trim passes that would only cut air
+    Region obstruction;            ///< O, for the proof
+    double top_z_mm = 0;
+    double floor_z_mm = 0;
+    double retract_z_mm = 0;       ///< rapids between entries go here
+};
+
+/// Contour-parallel clearing at every depth of cut: rings of the centre region at the step-over, entered
+/// from an open edge, cleared ground, helix, ramp or plunge, linked at depth where the straight way is
+/// free, else over the retract height. Climb milling; arcs stay arcs. The step-over is limited to the
+/// cutter radius, so that rings leave nothing between them.
+/// Empty (no moves) when there is nothing to clear.
+Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
+                   const Machine& machine, const Tolerances& tol);
+
+/// Drills one hole at `at`: rapid to the clearance height, peck at the cutting data's step-down (or twice
+/// the diameter when it has none), feed out, retract. \pre tool.isDrill()
+Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double retract_z_mm,
+                   const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
+
+/// Sums lengths and times at the path's feeds and the machine's rapid rate (no acceleration).
+PathTotals measure(const Toolpath& path, const Machine& machine);
+
+/// Checks the moves themselves, independently of how they were made.
+PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm, const Tolerances& tol);
+
+/// The feed moves of the deepest layer, seen from above; for drawings.
+std::vector<Path> topView(const Toolpath& path);
+
+}  // namespace stepmill
