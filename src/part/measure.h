@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "stepmill/part/part_shape.h"
+
+namespace stepmill {
+
+/// "plane", "cylinder", ... as PartFace::surface says it.
+std::string surfaceKind(const TopoDS_Face& face);
+
+/// Signed volume [mm3]; negative for a solid whose faces look inwards.
+double volumeOf(const TopoDS_Shape& shape);
+
+/// Tight box of the shape itself, without OCCT's tolerances around it [mm].
+Box3 boxOf(const TopoDS_Shape& shape);
+
+/// Edges that bound one face only; a seam or a degenerated edge is none.
+int countFreeEdges(const TopoDS_Shape& shape);
+
+int countShapes(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
+
+/// Faces in the order of TopExp_Explorer.
+std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape);
+
+/// The shape itself if it is a solid, else the only solid of a compound that holds nothing else.
+/// \throws Error(InvalidSolid)
+TopoDS_Shape singleSolid(const TopoDS_Shape& shape, const std::string& subject);
+
+/// \throws Error(OpenShell) for free edges, Error(InvalidSolid) if BRepCheck finds fault or the volume is
+/// not positive.
+void requireValid(const TopoDS_Shape& solid, const std::string& subject);
+
+/// Fills box, volume, faces (without names), surfaces and shape.
+void describeShape(Part& part, const TopoDS_Shape& solid);
+
+}  // namespace stepmill

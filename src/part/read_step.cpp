@@ -1,0 +1,1 @@
+#include "stepmill/part/part.h"
