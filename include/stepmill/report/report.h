@@ -21,4 +21,7 @@ std::string summaryText(const Plan& plan);
 /// complete or none is there. \throws Error(OutputUnwritable)
 void writePlan(const Plan& plan, const std::filesystem::path& dir, const Tolerances& tol);
 
+/// Removes what a killed writePlan(…, dir, …) may have left beside `dir`. Does nothing where all is tidy.
+void removeUnfinished(const std::filesystem::path& dir);
+
 }  // namespace stepmill

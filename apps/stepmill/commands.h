@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace stepmill {
+
+/// Exit codes every command keeps.
+enum ExitCode : int {
+    kComplete = 0,   ///< all done
+    kGaps = 1,       ///< plan written, but something could not be machined as asked
+    kBadInput = 2,   ///< bad input or usage
+    kBug = 3         ///< a bug in Stepmill
+};
+
+/// Each adds one subcommand; what it does runs from CLI11's callback and sets `exit_code`.
+void addPlanCommand(CLI::App& app, int& exit_code);
+void addToolsCommand(CLI::App& app, int& exit_code);
+
+/// Prints an error on stderr as "stepmill: ..." and says which exit code it means.
+int reportError(const std::exception& error);
+
+}  // namespace stepmill

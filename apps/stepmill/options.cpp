@@ -1,0 +1,106 @@
+#include "options.h"
+
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+
+namespace {
+
+double parseLength(const std::string& text, const std::string& option) {
+    std::size_t used = 0;
+    double value = 0;
+    try {
+        value = std::stod(text, &used);
+    } catch (const std::exception&) {
+        used = std::string::npos;
+    }
+    if (used != text.size() || !std::isfinite(value) || value < 0)
+        throw Error(ErrorCode::Usage, option, fmt::format("expected a length of 0 mm or more, found '{}'", text));
+    return value;
+}
+
+StockMargin parseMargin(const std::string& text) {
+    std::vector<double> values;
+    std::stringstream stream(text);
+    for (std::string item; std::getline(stream, item, ',');)
+        values.push_back(parseLength(item, "--stock-margin"));
+    if (values.size() != 3)
+        throw Error(ErrorCode::Usage, "--stock-margin",
+                    fmt::format("expected three lengths side,top,bottom in mm, found '{}'", text));
+    return {values[0], values[1], values[2]};
+}
+
+bool isNumber(const std::string& text) {
+    return !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
+Shop loadShop(const PlanOptions& options) {
+    Shop shop;
+    shop.library = options.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.tools_file);
+    shop.machine = options.machine_file.empty() ? defaultMachine() : readMachine(options.machine_file);
+    const std::vector<std::string> materials = shop.library.materials();
+    if (std::find(materials.begin(), materials.end(), options.material) == materials.end())
+        throw Error(ErrorCode::Usage, "--material",
+                    fmt::format("no tool in {} has cutting data for '{}'; it knows {}", shop.library.file,
+                                options.material, fmt::join(materials, ", ")));
+    return shop;
+}
+
+PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
+    PlanRequest request;
+    if (options.setup != "auto") {
+        const std::optional<Vec3> axis = parseAxis(options.setup);
+        if (!axis)
+            throw Error(ErrorCode::Usage, "--setup",
+                        fmt::format("expected auto, +x, -x, +y, -y, +z, -z or x,y,z; found '{}'", options.setup));
+        request.setup.axes = {*axis};
+    }
+    request.setup.margin = parseMargin(options.stock_margin);
+    if (options.stock != "box") {
+        std::vector<Part> stocks = readStep(options.stock);
+        if (stocks.size() != 1)
+            throw Error(ErrorCode::Usage, "--stock",
+                        fmt::format("expected one solid in {}, found {}", options.stock, stocks.size()));
+        request.setup.stock_part = std::move(stocks.front());
+    }
+    request.sequence.material = options.material;
+    request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;
+    request.sequence.retract_mm = machine.safe_height_mm;
+    return request;
+}
+
+std::vector<Part> chooseParts(const PlanOptions& options) {
+    ReadOptions read;
+    read.unit = options.unit;
+    const bool all = options.solid == "all";
+    if (!all && !options.solid.empty() && !isNumber(options.solid))
+        throw Error(ErrorCode::Usage, "--solid", fmt::format("expected a number or all, found '{}'", options.solid));
+    std::vector<Part> parts = readStep(options.part_file, read);
+    if (all || (options.solid.empty() && parts.size() == 1)) return parts;
+
+    if (options.solid.empty()) {
+        std::string names;
+        for (const Part& part : parts)
+            names += fmt::format("\n  --solid {}: {} ({} times, {:.1f} x {:.1f} x {:.1f} mm)", part.solid_index, part.name,
+                                 part.count, part.bbox_mm.sizes().x(), part.bbox_mm.sizes().y(),
+                                 part.bbox_mm.sizes().z());
+        throw Error(ErrorCode::Usage, options.part_file,
+                    fmt::format("holds {} different solids; choose one, or --solid all{}", parts.size(), names));
+    }
+    const int wanted = std::stoi(options.solid);
+    for (Part& part : parts)
+        if (part.solid_index == wanted) return {std::move(part)};
+    throw Error(ErrorCode::Usage, "--solid",
+                fmt::format("{} has solids 0 to {}, not {}", options.part_file, parts.size() - 1, wanted));
+}
+
+}  // namespace stepmill

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/tool.h"
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// The options of `stepmill plan`, as typed.
+struct PlanOptions {
+    std::string part_file;
+    std::string out_dir;                ///< empty: "<part>-plan" in the current folder
+    std::string tools_file;             ///< empty: the built-in shop library
+    std::string machine_file;           ///< empty: the built-in machining centre
+    std::string material = "aluminium";
+    std::string stock = "box";          ///< "box" or a STEP file
+    std::string stock_margin = "0,0,0"; ///< side,top,bottom
+    std::string setup = "auto";
+    std::string objective = "time";
+    std::string solid;                  ///< empty: the only one; a number; "all"
+    std::string unit;                   ///< empty: as the file says
+    int jobs = 0;                       ///< 0: one per core
+    double timeout_s = 300;
+    bool strict = false;
+    bool json = false;
+};
+
+/// Library and machine a run uses. \throws Error as readToolLibrary and readMachine do; Error(Usage) when
+/// no tool has cutting data for the material.
+struct Shop {
+    ToolLibrary library;
+    Machine machine;
+};
+Shop loadShop(const PlanOptions& options);
+
+/// What the words of the command line mean for the planner. \throws Error(Usage) naming the option.
+PlanRequest planRequest(const PlanOptions& options, const Machine& machine);
+
+/// The parts of the file that were asked for. \throws Error(Usage) when the file holds several solids and
+/// none was chosen, or the chosen one does not exist.
+std::vector<Part> chooseParts(const PlanOptions& options);
+
+}  // namespace stepmill
