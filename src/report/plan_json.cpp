@@ -1,0 +1,234 @@
+#include <nlohmann/json.hpp>
+
+#include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/error.h"
+#include "stepmill/report/report.h"
+
+namespace stepmill {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Six decimals: a nanometre in lengths, a microsecond in times. Keeps the file short and the same
+/// everywhere.
+double number(double value) {
+    constexpr double kDecimals = 1e6;
+    const double rounded = std::round(value * kDecimals) / kDecimals;
+    return rounded == 0 ? 0.0 : rounded;
+}
+
+Json numberOrNull(const std::optional<double>& value) { return value ? Json(number(*value)) : Json(nullptr); }
+
+Json point(const Vec2& p) { return Json::array({number(p.x()), number(p.y())}); }
+Json point(const Vec3& p) { return Json::array({number(p.x()), number(p.y()), number(p.z())}); }
+Json box(const Box3& b) { return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))}); }
+
+Json segmentJson(const Segment& segment) {
+    Json json{{"to", point(segment.to)}};
+    if (segment.arc) {
+        json["centre"] = point(segment.arc->centre);
+        json["ccw"] = segment.arc->ccw;
+    }
+    return json;
+}
+
+Json regionJson(const Region& region) {
+    Json loops = Json::array();
+    for (const Loop& loop : region.loops) {
+        Json segments = Json::array();
+        for (const Segment& segment : loop.segments) segments.push_back(segmentJson(segment));
+        loops.push_back(
+            {{"hole", signedArea(loop) < 0}, {"start", point(loop.start)}, {"segments", std::move(segments)}});
+    }
+    return {{"loops", std::move(loops)}};
+}
+
+Json transformJson(const Eigen::Isometry3d& transform) {
+    const Eigen::Matrix4d& matrix = transform.matrix();
+    Json rows = Json::array();
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) rows.push_back(number(matrix(row, column)));
+    return rows;
+}
+
+Json partJson(const Part& part) {
+    return {{"file", part.file},
+            {"sha256", part.sha256},
+            {"name", part.name},
+            {"unit_in_file", part.unit_in_file},
+            {"bbox_mm", box(part.bbox_mm)},
+            {"volume_mm3", number(part.volume_mm3)},
+            {"solids", part.count},
+            {"surfaces", part.surfaces}};
+}
+
+Json stockJson(const Stock& stock) {
+    return {{"kind", stock.kind == Stock::Kind::Box ? "box" : "step"},
+            {"bbox_mm", box(stock.bbox_mm)},
+            {"volume_mm3", number(stock.volume_mm3)}};
+}
+
+Json machineJson(const Machine& machine) {
+    return {{"name", machine.name},
+            {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
+            {"max_feed_mm_per_min", number(machine.max_feed_mm_per_min)},
+            {"max_speed_rpm", number(machine.max_speed_rpm)},
+            {"tool_change_s", number(machine.tool_change_s)},
+            {"hourly_rate", number(machine.hourly_rate)},
+            {"currency", machine.currency},
+            {"travel_mm", machine.travel_mm},
+            {"magazine_size", machine.magazine_size},
+            {"acceleration_mm_per_s2", number(machine.acceleration_mm_per_s2)},
+            {"safe_height_mm", number(machine.safe_height_mm)},
+            {"dialect", machine.dialect}};
+}
+
+Json toolAreasJson(const AccessibleArea& area) {
+    Json json{{"tool", area.tool_id},
+              {"accessible_area_mm2", number(area.accessible_area_mm2)},
+              {"coverable_area_mm2", number(area.coverable_area_mm2)},
+              {"collision_free_area_mm2", number(area.collision_free_area_mm2)},
+              {"access_volume_mm3", number(area.access_volume_mm3)},
+              {"blocked_lumps", Json::array()},
+              {"excluded", nullptr}};
+    if (area.excluded)
+        json["excluded"] = {{"reason", toString(area.excluded->reason)}, {"text", area.excluded->text}};
+    return json;
+}
+
+Json edgeJson(const DagEdge& edge) {
+    return {{"from", edge.from},
+            {"to", edge.to},
+            {"region_area_mm2", number(edge.region_area_mm2)},
+            {"cut_length_mm", number(edge.totals.cut_length_mm)},
+            {"air_length_mm", number(edge.totals.air_length_mm)},
+            {"time_s", number(edge.time_s)},
+            {"cost", number(edge.cost)},
+            {"surrogates", Json::array()}};
+}
+
+Json residualJson(const Residual& residual) {
+    return {{"region", regionJson(residual.region)},
+            {"area_mm2", number(residual.area_mm2)},
+            {"volume_mm3", number(residual.volume_mm3)},
+            {"reason", residual.reason},
+            {"advice", residual.advice}};
+}
+
+template <typename Range, typename Function>
+Json listOf(const Range& range, Function toJson) {
+    Json list = Json::array();
+    for (const auto& item : range) list.push_back(toJson(item));
+    return list;
+}
+
+Json featureJson(const PlannedFeature& planned) {
+    const Feature& feature = planned.feature;
+    const ToolSequence& sequence = planned.sequence;
+    return {{"id", feature.id},
+            {"setup", feature.setup_id},
+            {"class", toString(feature.feature_class)},
+            {"parents", feature.parents},
+            {"top_z_mm", number(feature.top_z_mm)},
+            {"floor_z_mm", number(feature.floor_z_mm)},
+            {"depth_mm", number(feature.depth_mm())},
+            {"area_mm2", number(feature.area_mm2)},
+            {"volume_mm3", number(feature.volume_mm3)},
+            {"open_length_mm", number(feature.open_length_mm)},
+            {"closed_length_mm", number(feature.closed_length_mm)},
+            {"min_corner_radius_mm", numberOrNull(feature.min_corner_radius_mm)},
+            {"target", regionJson(feature.target)},
+            {"obstruction", regionJson(feature.obstruction)},
+            {"tools", listOf(sequence.tools, toolAreasJson)},
+            {"dag",
+             {{"edges", listOf(sequence.edges, edgeJson)},
+              {"path", listOf(sequence.steps, [](const SequenceStep& step) { return Json(step.tool_id); })}}},
+            {"time_s", number(sequence.time_s)},
+            {"lower_bound_s", number(sequence.lower_bound_s)},
+            {"residual", listOf(sequence.residual, residualJson)}};
+}
+
+Json operationJson(const Operation& operation) {
+    const Toolpath& path = operation.path;
+    return {{"id", operation.id},
+            {"setup", operation.setup_id},
+            {"feature", operation.feature_id},
+            {"tool", operation.tool_id},
+            {"role", toString(operation.role)},
+            {"pattern", path.pattern},
+            {"layers", path.layers},
+            {"z_top_mm", number(operation.z_top_mm)},
+            {"z_floor_mm", number(operation.z_floor_mm)},
+            {"step_over_mm", number(path.step_over_mm)},
+            {"step_down_mm", number(path.step_down_mm)},
+            {"feed_mm_per_min", number(path.feed_mm_per_min)},
+            {"plunge_feed_mm_per_min", number(path.plunge_feed_mm_per_min)},
+            {"speed_rpm", number(operation.speed_rpm)},
+            {"cut_length_mm", number(path.totals.cut_length_mm)},
+            {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
+            {"air_length_mm", number(path.totals.air_length_mm)},
+            {"time_s", number(path.totals.time_s())}};
+}
+
+Json setupJson(const PlannedSetup& setup) {
+    return {{"id", setup.setup.id},
+            {"axis", point(setup.setup.axis)},
+            {"transform", transformJson(setup.setup.part_to_setup)},
+            {"program", setup.setup.id + ".ngc"},
+            {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
+            {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
+            {"time_s", number(setup.time_s)}};
+}
+
+Json totalsJson(const PlanTotals& totals) {
+    return {{"time_s", number(totals.time_s)},
+            {"cutting_s", number(totals.cutting_s)},
+            {"air_s", number(totals.air_s)},
+            {"tool_change_s", number(totals.tool_change_s)},
+            {"tool_changes", totals.tool_changes},
+            {"cost", number(totals.cost)},
+            {"lower_bound_s", number(totals.lower_bound_s)}};
+}
+
+Json balanceJson(const VolumeBalance& balance) {
+    return {{"stock_minus_part_mm3", number(balance.stock_minus_part_mm3)},
+            {"planned_mm3", number(balance.planned_mm3)},
+            {"residual_mm3", number(balance.residual_mm3)},
+            {"unreachable_mm3", number(balance.unreachable_mm3)}};
+}
+
+}  // namespace
+
+std::string planJson(const Plan& plan) {
+    Json features = Json::array();
+    Json operations = Json::array();
+    for (const PlannedSetup& setup : plan.setups) {
+        for (const PlannedFeature& feature : setup.features) features.push_back(featureJson(feature));
+        for (const Operation& operation : setup.operations) operations.push_back(operationJson(operation));
+    }
+    const Json json{
+        {"format", 1},
+        {"stepmill", {{"version", STEPMILL_VERSION}}},
+        {"part", partJson(plan.part)},
+        {"stock", stockJson(plan.stock)},
+        {"machine", machineJson(plan.machine)},
+        {"material", plan.material},
+        {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
+        {"setups", listOf(plan.setups, setupJson)},
+        {"features", std::move(features)},
+        {"operations", std::move(operations)},
+        {"totals", totalsJson(plan.totals)},
+        {"volume_balance", balanceJson(plan.balance)},
+        {"warnings", listOf(plan.warnings, [](const Warning& warning) {
+             return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
+         })}};
+
+    // Names come from strangers' files: bytes that are no UTF-8 are replaced, not fatal.
+    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::vector<std::string> errors = schemaErrors(SchemaName::Plan, text);
+    if (!errors.empty()) throw Error(ErrorCode::Internal, "plan.json", errors.front());
+    return text;
+}
+
+}  // namespace stepmill
