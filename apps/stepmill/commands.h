@@ -6,10 +6,10 @@ namespace stepmill {
 
 /// Exit codes every command keeps.
 enum ExitCode : int {
-    kComplete = 0,   ///< all done
-    kGaps = 1,       ///< plan written, but something could not be machined as asked
-    kBadInput = 2,   ///< bad input or usage
-    kBug = 3         ///< a bug in Stepmill
+    kComplete = 0,  ///< all done
+    kGaps = 1,      ///< plan written, but something could not be machined as asked
+    kBadInput = 2,  ///< bad input or usage
+    kBug = 3        ///< a bug in Stepmill
 };
 
 /// Each adds one subcommand; what it does runs from CLI11's callback and sets `exit_code`.

@@ -22,7 +22,8 @@ double parseLength(const std::string& text, const std::string& option) {
         used = std::string::npos;
     }
     if (used != text.size() || !std::isfinite(value) || value < 0)
-        throw Error(ErrorCode::Usage, option, fmt::format("expected a length of 0 mm or more, found '{}'", text));
+        throw Error(ErrorCode::Usage, option,
+                    fmt::format("expected a length of 0 mm or more, found '{}'", text));
     return value;
 }
 
@@ -60,8 +61,9 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     if (options.setup != "auto") {
         const std::optional<Vec3> axis = parseAxis(options.setup);
         if (!axis)
-            throw Error(ErrorCode::Usage, "--setup",
-                        fmt::format("expected auto, +x, -x, +y, -y, +z, -z or x,y,z; found '{}'", options.setup));
+            throw Error(
+                ErrorCode::Usage, "--setup",
+                fmt::format("expected auto, +x, -x, +y, -y, +z, -z or x,y,z; found '{}'", options.setup));
         request.setup.axes = {*axis};
     }
     request.setup.margin = parseMargin(options.stock_margin);
@@ -83,18 +85,20 @@ std::vector<Part> chooseParts(const PlanOptions& options) {
     read.unit = options.unit;
     const bool all = options.solid == "all";
     if (!all && !options.solid.empty() && !isNumber(options.solid))
-        throw Error(ErrorCode::Usage, "--solid", fmt::format("expected a number or all, found '{}'", options.solid));
+        throw Error(ErrorCode::Usage, "--solid",
+                    fmt::format("expected a number or all, found '{}'", options.solid));
     std::vector<Part> parts = readStep(options.part_file, read);
     if (all || (options.solid.empty() && parts.size() == 1)) return parts;
 
     if (options.solid.empty()) {
         std::string names;
         for (const Part& part : parts)
-            names += fmt::format("\n  --solid {}: {} ({} times, {:.1f} x {:.1f} x {:.1f} mm)", part.solid_index, part.name,
-                                 part.count, part.bbox_mm.sizes().x(), part.bbox_mm.sizes().y(),
-                                 part.bbox_mm.sizes().z());
-        throw Error(ErrorCode::Usage, options.part_file,
-                    fmt::format("holds {} different solids; choose one, or --solid all{}", parts.size(), names));
+            names += fmt::format("\n  --solid {}: {} ({} times, {:.1f} x {:.1f} x {:.1f} mm)",
+                                 part.solid_index, part.name, part.count, part.bbox_mm.sizes().x(),
+                                 part.bbox_mm.sizes().y(), part.bbox_mm.sizes().z());
+        throw Error(
+            ErrorCode::Usage, options.part_file,
+            fmt::format("holds {} different solids; choose one, or --solid all{}", parts.size(), names));
     }
     const int wanted = std::stoi(options.solid);
     for (Part& part : parts)

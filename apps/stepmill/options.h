@@ -12,17 +12,17 @@ namespace stepmill {
 /// The options of `stepmill plan`, as typed.
 struct PlanOptions {
     std::string part_file;
-    std::string out_dir;                ///< empty: "<part>-plan" in the current folder
-    std::string tools_file;             ///< empty: the built-in shop library
-    std::string machine_file;           ///< empty: the built-in machining centre
+    std::string out_dir;       ///< empty: "<part>-plan" in the current folder
+    std::string tools_file;    ///< empty: the built-in shop library
+    std::string machine_file;  ///< empty: the built-in machining centre
     std::string material = "aluminium";
-    std::string stock = "box";          ///< "box" or a STEP file
-    std::string stock_margin = "0,0,0"; ///< side,top,bottom
+    std::string stock = "box";           ///< "box" or a STEP file
+    std::string stock_margin = "0,0,0";  ///< side,top,bottom
     std::string setup = "auto";
     std::string objective = "time";
-    std::string solid;                  ///< empty: the only one; a number; "all"
-    std::string unit;                   ///< empty: as the file says
-    int jobs = 0;                       ///< 0: one per core
+    std::string solid;  ///< empty: the only one; a number; "all"
+    std::string unit;   ///< empty: as the file says
+    int jobs = 0;       ///< 0: one per core
     double timeout_s = 300;
     bool strict = false;
     bool json = false;

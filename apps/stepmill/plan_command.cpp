@@ -37,7 +37,8 @@ class ProgressLine {
         if (!terminal_) return;
         constexpr int kWidth = 30;
         const int done = std::clamp(static_cast<int>(share * kWidth), 0, kWidth);
-        fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, '.'), stage);
+        fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, '.'),
+                   stage);
         std::fflush(stderr);
     }
 
@@ -65,8 +66,9 @@ int planAll(const PlanOptions& options, StageBoard& board) {
 
     int exit_code = kComplete;
     for (const Part& part : parts) {
-        const Plan plan = planPart(part, request, shop.library, shop.machine, tol,
-                                   [&](const std::string& stage, double share) { progress.show(stage, share); });
+        const Plan plan =
+            planPart(part, request, shop.library, shop.machine, tol,
+                     [&](const std::string& stage, double share) { progress.show(stage, share); });
         fs::path folder = outputFolder(options);
         if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
         progress.show("writing the report", 1);
@@ -108,13 +110,16 @@ int runPlan(const PlanOptions& options) {
 }  // namespace
 
 void addPlanCommand(CLI::App& app, int& exit_code) {
-    CLI::App* plan = app.add_subcommand("plan", "Plan a STEP part and write plan.json, report.html and programs");
+    CLI::App* plan =
+        app.add_subcommand("plan", "Plan a STEP part and write plan.json, report.html and programs");
     auto options = std::make_shared<PlanOptions>();
     plan->add_option("PART", options->part_file, "STEP file (AP203, AP214 or AP242)")->required();
     plan->add_option("-o,--output", options->out_dir, "folder to write to; default: <part>-plan");
-    plan->add_option("--tools", options->tools_file, "tool library (JSON); default: a metric shop of 20 tools");
+    plan->add_option("--tools", options->tools_file,
+                     "tool library (JSON); default: a metric shop of 20 tools");
     plan->add_option("--machine", options->machine_file, "machine (JSON); default: a machining centre");
-    plan->add_option("--material", options->material, "material the cutting data are for")->capture_default_str();
+    plan->add_option("--material", options->material, "material the cutting data are for")
+        ->capture_default_str();
     plan->add_option("--stock", options->stock, "box, or a STEP file in the part's coordinates")
         ->capture_default_str();
     plan->add_option("--stock-margin", options->stock_margin, "side,top,bottom over the part's box [mm]")

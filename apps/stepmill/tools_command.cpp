@@ -10,7 +10,8 @@ namespace {
 
 int validateLibrary(const std::string& file) {
     const std::vector<std::string> errors = findLibraryErrors(file);
-    for (const std::string& line : errors) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : errors)
+        fmt::print(stderr, "{}\n", line);
     if (!errors.empty()) return kBadInput;
 
     const ToolLibrary library = readToolLibrary(file);
@@ -25,7 +26,8 @@ int validateLibrary(const std::string& file) {
 void addToolsCommand(CLI::App& app, int& exit_code) {
     CLI::App* tools = app.add_subcommand("tools", "Look after tool libraries");
     tools->require_subcommand(1);
-    CLI::App* check = tools->add_subcommand("validate", "Check a tool library and say all that is wrong with it");
+    CLI::App* check =
+        tools->add_subcommand("validate", "Check a tool library and say all that is wrong with it");
     auto file = std::make_shared<std::string>();
     check->add_option("FILE", *file, "tool library (JSON)")->required();
     check->footer("Example: stepmill tools validate samples/shop_metric_tools.json");

@@ -5,6 +5,8 @@
 #include <BRepLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
 #include <HLRAlgo_Projector.hxx>
 #include <HLRBRep_Algo.hxx>
 #include <HLRBRep_HLRToShape.hxx>
@@ -13,8 +15,6 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
-#include <gp_Ax2.hxx>
-#include <gp_Trsf.hxx>
 
 #include "report/svg.h"
 #include "stepmill/part/part_shape.h"
@@ -39,8 +39,8 @@ using Polyline = std::vector<Vec2>;
 gp_Trsf toTrsf(const Eigen::Isometry3d& transform) {
     const Eigen::Matrix4d& m = transform.matrix();
     gp_Trsf trsf;
-    trsf.SetValues(m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1), m(1, 2), m(1, 3), m(2, 0), m(2, 1), m(2, 2),
-                   m(2, 3));
+    trsf.SetValues(m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1), m(1, 2), m(1, 3), m(2, 0), m(2, 1),
+                   m(2, 2), m(2, 3));
     return trsf;
 }
 
@@ -53,7 +53,8 @@ std::vector<Polyline> polylines(const TopoDS_Shape& edges, double deflection_mm)
         constexpr double kAngularDeflection = 0.1;
         const GCPnts_TangentialDeflection points(curve, kAngularDeflection, deflection_mm);
         Polyline line;
-        for (int i = 1; i <= points.NbPoints(); ++i) line.emplace_back(points.Value(i).X(), points.Value(i).Y());
+        for (int i = 1; i <= points.NbPoints(); ++i)
+            line.emplace_back(points.Value(i).X(), points.Value(i).Y());
         lines.push_back(std::move(line));
     }
     return lines;
@@ -63,14 +64,17 @@ struct Lines {
     std::vector<Polyline> visible;
     std::vector<Polyline> hidden;
 
-    void addVisible(const TopoDS_Shape& edges, double deflection_mm) { append(visible, edges, deflection_mm); }
+    void addVisible(const TopoDS_Shape& edges, double deflection_mm) {
+        append(visible, edges, deflection_mm);
+    }
     void addHidden(const TopoDS_Shape& edges, double deflection_mm) { append(hidden, edges, deflection_mm); }
 
   private:
     static void append(std::vector<Polyline>& to, TopoDS_Shape edges, double deflection_mm) {
         if (edges.IsNull()) return;
         BRepLib::BuildCurves3d(edges);
-        for (Polyline& line : polylines(edges, deflection_mm)) to.push_back(std::move(line));
+        for (Polyline& line : polylines(edges, deflection_mm))
+            to.push_back(std::move(line));
     }
 };
 
@@ -106,7 +110,8 @@ std::string drawing(const Lines& lines) {
     Box2 box;
     for (const std::vector<Polyline>* group : {&lines.visible, &lines.hidden})
         for (const Polyline& line : *group)
-            for (const Vec2& p : line) box.add(p);
+            for (const Vec2& p : line)
+                box.add(p);
     SvgDrawing svg(box);
     svg.polylines(lines.hidden, "hidden");
     svg.polylines(lines.visible, "visible");
@@ -123,7 +128,8 @@ std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_s
     std::vector<View> views;
     guardOcct(ErrorCode::GeometryKernel, "views of " + part.name, [&] {
         // A copy of the geometry: meshing writes into the shape, and the part is shared.
-        const TopoDS_Shape solid = BRepBuilderAPI_Transform(part.shape->solid, toTrsf(part_to_setup), true).Shape();
+        const TopoDS_Shape solid =
+            BRepBuilderAPI_Transform(part.shape->solid, toTrsf(part_to_setup), true).Shape();
         const double size_mm = part.bbox_mm.diagonal().norm();
         const double deflection_mm = kDrawingDeflection * size_mm;
         const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;

@@ -18,11 +18,19 @@ double number(double value) {
     return rounded == 0 ? 0.0 : rounded;
 }
 
-Json numberOrNull(const std::optional<double>& value) { return value ? Json(number(*value)) : Json(nullptr); }
+Json numberOrNull(const std::optional<double>& value) {
+    return value ? Json(number(*value)) : Json(nullptr);
+}
 
-Json point(const Vec2& p) { return Json::array({number(p.x()), number(p.y())}); }
-Json point(const Vec3& p) { return Json::array({number(p.x()), number(p.y()), number(p.z())}); }
-Json box(const Box3& b) { return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))}); }
+Json point(const Vec2& p) {
+    return Json::array({number(p.x()), number(p.y())});
+}
+Json point(const Vec3& p) {
+    return Json::array({number(p.x()), number(p.y()), number(p.z())});
+}
+Json box(const Box3& b) {
+    return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});
+}
 
 Json segmentJson(const Segment& segment) {
     Json json{{"to", point(segment.to)}};
@@ -37,9 +45,11 @@ Json regionJson(const Region& region) {
     Json loops = Json::array();
     for (const Loop& loop : region.loops) {
         Json segments = Json::array();
-        for (const Segment& segment : loop.segments) segments.push_back(segmentJson(segment));
-        loops.push_back(
-            {{"hole", signedArea(loop) < 0}, {"start", point(loop.start)}, {"segments", std::move(segments)}});
+        for (const Segment& segment : loop.segments)
+            segments.push_back(segmentJson(segment));
+        loops.push_back({{"hole", signedArea(loop) < 0},
+                         {"start", point(loop.start)},
+                         {"segments", std::move(segments)}});
     }
     return {{"loops", std::move(loops)}};
 }
@@ -48,7 +58,8 @@ Json transformJson(const Eigen::Isometry3d& transform) {
     const Eigen::Matrix4d& matrix = transform.matrix();
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row)
-        for (int column = 0; column < 4; ++column) rows.push_back(number(matrix(row, column)));
+        for (int column = 0; column < 4; ++column)
+            rows.push_back(number(matrix(row, column)));
     return rows;
 }
 
@@ -119,7 +130,8 @@ Json residualJson(const Residual& residual) {
 template <typename Range, typename Function>
 Json listOf(const Range& range, Function toJson) {
     Json list = Json::array();
-    for (const auto& item : range) list.push_back(toJson(item));
+    for (const auto& item : range)
+        list.push_back(toJson(item));
     return list;
 }
 
@@ -204,8 +216,10 @@ std::string planJson(const Plan& plan) {
     Json features = Json::array();
     Json operations = Json::array();
     for (const PlannedSetup& setup : plan.setups) {
-        for (const PlannedFeature& feature : setup.features) features.push_back(featureJson(feature));
-        for (const Operation& operation : setup.operations) operations.push_back(operationJson(operation));
+        for (const PlannedFeature& feature : setup.features)
+            features.push_back(featureJson(feature));
+        for (const Operation& operation : setup.operations)
+            operations.push_back(operationJson(operation));
     }
     const Json json{
         {"format", 1},

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "stepmill/report/report.h"
 #include "report/text.h"
+#include "stepmill/report/report.h"
 
 namespace stepmill {
 
@@ -9,13 +9,15 @@ namespace {
 
 std::string toolWords(const ToolSequence& sequence) {
     std::string words;
-    for (const SequenceStep& step : sequence.steps) words += (words.empty() ? "" : " > ") + step.tool_id;
+    for (const SequenceStep& step : sequence.steps)
+        words += (words.empty() ? "" : " > ") + step.tool_id;
     return words.empty() ? "none fits" : words;
 }
 
 double residualVolume(const ToolSequence& sequence) {
     double volume_mm3 = 0;
-    for (const Residual& residual : sequence.residual) volume_mm3 += residual.volume_mm3;
+    for (const Residual& residual : sequence.residual)
+        volume_mm3 += residual.volume_mm3;
     return volume_mm3;
 }
 
@@ -27,23 +29,26 @@ std::string boundWords(double time_s, double bound_s) {
 
 std::string summaryText(const Plan& plan) {
     const Vec3 size = plan.part.bbox_mm.sizes();
-    std::string text = fmt::format("{}  {:.2f} x {:.2f} x {:.2f} mm (file unit: {}), {}, {}\n\n", plan.part.name, size.x(),
-                                   size.y(), size.z(), plan.part.unit_in_file, plan.material, plan.machine.name);
-    text += fmt::format("{:<8} {:<15} {:>8} {:>11} {:>9} {:>6}  {:<34} {:>10}\n", "feature", "class", "depth", "volume",
-                        "time", "x best", "tools", "stays");
+    std::string text =
+        fmt::format("{}  {:.2f} x {:.2f} x {:.2f} mm (file unit: {}), {}, {}\n\n", plan.part.name, size.x(),
+                    size.y(), size.z(), plan.part.unit_in_file, plan.material, plan.machine.name);
+    text += fmt::format("{:<8} {:<15} {:>8} {:>11} {:>9} {:>6}  {:<34} {:>10}\n", "feature", "class", "depth",
+                        "volume", "time", "x best", "tools", "stays");
     for (const PlannedSetup& setup : plan.setups)
         for (const PlannedFeature& planned : setup.features) {
             const ToolSequence& sequence = planned.sequence;
-            text += fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
-                                planned.feature.id, toString(planned.feature.feature_class),
-                                planned.feature.depth_mm(), planned.feature.volume_mm3 / 1000,
-                                clockTime(sequence.time_s), boundWords(sequence.time_s, sequence.lower_bound_s),
-                                toolWords(sequence), residualVolume(sequence) / 1000);
+            text +=
+                fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
+                            planned.feature.id, toString(planned.feature.feature_class),
+                            planned.feature.depth_mm(), planned.feature.volume_mm3 / 1000,
+                            clockTime(sequence.time_s), boundWords(sequence.time_s, sequence.lower_bound_s),
+                            toolWords(sequence), residualVolume(sequence) / 1000);
         }
     const PlanTotals& totals = plan.totals;
-    text += fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n", clockTime(totals.time_s),
-                        clockTime(totals.cutting_s), clockTime(totals.air_s), totals.tool_changes,
-                        clockTime(totals.tool_change_s), totals.cost, plan.machine.currency);
+    text +=
+        fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",
+                    clockTime(totals.time_s), clockTime(totals.cutting_s), clockTime(totals.air_s),
+                    totals.tool_changes, clockTime(totals.tool_change_s), totals.cost, plan.machine.currency);
     text += fmt::format("no plan with these tools can take less than {}\n", clockTime(totals.lower_bound_s));
     const VolumeBalance& books = plan.balance;
     text += fmt::format(

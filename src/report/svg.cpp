@@ -27,12 +27,15 @@ void SvgDrawing::region(const Region& shape, const std::string& css_class, const
                          style.empty() ? "" : fmt::format(" style=\"{}\"", style), toSvgPath(shape));
 }
 
-void SvgDrawing::path(const Path& path, const std::string& css_class) { paths({path}, css_class); }
+void SvgDrawing::path(const Path& path, const std::string& css_class) {
+    paths({path}, css_class);
+}
 
 void SvgDrawing::paths(const std::vector<Path>& paths, const std::string& css_class) {
     if (paths.empty()) return;
     std::string data;
-    for (const Path& path : paths) data += toSvgPath(path);
+    for (const Path& path : paths)
+        data += toSvgPath(path);
     body_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", css_class, data);
 }
 
@@ -46,8 +49,8 @@ void SvgDrawing::polylines(const std::vector<std::vector<Vec2>>& lines, const st
 }
 
 void SvgDrawing::dot(const Vec2& at, double radius_mm, const std::string& css_class) {
-    body_ += fmt::format("<circle class=\"{}\" cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"/>\n", css_class, at.x(), at.y(),
-                         radius_mm);
+    body_ += fmt::format("<circle class=\"{}\" cx=\"{:.3f}\" cy=\"{:.3f}\" r=\"{:.3f}\"/>\n", css_class,
+                         at.x(), at.y(), radius_mm);
 }
 
 std::string SvgDrawing::text() const {
@@ -60,12 +63,22 @@ std::string SvgDrawing::text() const {
 
 std::string escapeHtml(const std::string& text) {
     std::string safe;
-    for (const char c : text) switch (c) {
-            case '&': safe += "&amp;"; break;
-            case '<': safe += "&lt;"; break;
-            case '>': safe += "&gt;"; break;
-            case '"': safe += "&quot;"; break;
-            default: safe += c;
+    for (const char c : text)
+        switch (c) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            default:
+                safe += c;
         }
     return safe;
 }

@@ -48,11 +48,12 @@ class WorkFolder {
     void undo() {
         std::error_code ignored;
         fs::remove_all(path_, ignored);
-        for (const fs::path& folder : made_) fs::remove(folder, ignored);
+        for (const fs::path& folder : made_)
+            fs::remove(folder, ignored);
     }
 
     fs::path path_;
-    std::vector<fs::path> made_;   // innermost first
+    std::vector<fs::path> made_;  // innermost first
 };
 
 }  // namespace
@@ -70,7 +71,8 @@ void writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
         files.emplace_back(setup.setup.id + ".ngc", program(plan, setup));
 
     WorkFolder work(dir);
-    for (const auto& [name, bytes] : files) writeFile(work.path() / name, bytes);
+    for (const auto& [name, bytes] : files)
+        writeFile(work.path() / name, bytes);
 
     std::error_code why;
     fs::create_directories(dir, why);

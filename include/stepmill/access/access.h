@@ -14,18 +14,18 @@ namespace stepmill {
 
 /// Why a tool takes no part in a feature.
 enum class ExclusionReason {
-    WrongType,         ///< a drill in a pocket, a ball or bull cutter on a flat floor
-    NoCuttingData,     ///< the library has no data for the material
-    TooWide,           ///< no free centre: the tool fits nowhere
-    NoEntry,           ///< fits, but can neither plunge, ramp, helix nor come in over an open edge
-    TooShort,          ///< flutes or stick-out do not reach the floor
-    HolderCollision    ///< holder or shank would touch part or stock somewhere the cutter must go
+    WrongType,       ///< a drill in a pocket, a ball or bull cutter on a flat floor
+    NoCuttingData,   ///< the library has no data for the material
+    TooWide,         ///< no free centre: the tool fits nowhere
+    NoEntry,         ///< fits, but can neither plunge, ramp, helix nor come in over an open edge
+    TooShort,        ///< flutes or stick-out do not reach the floor
+    HolderCollision  ///< holder or shank would touch part or stock somewhere the cutter must go
 };
 std::string toString(ExclusionReason reason);
 
 struct Exclusion {
     ExclusionReason reason;
-    std::string text;   ///< for people, with the numbers ("reaches 30 mm, the floor is 45 mm deep")
+    std::string text;  ///< for people, with the numbers ("reaches 30 mm, the floor is 45 mm deep")
 };
 
 /// How a tool gets down to depth in one component of its free centres.
@@ -75,16 +75,17 @@ struct AccessibleArea {
     Region accessible;
     /// A_t n T.
     Region coverable;
-    double accessible_area_mm2 = 0;       ///< within the target
+    double accessible_area_mm2 = 0;  ///< within the target
     double coverable_area_mm2 = 0;
-    double collision_free_area_mm2 = 0;   ///< A'_t within the target [DSouza2006, Alg. 3]
-    double access_volume_mm3 = 0;         ///< coverable area x depth [Lim2000]
+    double collision_free_area_mm2 = 0;  ///< A'_t within the target [DSouza2006, Alg. 3]
+    double access_volume_mm3 = 0;        ///< coverable area x depth [Lim2000]
     /// Set when the tool cannot be used; the areas then tell what it could do without that.
     std::optional<Exclusion> excluded;
 };
 
 /// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.
-AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material);
+AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool,
+                              const std::string& material);
 
 /// What tool n has to sweep after the larger tool m [algorithms.md, section 4].
 struct DecomposedArea {

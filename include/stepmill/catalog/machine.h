@@ -16,8 +16,8 @@ struct Machine {
     std::array<double, 3> travel_mm{};
     int magazine_size = 0;
     double acceleration_mm_per_s2 = 0;
-    double safe_height_mm = 0;     ///< retract this far over the stock's top between features
-    std::string dialect;           ///< post processor: "linuxcnc"
+    double safe_height_mm = 0;  ///< retract this far over the stock's top between features
+    std::string dialect;        ///< post processor: "linuxcnc"
 };
 
 }  // namespace stepmill

@@ -19,30 +19,30 @@ struct HolderCylinder {
 /// What one cutter does in one material. Zero means not given.
 struct CuttingData {
     std::string material;
-    double step_over_mm = 0;            ///< Woc, radial engagement
-    double step_down_mm = 0;            ///< Doc, axial engagement
+    double step_over_mm = 0;  ///< Woc, radial engagement
+    double step_down_mm = 0;  ///< Doc, axial engagement
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
-    double ramp_angle_deg = 0;          ///< steepest descent along a helix or ramp
+    double ramp_angle_deg = 0;  ///< steepest descent along a helix or ramp
     double speed_rpm = 0;
 };
 
 /// A cutter in its holder, as it stands in the magazine. Heights are measured from the tip.
 struct ToolAssembly {
     std::string id;
-    int number = 0;                     ///< T word and tool-table number
+    int number = 0;  ///< T word and tool-table number
     ToolType type = ToolType::Flat;
     double diameter_mm = 0;
-    double corner_radius_mm = 0;        ///< diameter / 2 for a ball, 0 for a flat end mill
+    double corner_radius_mm = 0;  ///< diameter / 2 for a ball, 0 for a flat end mill
     double flute_length_mm = 0;
     int flutes = 0;
-    bool centre_cutting = false;        ///< may plunge straight down
-    double stick_out_mm = 0;            ///< tip to the lowest holder face
-    HolderCylinder shank;               ///< from the end of the flutes to the stick-out
-    std::vector<HolderCylinder> holder; ///< from below to above
+    bool centre_cutting = false;         ///< may plunge straight down
+    double stick_out_mm = 0;             ///< tip to the lowest holder face
+    HolderCylinder shank;                ///< from the end of the flutes to the stick-out
+    std::vector<HolderCylinder> holder;  ///< from below to above
     std::vector<CuttingData> cutting;
     double price = 0;
-    double life_min = 0;                ///< cutting minutes a tool lasts; 0: not given, wear not counted
+    double life_min = 0;  ///< cutting minutes a tool lasts; 0: not given, wear not counted
     std::string description;
     std::string vendor;
     std::string product_id;
@@ -55,9 +55,9 @@ struct ToolAssembly {
 
 /// A checked tool library in mm, tools in the file's order.
 struct ToolLibrary {
-    std::string file;      ///< name without folder
+    std::string file;  ///< name without folder
     std::string sha256;
-    std::string unit;      ///< "mm" or "inch", as in the file
+    std::string unit;  ///< "mm" or "inch", as in the file
     std::vector<ToolAssembly> tools;
     std::vector<std::string> unknown_fields;  ///< JSON pointers of fields Stepmill does not know, kept aside
 

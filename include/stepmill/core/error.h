@@ -7,20 +7,20 @@ namespace stepmill {
 
 /// Why a run cannot go on. Callers and tests look at the code, never at the text.
 enum class ErrorCode {
-    Usage,              ///< an argument or option value makes no sense
-    FileUnreadable,     ///< missing, a folder, no permission
-    NotStep,            ///< the file is something else than STEP
-    StepDamaged,        ///< STEP, but truncated or with tokens no reader can take
-    NoSolid,            ///< nothing closed to machine: surfaces, wires, references only
-    OpenShell,          ///< a shell with free edges where a solid is expected
-    InvalidSolid,       ///< the solid stays invalid after healing
-    ImplausibleSize,    ///< dimensions no mill can take or no cutter can follow
-    InvalidCatalog,     ///< tool library, machine or plan file breaks its schema
-    OutputUnwritable,   ///< the output folder or file cannot be written
-    TimedOut,           ///< the time limit ended the run
-    InvalidRegion,      ///< a planar region breaks the rules of region.h
-    GeometryKernel,     ///< OpenCASCADE, GEOS or Boost failed on good input
-    Internal            ///< a Stepmill invariant does not hold: a bug
+    Usage,             ///< an argument or option value makes no sense
+    FileUnreadable,    ///< missing, a folder, no permission
+    NotStep,           ///< the file is something else than STEP
+    StepDamaged,       ///< STEP, but truncated or with tokens no reader can take
+    NoSolid,           ///< nothing closed to machine: surfaces, wires, references only
+    OpenShell,         ///< a shell with free edges where a solid is expected
+    InvalidSolid,      ///< the solid stays invalid after healing
+    ImplausibleSize,   ///< dimensions no mill can take or no cutter can follow
+    InvalidCatalog,    ///< tool library, machine or plan file breaks its schema
+    OutputUnwritable,  ///< the output folder or file cannot be written
+    TimedOut,          ///< the time limit ended the run
+    InvalidRegion,     ///< a planar region breaks the rules of region.h
+    GeometryKernel,    ///< OpenCASCADE, GEOS or Boost failed on good input
+    Internal           ///< a Stepmill invariant does not hold: a bug
 };
 
 /// The one exception that crosses module boundaries.
@@ -48,8 +48,8 @@ namespace detail {
 }
 
 /// Throws Error(Internal) when a programmer's assumption does not hold; stays on in release builds.
-#define STEPMILL_CHECK(condition, why)                                                       \
-    do {                                                                                     \
+#define STEPMILL_CHECK(condition, why)                                                          \
+    do {                                                                                        \
         if (!(condition)) ::stepmill::detail::checkFailed(#condition, __FILE__, __LINE__, why); \
     } while (false)
 

@@ -20,9 +20,9 @@ class StageBoard {
 struct Supervised {
     enum class End { Exited, TimedOut, Crashed };
     End end = End::Exited;
-    int exit_code = 0;        ///< when Exited
-    int signal = 0;           ///< when Crashed
-    std::string last_stage;   ///< what the child was doing last
+    int exit_code = 0;       ///< when Exited
+    int signal = 0;          ///< when Crashed
+    std::string last_stage;  ///< what the child was doing last
 };
 
 /// Runs `work` in a child process and really ends it after `timeout_s` (SIGKILL to its process group), so

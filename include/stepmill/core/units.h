@@ -8,8 +8,14 @@ inline constexpr double kMillimetresPerInch = 25.4;
 inline constexpr double kSecondsPerMinute = 60.0;
 inline constexpr double kPi = 3.14159265358979323846;
 
-constexpr double inchToMm(double inch) { return inch * kMillimetresPerInch; }
-constexpr double mmToInch(double mm) { return mm / kMillimetresPerInch; }
-constexpr double degToRad(double deg) { return deg * kPi / 180.0; }
+constexpr double inchToMm(double inch) {
+    return inch * kMillimetresPerInch;
+}
+constexpr double mmToInch(double mm) {
+    return mm / kMillimetresPerInch;
+}
+constexpr double degToRad(double deg) {
+    return deg * kPi / 180.0;
+}
 
 }  // namespace stepmill

@@ -34,21 +34,21 @@ struct BoundaryPiece {
 struct Obstacle {
     double bottom_z_mm = 0;
     double top_z_mm = 0;
-    Region section;   ///< part or stock still standing anywhere at or above bottom_z_mm (shadow)
+    Region section;  ///< part or stock still standing anywhere at or above bottom_z_mm (shadow)
 };
 
 /// A removal volume f(p, h): floor region p and depth h [DSouza2006], in setup coordinates.
 struct Feature {
-    std::string id;                     ///< "S1.F2"
+    std::string id;  ///< "S1.F2"
     std::string setup_id;
     FeatureClass feature_class = FeatureClass::ClosedPocket;
-    std::vector<std::string> parents;   ///< ids that must be machined before this one
+    std::vector<std::string> parents;  ///< ids that must be machined before this one
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    bool through = false;               ///< nothing of part or stock lies below the floor
-    Region target;                      ///< T: to be cleared down to the floor
-    Region obstruction;                 ///< O: must not be touched while doing so
-    std::vector<BoundaryPiece> boundary;///< the target's boundary, open and closed pieces in loop order
+    bool through = false;                 ///< nothing of part or stock lies below the floor
+    Region target;                        ///< T: to be cleared down to the floor
+    Region obstruction;                   ///< O: must not be touched while doing so
+    std::vector<BoundaryPiece> boundary;  ///< the target's boundary, open and closed pieces in loop order
     double open_length_mm = 0;
     double closed_length_mm = 0;
     /// Smallest radius of concave wall arcs; nothing when a closed corner is sharp or there is no wall arc.
@@ -63,7 +63,7 @@ struct Feature {
 
 /// What of stock - part a setup's features do not own, with the reason.
 struct Unplanned {
-    std::string reason;      ///< "undercut", "wall not vertical"
+    std::string reason;  ///< "undercut", "wall not vertical"
     double volume_mm3 = 0;
     double top_z_mm = 0;
     double bottom_z_mm = 0;
@@ -71,7 +71,7 @@ struct Unplanned {
 };
 
 struct FeatureSet {
-    std::vector<Feature> features;       ///< parents before children
+    std::vector<Feature> features;  ///< parents before children
     std::vector<Unplanned> unplanned;
 };
 

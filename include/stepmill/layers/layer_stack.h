@@ -35,9 +35,9 @@ struct LayerStack {
     std::vector<Layer> layers;
     double stock_top_z_mm = 0;
     double stock_bottom_z_mm = 0;
-    double stock_volume_mm3 = 0;      ///< of the solids themselves
+    double stock_volume_mm3 = 0;  ///< of the solids themselves
     double part_volume_mm3 = 0;
-    std::vector<std::string> remarks; ///< levels where a section had to be mended, with what was done
+    std::vector<std::string> remarks;  ///< levels where a section had to be mended, with what was done
 
     /// Part material at or above this height: the union of `part` over all layers that reach above z,
     /// empty above the part. Used for holders.

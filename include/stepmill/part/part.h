@@ -17,26 +17,26 @@ using Box3 = Eigen::AlignedBox3d;
 struct PartShape;
 
 struct PartFace {
-    int index = 0;             ///< order of TopExp_Explorer, from 0
-    std::string step_name;     ///< as in the file, may be empty
-    std::string surface;       ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
+    int index = 0;          ///< order of TopExp_Explorer, from 0
+    std::string step_name;  ///< as in the file, may be empty
+    std::string surface;    ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
 };
 
 /// One healed solid in millimetres and what the file held beside it. A value: copies share the immutable
 /// OCCT shape.
 struct Part {
-    std::string file;                       ///< name without folder
-    std::string sha256;                     ///< of the file
-    std::string name;                       ///< product name in the file
-    std::string schema;                     ///< AP203, AP214, AP242 as the header names it
-    std::string unit_in_file;               ///< "mm", "inch", "m", ... or "none" when the file has none
-    int solid_index = 0;                    ///< of the distinct solids in the file, from 0
-    int count = 1;                          ///< how often an assembly uses it
+    std::string file;          ///< name without folder
+    std::string sha256;        ///< of the file
+    std::string name;          ///< product name in the file
+    std::string schema;        ///< AP203, AP214, AP242 as the header names it
+    std::string unit_in_file;  ///< "mm", "inch", "m", ... or "none" when the file has none
+    int solid_index = 0;       ///< of the distinct solids in the file, from 0
+    int count = 1;             ///< how often an assembly uses it
     Box3 bbox_mm;
     double volume_mm3 = 0;
-    std::map<std::string, int> surfaces;    ///< surface kind -> number of faces
+    std::map<std::string, int> surfaces;  ///< surface kind -> number of faces
     std::vector<PartFace> faces;
-    std::vector<std::string> remarks;       ///< ignored wires, points, shells; what healing changed; unit doubts
+    std::vector<std::string> remarks;  ///< ignored wires, points, shells; what healing changed; unit doubts
     std::shared_ptr<const PartShape> shape;
 };
 

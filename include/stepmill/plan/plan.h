@@ -16,14 +16,14 @@ namespace stepmill {
 
 /// Something the reader of a plan must know. Codes are stable words for programs.
 struct Warning {
-    std::string code;      ///< "unit-doubt", "residual", "no-tool", "feature-failed", "travel", ...
-    std::string subject;   ///< "S1.F2", "part.step"
+    std::string code;     ///< "unit-doubt", "residual", "no-tool", "feature-failed", "travel", ...
+    std::string subject;  ///< "S1.F2", "part.step"
     std::string text;
 };
 
 /// One visit of one tool to one feature.
 struct Operation {
-    std::string id;           ///< "S1.O3", numbered in machining order
+    std::string id;  ///< "S1.O3", numbered in machining order
     std::string setup_id;
     std::string feature_id;
     std::string tool_id;
@@ -37,21 +37,21 @@ struct Operation {
 
 struct PlannedFeature {
     Feature feature;
-    ToolSequence sequence;   ///< its steps' paths have moved to the operations
+    ToolSequence sequence;  ///< its steps' paths have moved to the operations
 };
 
 struct PlannedSetup {
     Setup setup;
-    std::vector<PlannedFeature> features;   ///< parents before children
+    std::vector<PlannedFeature> features;  ///< parents before children
     std::vector<Unplanned> unplanned;
-    std::vector<Operation> operations;      ///< in machining order
-    double time_s = 0;                      ///< tool changes included
+    std::vector<Operation> operations;  ///< in machining order
+    double time_s = 0;                  ///< tool changes included
 };
 
 struct PlanTotals {
     double time_s = 0;
-    double cutting_s = 0;       ///< all feed moves
-    double air_s = 0;           ///< rapids
+    double cutting_s = 0;  ///< all feed moves
+    double air_s = 0;      ///< rapids
     double tool_change_s = 0;
     int tool_changes = 0;
     double cost = 0;
@@ -97,11 +97,12 @@ using Progress = std::function<void(const std::string& stage, double share)>;
 /// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books.
 /// A feature whose planning fails becomes a residual with a warning; the rest of the plan stands.
 /// \throws Error for input the plan cannot go on with (stock too small, no tool for the material).
-Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library, const Machine& machine,
-              const Tolerances& tol, const Progress& progress = {});
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+              const Machine& machine, const Tolerances& tol, const Progress& progress = {});
 
 /// Puts operations in an order that keeps parents before children and each feature's own tool order, and
 /// that changes tools as rarely as a greedy look-ahead finds. Returns indices into `operations`.
-std::vector<int> orderOperations(const std::vector<Operation>& operations, const std::vector<Feature>& features);
+std::vector<int> orderOperations(const std::vector<Operation>& operations,
+                                 const std::vector<Feature>& features);
 
 }  // namespace stepmill

@@ -8,8 +8,8 @@ namespace stepmill {
 
 /// A drawing of the part by hidden-line removal: visible edges solid, hidden ones thin and dashed.
 struct View {
-    std::string title;   ///< "Top", "Front", "Right", "Isometric"
-    std::string svg;     ///< one <svg> element, sized in mm by its viewBox
+    std::string title;  ///< "Top", "Front", "Right", "Isometric"
+    std::string svg;    ///< one <svg> element, sized in mm by its viewBox
 };
 
 /// Top, front, right and isometric views. \throws Error(GeometryKernel)

@@ -24,12 +24,12 @@ struct SequenceOptions {
 
 /// One evaluated edge of the tool DAG: machine D_mn with n.
 struct DagEdge {
-    std::string from;             ///< tool id, empty for the source
-    std::string to;               ///< tool id, empty for the sink
+    std::string from;  ///< tool id, empty for the source
+    std::string to;    ///< tool id, empty for the sink
     double region_area_mm2 = 0;
     PathTotals totals;
-    double time_s = 0;            ///< with one tool change [DSouza2006, eq. 13]
-    double cost = 0;              ///< with wear and the hourly rate [DSouza2006, eq. 12]
+    double time_s = 0;  ///< with one tool change [DSouza2006, eq. 13]
+    double cost = 0;    ///< with wear and the hourly rate [DSouza2006, eq. 12]
 };
 
 /// Material of a feature that stays, and why.
@@ -37,8 +37,8 @@ struct Residual {
     Region region;
     double area_mm2 = 0;
     double volume_mm3 = 0;
-    std::string reason;           ///< "corner radius", "no tool fits", "holder collision", "too deep", ...
-    std::string advice;           ///< what would machine it ("an end mill of 2.4 mm or less")
+    std::string reason;  ///< "corner radius", "no tool fits", "holder collision", "too deep", ...
+    std::string advice;  ///< what would machine it ("an end mill of 2.4 mm or less")
 };
 
 enum class Role { Face, Rough, Rest, Drill };
@@ -57,12 +57,12 @@ struct SequenceStep {
 /// The cheapest sequence of tools for one feature, with all that was weighed.
 struct ToolSequence {
     std::string feature_id;
-    std::vector<AccessibleArea> tools;    ///< every tool of the library, falling diameter, with exclusions
-    std::vector<DagEdge> edges;           ///< evaluated edges, by from then to
-    std::vector<SequenceStep> steps;      ///< empty when no tool can machine anything
-    double time_s = 0;                    ///< with one tool change a step
+    std::vector<AccessibleArea> tools;  ///< every tool of the library, falling diameter, with exclusions
+    std::vector<DagEdge> edges;         ///< evaluated edges, by from then to
+    std::vector<SequenceStep> steps;    ///< empty when no tool can machine anything
+    double time_s = 0;                  ///< with one tool change a step
     double cost = 0;
-    double lower_bound_s = 0;             ///< no plan with these tools can be faster [section 6]
+    double lower_bound_s = 0;  ///< no plan with these tools can be faster [section 6]
     std::vector<Residual> residual;
 };
 
@@ -76,8 +76,8 @@ EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Mach
 /// Least time any sequence of these tools needs: for each cell of the target the fastest tool that reaches
 /// it, layers x area / (step-over x feed), and one tool change per tool that cannot be done without
 /// [algorithms.md, section 6].
-double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea>& tools, const ToolLibrary& library,
-                   const SequenceOptions& options, const Machine& machine);
+double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea>& tools,
+                   const ToolLibrary& library, const SequenceOptions& options, const Machine& machine);
 
 /// The optimal tool sequence for a feature: areas of all tools, costs of all DAG edges on real paths
 /// (evaluated in parallel), the cheapest path [algorithms.md, section 7]. The result does not depend on the

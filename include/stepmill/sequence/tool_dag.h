@@ -15,7 +15,7 @@ inline constexpr double kNoEdge = std::numeric_limits<double>::infinity();
 
 /// The cheapest way from source to sink.
 struct CheapestPath {
-    std::vector<int> tools;    ///< in the order of use; empty when there is none
+    std::vector<int> tools;  ///< in the order of use; empty when there is none
     double cost = kNoEdge;
 };
 

@@ -40,12 +40,12 @@ struct SetupRequest {
 /// Setup coordinates: z = 0 at the top of the stock as it arrives, pointing along the tool axis out of the
 /// part; x = y = 0 at the stock's lower-left corner seen from the spindle (work offset G54).
 struct Setup {
-    std::string id;                              ///< "S1"
-    Vec3 axis = Vec3::UnitZ();                   ///< in part coordinates
+    std::string id;             ///< "S1"
+    Vec3 axis = Vec3::UnitZ();  ///< in part coordinates
     Eigen::Isometry3d part_to_setup = Eigen::Isometry3d::Identity();
     Part part;
-    Stock stock;                                 ///< as it arrives, in part coordinates
-    Box3 stock_bbox_mm;                          ///< in setup coordinates: min.z = -height, max.z = 0
+    Stock stock;         ///< as it arrives, in part coordinates
+    Box3 stock_bbox_mm;  ///< in setup coordinates: min.z = -height, max.z = 0
     /// Share of (stock - part) that is open to a tool along the axis, from the height map [0..1].
     double reachable_share = 0;
 };

@@ -13,9 +13,9 @@
 namespace stepmill {
 
 enum class MoveKind {
-    Rapid,     ///< G0, straight
-    Feed,      ///< at the cutting feed
-    Plunge     ///< descending, at the plunge feed (straight, ramp or helix)
+    Rapid,  ///< G0, straight
+    Feed,   ///< at the cutting feed
+    Plunge  ///< descending, at the plunge feed (straight, ramp or helix)
 };
 
 /// One motion of the tool tip from where the previous one ended. With `arc` the move follows it in x and y
@@ -24,14 +24,14 @@ struct Move {
     MoveKind kind = MoveKind::Rapid;
     Vec3 to = Vec3::Zero();
     std::optional<Arc> arc;
-    bool in_air = false;   ///< a feed move known to meet no material
+    bool in_air = false;  ///< a feed move known to meet no material
 };
 
 /// Lengths and times of a path [mm, s].
 struct PathTotals {
-    double cut_length_mm = 0;        ///< all feed moves: G1, G2, G3
-    double feed_air_length_mm = 0;   ///< of these, what does not cut
-    double air_length_mm = 0;        ///< rapids
+    double cut_length_mm = 0;       ///< all feed moves: G1, G2, G3
+    double feed_air_length_mm = 0;  ///< of these, what does not cut
+    double air_length_mm = 0;       ///< rapids
     double feed_time_s = 0;
     double rapid_time_s = 0;
 
@@ -53,10 +53,10 @@ struct PathProof {
 struct Toolpath {
     Vec3 start = Vec3::Zero();
     std::vector<Move> moves;
-    std::string pattern;          ///< "contour-parallel", "drill"
-    int layers = 0;               ///< depths of cut, evenly divided
-    double step_over_mm = 0;      ///< as used
-    double step_down_mm = 0;      ///< depth / layers
+    std::string pattern;      ///< "contour-parallel", "drill"
+    int layers = 0;           ///< depths of cut, evenly divided
+    double step_over_mm = 0;  ///< as used
+    double step_down_mm = 0;  ///< depth / layers
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
     PathTotals totals;
@@ -64,15 +64,15 @@ struct Toolpath {
 
 /// What one tool has to clear in one feature.
 struct ClearingTask {
-    Region free_centres;           ///< where the axis may go at every depth of the feature
-    std::vector<Entry> entries;    ///< one per component of free_centres, in components() order
-    Region centres;                ///< centres to be swept (all of free_centres, or a decomposed area's)
-    Region cleared_centres;        ///< centres where the disc meets no material; empty for a first tool
-    Region target;                 ///< T, to see open edges and trim passes that would only cut air
-    Region obstruction;            ///< O, for the proof
+    Region free_centres;         ///< where the axis may go at every depth of the feature
+    std::vector<Entry> entries;  ///< one per component of free_centres, in components() order
+    Region centres;              ///< centres to be swept (all of free_centres, or a decomposed area's)
+    Region cleared_centres;      ///< centres where the disc meets no material; empty for a first tool
+    Region target;               ///< T, to see open edges and trim passes that would only cut air
+    Region obstruction;          ///< O, for the proof
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    double retract_z_mm = 0;       ///< rapids between entries go here
+    double retract_z_mm = 0;  ///< rapids between entries go here
 };
 
 /// Contour-parallel clearing at every depth of cut: rings of the centre region at the step-over, entered

@@ -1,0 +1,67 @@
+#include "report/feature_drawing.h"
+
+#include <fmt/format.h>
+
+#include "report/svg.h"
+
+namespace stepmill {
+
+namespace {
+
+/// How much of the surroundings a feature's picture shows, as a share of its longer side.
+constexpr double kSurroundings = 0.12;
+constexpr int kTints = 8;
+
+Box2 frameOf(const Feature& feature) {
+    const Box2 box = boundingBox(feature.target);
+    return box.grown(kSurroundings * box.size().maxCoeff());
+}
+
+void drawGround(SvgDrawing& svg, const Feature& feature) {
+    svg.region(feature.obstruction, "obstruction");
+    svg.region(feature.target, "target");
+}
+
+void drawBoundary(SvgDrawing& svg, const PlannedFeature& planned) {
+    std::vector<Path> open;
+    std::vector<Path> closed;
+    for (const BoundaryPiece& piece : planned.feature.boundary)
+        (piece.open ? open : closed).push_back(piece.path);
+    svg.paths(closed, "wall");
+    svg.paths(open, "open-edge");
+    for (const Residual& residual : planned.sequence.residual)
+        svg.region(residual.region, "residual");
+}
+
+}  // namespace
+
+std::string stepDrawing(const PlannedFeature& planned, std::size_t step, const Toolpath& path) {
+    SvgDrawing svg(frameOf(planned.feature));
+    drawGround(svg, planned.feature);
+    svg.region(planned.sequence.steps[step].area.area, "swept");
+    drawBoundary(svg, planned);
+    svg.paths(topView(path), "cut");
+    return svg.text();
+}
+
+std::string unmachinedDrawing(const PlannedFeature& planned) {
+    SvgDrawing svg(frameOf(planned.feature));
+    drawGround(svg, planned.feature);
+    drawBoundary(svg, planned);
+    return svg.text();
+}
+
+std::string setupDrawing(const PlannedSetup& setup) {
+    Box2 frame;
+    const Box3& stock = setup.setup.stock_bbox_mm;
+    frame.add(stock.min().head<2>());
+    frame.add(stock.max().head<2>());
+    SvgDrawing svg(frame);
+    svg.region(makeRectangle(frame.min, frame.max), "obstruction");
+    int tint = 0;
+    for (const PlannedFeature& planned : setup.features)
+        svg.region(planned.feature.target, fmt::format("tint tint{}", tint++ % kTints));
+    return svg.text();
+}
+
+}  // namespace stepmill
