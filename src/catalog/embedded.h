@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+/// The JSON files of schemas/ and samples/ that the program carries with it; written by embed_json.cmake.
+namespace stepmill::embedded {
+
+extern const std::string_view kToolsSchema;
+extern const std::string_view kMachineSchema;
+extern const std::string_view kPlanSchema;
+extern const std::string_view kDefaultTools;
+extern const std::string_view kDefaultMachine;
+
+}  // namespace stepmill::embedded

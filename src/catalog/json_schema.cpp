@@ -1,0 +1,133 @@
+#include "stepmill/catalog/json_schema.h"
+
+#include <algorithm>
+#include <map>
+
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+#include "catalog/embedded.h"
+#include "catalog/json_text.h"
+#include "catalog/schema_check.h"
+#include "catalog/schema_words.h"
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+namespace {
+
+using nlohmann::json;
+using Steps = std::vector<std::string>;
+
+/// valijson writes a place as {"<root>", "[tools]", "[3]", "[diameter]"}.
+Steps stepsOf(const Steps& context) {
+    Steps steps;
+    for (std::size_t i = 1; i < context.size(); ++i)
+        steps.push_back(context[i].substr(1, context[i].size() - 2));
+    return steps;
+}
+
+bool startsWith(const Steps& steps, const Steps& beginning) {
+    return steps.size() > beginning.size() && std::equal(beginning.begin(), beginning.end(), steps.begin());
+}
+
+struct Place {
+    const json* value;
+    std::string pointer;
+};
+
+Place placeOf(const json& root, const Steps& steps) {
+    Place place{&root, "#"};
+    for (const std::string& step : steps) {
+        const bool in_list = place.value->is_array();
+        place.value = in_list ? &place.value->at(std::stoul(step)) : &place.value->at(step);
+        place.pointer = childPointer(place.pointer, step);
+    }
+    return place;
+}
+
+/// Document order: list items by number, not by digit.
+bool comesBefore(const Steps& a, const Steps& b) {
+    const auto is_number = [](const std::string& s) {
+        return !s.empty() && s.find_first_not_of("0123456789") == std::string::npos;
+    };
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+                                        [&](const std::string& x, const std::string& y) {
+                                            if (is_number(x) && is_number(y) && x.size() != y.size())
+                                                return x.size() < y.size();
+                                            return x < y;
+                                        });
+}
+
+using FailedPlaces = std::map<Steps, std::string, bool (*)(const Steps&, const Steps&)>;
+
+/// Every place valijson reports with its first remark there.
+FailedPlaces failedPlaces(const json& schema_json, const json& value) {
+    valijson::Schema schema;
+    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+    parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_json), schema);
+    valijson::Validator validator(valijson::Validator::kStrongTypes);
+    valijson::ValidationResults results;
+    FailedPlaces places(&comesBefore);
+    if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(value), &results)) return places;
+    for (const auto& error : results)
+        places.emplace(stepsOf(error.context), error.description);
+    if (places.empty()) places.emplace(Steps{}, "breaks the schema");
+    return places;
+}
+
+}  // namespace
+
+std::string_view schemaText(SchemaName name) {
+    switch (name) {
+        case SchemaName::Tools:
+            return embedded::kToolsSchema;
+        case SchemaName::Machine:
+            return embedded::kMachineSchema;
+        case SchemaName::Plan:
+            return embedded::kPlanSchema;
+    }
+    return {};
+}
+
+json schemaJson(SchemaName name) {
+    ParsedJson parsed = parseJson(schemaText(name));
+    STEPMILL_CHECK(parsed.findings.empty(), "a compiled-in schema is not JSON");
+    return std::move(parsed.value);
+}
+
+std::vector<CatalogFinding> checkSchema(const json& schema, const json& value) {
+    const FailedPlaces places = failedPlaces(schema, value);
+    const SchemaWords words(schema);
+    std::vector<CatalogFinding> findings;
+    for (auto place = places.begin(); place != places.end(); ++place) {
+        const Steps& steps = place->first;
+        const Place where = placeOf(value, steps);
+        const json* place_schema = words.find(steps);
+        std::vector<CatalogFinding> causes;
+        if (place_schema != nullptr) causes = words.breaches(*place_schema, *where.value, where.pointer);
+        // valijson reports every container of a faulty value too; such a place has no cause of its own.
+        const auto next = std::next(place);
+        const bool fault_is_inside = next != places.end() && startsWith(next->first, steps);
+        if (causes.empty() && !fault_is_inside) causes.push_back({where.pointer, place->second});
+        findings.insert(findings.end(), causes.begin(), causes.end());
+    }
+    return findings;
+}
+
+std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_text) {
+    const ParsedJson parsed = parseJson(json_text);
+    std::vector<CatalogFinding> findings = parsed.findings;
+    if (!parsed.value.is_discarded()) {
+        const std::vector<CatalogFinding> breaches = checkSchema(schemaJson(name), parsed.value);
+        findings.insert(findings.end(), breaches.begin(), breaches.end());
+    }
+    std::vector<std::string> lines;
+    for (const CatalogFinding& finding : findings)
+        lines.push_back(finding.pointer + ": " + finding.text);
+    return lines;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,172 @@
+#include "catalog/library_rules.h"
+
+#include <cmath>
+#include <map>
+
+#include "catalog/json_text.h"
+
+namespace stepmill {
+namespace {
+
+using nlohmann::json;
+
+/// Two lengths meant to be equal differ by no more than this share of them: inch sizes are often rounded.
+constexpr double kEqualShare = 1e-3;
+
+bool nearlyEqual(double a, double b) {
+    return std::abs(a - b) <= kEqualShare * std::max(a, b);
+}
+
+std::string lengthText(double value) {
+    return json(value).dump();
+}
+
+/// Checks one tool; findings carry pointers into the file.
+class ToolRules {
+  public:
+    ToolRules(const json& tool, std::string pointer, std::vector<CatalogFinding>& findings)
+        : tool_(tool), pointer_(std::move(pointer)), findings_(findings), diameter_(tool["diameter"]) {}
+
+    void check() {
+        checkCornerRadius();
+        checkLengths();
+        checkShank();
+        checkHolder();
+        checkCutting();
+    }
+
+  private:
+    void expect(bool holds, const std::string& pointer, const std::string& expected, const json& found) {
+        if (!holds) findings_.push_back({pointer, "expected " + expected + ", found " + quoted(found)});
+    }
+
+    void doubt(const std::string& pointer, const std::string& text) {
+        findings_.push_back({pointer, text, true});
+    }
+
+    void checkCornerRadius() {
+        const std::string type = tool_["type"];
+        const std::string at = childPointer(pointer_, "corner_radius");
+        const double radius = diameter_ / 2;
+        if (!tool_.contains("corner_radius")) {
+            if (type == "bull")
+                findings_.push_back(
+                    {pointer_, "expected the field \"corner_radius\" of a bull-nose cutter, found none"});
+            return;
+        }
+        const double corner = tool_["corner_radius"];
+        const json& found = tool_["corner_radius"];
+        if (type == "ball")
+            expect(nearlyEqual(corner, radius), at,
+                   "half the diameter of a ball cutter, " + lengthText(radius), found);
+        else if (type == "flat" || type == "drill")
+            expect(corner == 0, at, "0 for a " + type + (type == "flat" ? " end mill" : ""), found);
+        else if (type == "bull")
+            expect(corner > 0 && corner <= radius, at,
+                   "a number greater than 0 and of at most half the diameter, " + lengthText(radius), found);
+        else
+            expect(corner <= radius, at, "at most half the diameter, " + lengthText(radius), found);
+    }
+
+    void checkLengths() {
+        const double stick_out = tool_["stick_out"];
+        expect(tool_["flute_length"] <= stick_out, childPointer(pointer_, "flute_length"),
+               "at most the stick-out, " + lengthText(stick_out), tool_["flute_length"]);
+    }
+
+    void checkShank() {
+        if (!tool_.contains("shank")) return;
+        const double from = tool_["shank"]["from"];
+        const double flutes = tool_["flute_length"];
+        const double stick_out = tool_["stick_out"];
+        const std::string at = childPointer(childPointer(pointer_, "shank"), "from");
+        expect(from >= flutes, at, "at least the flute length, " + lengthText(flutes), from);
+        expect(from <= stick_out, at, "at most the stick-out, " + lengthText(stick_out), from);
+    }
+
+    void checkHolder() {
+        const std::string at = childPointer(pointer_, "holder");
+        if (!tool_.contains("holder") || tool_["holder"].empty()) {
+            doubt(pointer_, "no holder given; nothing above the stick-out can be checked for collisions");
+            return;
+        }
+        double below = tool_["stick_out"];
+        std::string below_name = "the stick-out";
+        for (std::size_t i = 0; i < tool_["holder"].size(); ++i) {
+            const json& cylinder = tool_["holder"][i];
+            const std::string here = childPointer(at, i);
+            const double bottom = cylinder["bottom"];
+            const double top = cylinder["top"];
+            expect(bottom >= below, childPointer(here, "bottom"),
+                   "at least " + below_name + ", " + lengthText(below), bottom);
+            expect(top > bottom, childPointer(here, "top"),
+                   "more than the cylinder's bottom, " + lengthText(bottom), top);
+            if (bottom > below && !nearlyEqual(bottom, below))
+                doubt(childPointer(here, "bottom"),
+                      "gap over " + below_name + ", " + lengthText(below) + "; nothing is checked there");
+            below = std::max(below, top);
+            below_name = "the top of the cylinder below";
+        }
+    }
+
+    void checkCutting() {
+        const std::string at = childPointer(pointer_, "cutting");
+        std::map<std::string, std::size_t> seen;
+        if (tool_["cutting"].empty()) doubt(at, "no cutting data; the tool is never used");
+        for (std::size_t i = 0; i < tool_["cutting"].size(); ++i) {
+            const json& data = tool_["cutting"][i];
+            const std::string here = childPointer(at, i);
+            const auto [first, is_new] = seen.emplace(data["material"].get<std::string>(), i);
+            expect(is_new, childPointer(here, "material"),
+                   "each material once (it is also in " + childPointer(at, first->second) + ")",
+                   data["material"]);
+            checkSteps(data, here);
+        }
+    }
+
+    void checkSteps(const json& data, const std::string& at) {
+        const double flutes = tool_["flute_length"];
+        const bool mills = tool_["type"] != "drill";
+        for (const char* name : {"step_over", "step_down"})
+            if (mills && !data.contains(name))
+                findings_.push_back(
+                    {at, "expected the field \"" + std::string(name) + "\" of a milling cutter, found none"});
+        if (data.contains("step_over"))
+            expect(data["step_over"] <= diameter_, childPointer(at, "step_over"),
+                   "at most the diameter, " + lengthText(diameter_), data["step_over"]);
+        if (data.contains("step_down"))
+            expect(data["step_down"] <= flutes, childPointer(at, "step_down"),
+                   "at most the flute length, " + lengthText(flutes), data["step_down"]);
+    }
+
+    const json& tool_;
+    std::string pointer_;
+    std::vector<CatalogFinding>& findings_;
+    double diameter_;
+};
+
+/// Ids and numbers name a tool on their own, so no two tools share one.
+void checkUnique(const json& tools, const char* field, std::vector<CatalogFinding>& findings) {
+    std::map<json, std::size_t> seen;
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        const auto [first, is_new] = seen.emplace(tools[i][field], i);
+        if (is_new) continue;
+        findings.push_back({childPointer(childPointer("#/tools", i), field),
+                            "expected a value no other tool has, found " + quoted(tools[i][field]) +
+                                " as in " + childPointer("#/tools", first->second)});
+    }
+}
+
+}  // namespace
+
+std::vector<CatalogFinding> checkLibraryRules(const json& library) {
+    std::vector<CatalogFinding> findings;
+    const json& tools = library["tools"];
+    checkUnique(tools, "id", findings);
+    checkUnique(tools, "number", findings);
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        ToolRules(tools[i], childPointer("#/tools", i), findings).check();
+    return findings;
+}
+
+}  // namespace stepmill

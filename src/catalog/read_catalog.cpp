@@ -1,0 +1,189 @@
+#include "stepmill/catalog/read_catalog.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "catalog/embedded.h"
+#include "catalog/json_text.h"
+#include "catalog/library_rules.h"
+#include "catalog/schema_check.h"
+#include "catalog/schema_words.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kDefaultToolsName = "shop_metric_tools.json";
+constexpr const char* kDefaultMachineName = "machine_vmc.json";
+
+/// A file's value with all that was found in it; the value may be used when no finding is an error.
+ParsedJson checkedJson(std::string_view text, const json& schema) {
+    ParsedJson parsed = parseJson(text);
+    if (parsed.findings.empty()) parsed.findings = checkSchema(schema, parsed.value);
+    return parsed;
+}
+
+void throwFirstError(const std::vector<CatalogFinding>& findings, const std::string& file_name) {
+    const auto is_error = [](const CatalogFinding& finding) { return !finding.doubt; };
+    const auto first = std::find_if(findings.begin(), findings.end(), is_error);
+    if (first == findings.end()) return;
+    const auto count = std::count_if(findings.begin(), findings.end(), is_error);
+    const std::string others = count == 1 ? "" : " (and " + std::to_string(count - 1) + " more in this file)";
+    throw Error(ErrorCode::InvalidCatalog, file_name + first->pointer, first->text + others);
+}
+
+/// Tools in JSON to tools in millimetres. \pre the JSON keeps the schema and the library's rules
+class ToolReader {
+  public:
+    explicit ToolReader(const std::string& unit) : mm_per_unit_(unit == "inch" ? kMillimetresPerInch : 1.0) {}
+
+    ToolAssembly tool(const json& from) const {
+        ToolAssembly tool;
+        tool.id = from["id"];
+        tool.number = from["number"];
+        tool.type = type(from["type"]);
+        tool.diameter_mm = length(from, "diameter");
+        tool.corner_radius_mm =
+            tool.type == ToolType::Ball ? tool.diameter_mm / 2 : length(from, "corner_radius");
+        tool.flute_length_mm = length(from, "flute_length");
+        tool.flutes = from.value("flutes", 0);
+        tool.centre_cutting = from.value("centre_cutting", tool.isDrill());
+        tool.stick_out_mm = length(from, "stick_out");
+        tool.shank = shank(from, tool);
+        for (const json& cylinder : from.value("holder", json::array()))
+            tool.holder.push_back(
+                {length(cylinder, "diameter"), length(cylinder, "bottom"), length(cylinder, "top")});
+        for (const json& data : from["cutting"])
+            tool.cutting.push_back(cutting(data));
+        tool.price = from.value("price", 0.0);
+        tool.life_min = from.value("life_min", 0.0);
+        tool.description = from.value("description", "");
+        tool.vendor = from.value("vendor", "");
+        tool.product_id = from.value("product_id", "");
+        return tool;
+    }
+
+  private:
+    static ToolType type(const std::string& name) {
+        for (const ToolType type :
+             {ToolType::Flat, ToolType::Ball, ToolType::Bull, ToolType::Drill, ToolType::Face})
+            if (toString(type) == name) return type;
+        throw Error(ErrorCode::Internal, name, "a tool type the schema allows and the reader does not know");
+    }
+
+    double length(const json& from, const char* field) const { return from.value(field, 0.0) * mm_per_unit_; }
+
+    /// A library that says nothing of the shank means a straight one of the cutter's diameter.
+    HolderCylinder shank(const json& from, const ToolAssembly& tool) const {
+        if (!from.contains("shank")) return {tool.diameter_mm, tool.flute_length_mm, tool.stick_out_mm};
+        return {length(from["shank"], "diameter"), length(from["shank"], "from"), tool.stick_out_mm};
+    }
+
+    CuttingData cutting(const json& from) const {
+        CuttingData data;
+        data.material = from["material"];
+        data.step_over_mm = length(from, "step_over");
+        data.step_down_mm = length(from, "step_down");
+        data.feed_mm_per_min = length(from, "feed");
+        data.plunge_feed_mm_per_min = length(from, "plunge_feed");
+        data.ramp_angle_deg = from.value("ramp_angle_deg", 0.0);
+        data.speed_rpm = from["speed_rpm"];
+        return data;
+    }
+
+    double mm_per_unit_;
+};
+
+std::vector<CatalogFinding> unknownFieldDoubts(const std::vector<std::string>& pointers) {
+    std::vector<CatalogFinding> findings;
+    for (const std::string& pointer : pointers)
+        findings.push_back({pointer, "a field Stepmill does not know; kept aside, not used", true});
+    return findings;
+}
+
+ParsedJson checkedLibrary(std::string_view text, const json& schema) {
+    ParsedJson parsed = checkedJson(text, schema);
+    if (parsed.findings.empty()) {
+        parsed.findings = checkLibraryRules(parsed.value);
+        std::stable_partition(parsed.findings.begin(), parsed.findings.end(),
+                              [](const CatalogFinding& finding) { return !finding.doubt; });
+    }
+    return parsed;
+}
+
+}  // namespace
+
+std::vector<CatalogFinding> checkToolLibrary(const std::filesystem::path& path) {
+    const json schema = schemaJson(SchemaName::Tools);
+    ParsedJson parsed = checkedLibrary(readFile(path), schema);
+    if (!parsed.value.is_discarded()) {
+        const auto doubts = unknownFieldDoubts(SchemaWords(schema).unknownFields(parsed.value));
+        parsed.findings.insert(parsed.findings.end(), doubts.begin(), doubts.end());
+    }
+    return parsed.findings;
+}
+
+std::vector<std::string> findLibraryErrors(const std::filesystem::path& path) {
+    std::vector<std::string> lines;
+    for (const CatalogFinding& finding : checkToolLibrary(path))
+        lines.push_back(finding.pointer + ": " + (finding.doubt ? "doubt: " : "") + finding.text);
+    return lines;
+}
+
+ToolLibrary toolLibraryFromText(std::string_view text, const std::string& file_name) {
+    const json schema = schemaJson(SchemaName::Tools);
+    const ParsedJson parsed = checkedLibrary(text, schema);
+    throwFirstError(parsed.findings, file_name);
+    ToolLibrary library;
+    library.file = file_name;
+    library.sha256 = sha256(text);
+    library.unit = parsed.value["unit"];
+    const ToolReader reader(library.unit);
+    for (const json& tool : parsed.value["tools"])
+        library.tools.push_back(reader.tool(tool));
+    library.unknown_fields = SchemaWords(schema).unknownFields(parsed.value);
+    return library;
+}
+
+ToolLibrary readToolLibrary(const std::filesystem::path& path) {
+    return toolLibraryFromText(readFile(path), path.filename().string());
+}
+
+Machine machineFromText(std::string_view text, const std::string& file_name) {
+    const ParsedJson parsed = checkedJson(text, schemaJson(SchemaName::Machine));
+    throwFirstError(parsed.findings, file_name);
+    const json& from = parsed.value;
+    Machine machine;
+    machine.name = from["name"];
+    machine.rapid_mm_per_min = from["rapid_mm_per_min"];
+    machine.max_feed_mm_per_min = from["max_feed_mm_per_min"];
+    machine.max_speed_rpm = from["max_speed_rpm"];
+    machine.tool_change_s = from["tool_change_s"];
+    machine.hourly_rate = from["hourly_rate"];
+    machine.currency = from["currency"];
+    machine.travel_mm = from["travel_mm"].get<std::array<double, 3>>();
+    machine.magazine_size = from["magazine_size"];
+    machine.acceleration_mm_per_s2 = from["acceleration_mm_per_s2"];
+    machine.safe_height_mm = from["safe_height_mm"];
+    machine.dialect = from["dialect"];
+    return machine;
+}
+
+Machine readMachine(const std::filesystem::path& path) {
+    return machineFromText(readFile(path), path.filename().string());
+}
+
+ToolLibrary defaultToolLibrary() {
+    return toolLibraryFromText(embedded::kDefaultTools, kDefaultToolsName);
+}
+
+Machine defaultMachine() {
+    return machineFromText(embedded::kDefaultMachine, kDefaultMachineName);
+}
+
+}  // namespace stepmill

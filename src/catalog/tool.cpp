@@ -1,0 +1,47 @@
+#include "stepmill/catalog/tool.h"
+
+#include <algorithm>
+#include <set>
+
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+
+const CuttingData* ToolAssembly::cuttingFor(const std::string& material_name) const {
+    const auto found = std::find_if(cutting.begin(), cutting.end(),
+                                    [&](const CuttingData& data) { return data.material == material_name; });
+    return found == cutting.end() ? nullptr : &*found;
+}
+
+const ToolAssembly& ToolLibrary::tool(const std::string& id) const {
+    const auto found =
+        std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& tool) { return tool.id == id; });
+    if (found == tools.end()) throw Error(ErrorCode::Internal, "tool " + id, "not in library " + file);
+    return *found;
+}
+
+std::vector<std::string> ToolLibrary::materials() const {
+    std::set<std::string> names;
+    for (const ToolAssembly& tool : tools)
+        for (const CuttingData& data : tool.cutting)
+            names.insert(data.material);
+    return {names.begin(), names.end()};
+}
+
+std::string toString(ToolType type) {
+    switch (type) {
+        case ToolType::Flat:
+            return "flat";
+        case ToolType::Ball:
+            return "ball";
+        case ToolType::Bull:
+            return "bull";
+        case ToolType::Drill:
+            return "drill";
+        case ToolType::Face:
+            return "face";
+    }
+    return {};
+}
+
+}  // namespace stepmill
