@@ -37,7 +37,9 @@ class Descriptor {
     int fd_;
 };
 
-std::string systemReason(int error_number) { return std::strerror(error_number); }
+std::string systemReason(int error_number) {
+    return std::strerror(error_number);
+}
 
 bool writeAll(int fd, std::string_view bytes) {
     while (!bytes.empty()) {
@@ -90,7 +92,8 @@ void compress(HashState& state, const unsigned char* block) {
         a = t1 + big0 + majority;
     }
     const HashState add = {a, b, c, d, e, f, g, h};
-    for (std::size_t i = 0; i < 8; ++i) state[i] += add[i];
+    for (std::size_t i = 0; i < 8; ++i)
+        state[i] += add[i];
 }
 
 }  // namespace
@@ -117,8 +120,10 @@ std::string readFile(const std::filesystem::path& path) {
 }
 
 void writeFile(const std::filesystem::path& path, std::string_view bytes) {
-    const std::filesystem::path temporary =
-        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + ".part");
+    std::filesystem::path temporary = path;
+    temporary += '.';
+    temporary += std::to_string(::getpid());
+    temporary += ".part";
     const auto fail = [&](int error_number) {
         ::unlink(temporary.c_str());
         throw Error(ErrorCode::OutputUnwritable, path.string(), systemReason(error_number));
@@ -136,7 +141,8 @@ std::string sha256(std::string_view bytes) {
                        0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
     const std::size_t whole = bytes.size() / 64 * 64;
-    for (std::size_t at = 0; at < whole; at += 64) compress(state, data + at);
+    for (std::size_t at = 0; at < whole; at += 64)
+        compress(state, data + at);
 
     // Padding: a one bit, zeros, and the length in bits as 64-bit big-endian number.
     std::array<unsigned char, 128> tail{};
@@ -147,12 +153,14 @@ std::string sha256(std::string_view bytes) {
     const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;
     for (std::size_t i = 0; i < 8; ++i)
         tail[tail_size - 1 - i] = static_cast<unsigned char>(bits >> (8 * i));
-    for (std::size_t at = 0; at < tail_size; at += 64) compress(state, tail.data() + at);
+    for (std::size_t at = 0; at < tail_size; at += 64)
+        compress(state, tail.data() + at);
 
     static constexpr char kDigits[] = "0123456789abcdef";
     std::string hex;
     for (const std::uint32_t word : state) {
-        for (int shift = 28; shift >= 0; shift -= 4) hex += kDigits[(word >> shift) & 0xf];
+        for (int shift = 28; shift >= 0; shift -= 4)
+            hex += kDigits[(word >> shift) & 0xf];
     }
     return hex;
 }

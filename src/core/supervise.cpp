@@ -26,9 +26,9 @@ constexpr int kExitBug = 3;
 class SharedText {
   public:
     SharedText() {
-        void* memory = ::mmap(nullptr, kStageBytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (memory == MAP_FAILED)
-            throw Error(ErrorCode::Internal, "supervisor", std::strerror(errno));
+        void* memory =
+            ::mmap(nullptr, kStageBytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (memory == MAP_FAILED) throw Error(ErrorCode::Internal, "supervisor", std::strerror(errno));
         text_ = static_cast<char*>(memory);
     }
     SharedText(const SharedText&) = delete;

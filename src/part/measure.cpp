@@ -1,34 +1,45 @@
 #include "measure.h"
 
+#include <Bnd_Box.hxx>
+#include <BRep_Tool.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
-#include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
 #include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 
 namespace stepmill {
 
 std::string surfaceKind(const TopoDS_Face& face) {
     switch (BRepAdaptor_Surface(face, Standard_False).GetType()) {
-        case GeomAbs_Plane: return "plane";
-        case GeomAbs_Cylinder: return "cylinder";
-        case GeomAbs_Cone: return "cone";
-        case GeomAbs_Sphere: return "sphere";
-        case GeomAbs_Torus: return "torus";
-        case GeomAbs_BezierSurface: return "bezier";
-        case GeomAbs_BSplineSurface: return "bspline";
-        case GeomAbs_SurfaceOfRevolution: return "revolution";
-        case GeomAbs_SurfaceOfExtrusion: return "extrusion";
-        case GeomAbs_OffsetSurface: return "offset";
-        default: return "other";
+        case GeomAbs_Plane:
+            return "plane";
+        case GeomAbs_Cylinder:
+            return "cylinder";
+        case GeomAbs_Cone:
+            return "cone";
+        case GeomAbs_Sphere:
+            return "sphere";
+        case GeomAbs_Torus:
+            return "torus";
+        case GeomAbs_BezierSurface:
+            return "bezier";
+        case GeomAbs_BSplineSurface:
+            return "bspline";
+        case GeomAbs_SurfaceOfRevolution:
+            return "revolution";
+        case GeomAbs_SurfaceOfExtrusion:
+            return "extrusion";
+        case GeomAbs_OffsetSurface:
+            return "offset";
+        default:
+            return "other";
     }
 }
 
@@ -93,7 +104,8 @@ void requireValid(const TopoDS_Shape& solid, const std::string& subject) {
         throw Error(ErrorCode::OpenShell, subject,
                     "the solid is not closed: " + std::to_string(free_edges) + " free edges");
     if (!BRepCheck_Analyzer(solid).IsValid())
-        throw Error(ErrorCode::InvalidSolid, subject, "the solid's faces, edges and vertices do not fit together");
+        throw Error(ErrorCode::InvalidSolid, subject,
+                    "the solid's faces, edges and vertices do not fit together");
     if (!(volumeOf(solid) > 0))
         throw Error(ErrorCode::InvalidSolid, subject, "the solid's volume is not positive");
 }

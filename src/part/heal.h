@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "step_import.h"
+#include "stepmill/part/part.h"
+
+namespace stepmill {
+
+/// How far the pieces of a solid lie apart, measured on the geometry and not on OCCT's tolerances, which
+/// the reader widens until everything "fits" [mm].
+struct Misfit {
+    double vertex_mm = 0;  ///< worst distance of a vertex from the end of one of its edges
+    double edge_mm = 0;    ///< worst distance of an edge from one of its faces
+    int vertices_off = 0;  ///< vertices beyond the limit given
+    int edges_off = 0;
+    Vec3 where = Vec3::Zero();  ///< at the worst vertex or edge
+};
+
+/// Largest gap between vertices, edges and faces that still counts as rounding of the exporting system:
+/// 0.05 mm, and for large parts 1e-4 of the longest side. The good NIST, machined and MFCAD parts stay
+/// below 6 % of it; a vertex that was moved shows up with the whole distance.
+double largestGap(const Box3& box);
+
+Misfit measureMisfit(const TopoDS_Shape& solid, double limit_mm);
+
+/// Makes the solid valid, closed, outward-facing. Adds what it changed to `remarks` and tells `names`
+/// about faces it replaced.
+/// \throws Error(OpenShell, InvalidSolid)
+TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
+                       std::vector<std::string>& remarks);
+
+/// Scaled about the origin; carries the face names over.
+TopoDS_Shape scaleSolid(const TopoDS_Shape& solid, double factor, FaceNames& names);
+
+}  // namespace stepmill
