@@ -7,6 +7,8 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Curve.hxx>
 #include <Geom_Surface.hxx>
+#include <Precision.hxx>
+#include <ShapeAnalysis_Surface.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <TopExp.hxx>
@@ -44,8 +46,10 @@ double vertexGap(const TopoDS_Edge& edge) {
     return gap;
 }
 
-/// Worst distance between an edge's curve in space and its curve on a face, at equal parameters.
-double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+/// Worst distance of an edge's curve in space from a face's surface. The curve on the surface bounds it at
+/// equal parameters; only where that bound is over the limit is the point projected, which costs more but
+/// leaves out what is mere difference in parametrisation.
+double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face, double limit_mm) {
     double first = 0;
     double last = 0;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
@@ -58,7 +62,14 @@ double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     for (int i = 0; i < kSamplesPerEdge; ++i) {
         const double t = first + (last - first) * i / (kSamplesPerEdge - 1);
         const gp_Pnt2d uv = on_surface->Value(t);
-        gap = std::max(gap, curve->Value(t).Distance(surface->Value(uv.X(), uv.Y())));
+        const gp_Pnt point = curve->Value(t);
+        double distance = point.Distance(surface->Value(uv.X(), uv.Y()));
+        if (distance > limit_mm) {
+            ShapeAnalysis_Surface analysis(surface);
+            analysis.NextValueOfUV(uv, point, Precision::Confusion());
+            distance = std::min(distance, analysis.Gap());
+        }
+        gap = std::max(gap, distance);
     }
     return gap;
 }
@@ -89,8 +100,8 @@ TopoDS_Shape fixShape(const TopoDS_Shape& solid, const std::string& subject, Fac
 }  // namespace
 
 double largestGap(const Box3& box) {
-    constexpr double kGap_mm = 0.05;
-    constexpr double kGapShare = 1e-4;
+    constexpr double kGap_mm = 0.02;
+    constexpr double kGapShare = 2e-4;
     return std::max(kGap_mm, kGapShare * box.sizes().maxCoeff());
 }
 
@@ -105,7 +116,7 @@ Misfit measureMisfit(const TopoDS_Shape& solid, double limit_mm) {
             const bool fresh = !seen.Contains(edge);
             seen.Add(edge);
             const double at_vertex = fresh ? vertexGap(edge) : 0;
-            const double at_edge = edgeGap(edge, face);
+            const double at_edge = edgeGap(edge, face, limit_mm);
             if (std::max(at_vertex, at_edge) > std::max(misfit.vertex_mm, misfit.edge_mm))
                 misfit.where = toVec3(BRep_Tool::Pnt(TopExp::FirstVertex(edge)));
             misfit.vertices_off += at_vertex > limit_mm ? 1 : 0;

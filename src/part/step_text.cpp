@@ -274,6 +274,7 @@ void Screen::noteKeyword(std::string_view keyword) {
 
 void Screen::word(const StepToken& token) {
     if (lexer_.peek().is('(') && !isNonFiniteWord(token.text)) return;
+    if (lexer_.peek().kind == Kind::End) truncated("inside an entity", "')' and ';'");
     if (isNonFiniteWord(token.text))
         damaged(token.line, "a finite number expected, found " + std::string(token.text.substr(0, 40)));
     damaged(token.line, "a value expected, found the bare word " + std::string(token.text.substr(0, 40)));
@@ -389,12 +390,16 @@ std::string guessFormat(std::string_view bytes) {
         return "an IGES file; export STEP instead";
     if (text.starts_with("DBRep_DrawableShape") || contains("CASCADE Topology"))
         return "an OpenCASCADE BREP file; export STEP instead";
-    int odd = 0;
+    int control = 0;
+    int high = 0;
     for (const char c : bytes.substr(0, 4096)) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f') ++odd;
+        if (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f') ++control;
+        if (byte >= 0x80) ++high;
     }
-    return odd > 0 ? "binary data" : "plain text";
+    // A quarter of bytes beyond ASCII is more than any language's letters in Latin-1 text.
+    const bool binary = control > 0 || 4 * high > static_cast<int>(std::min<std::size_t>(bytes.size(), 4096));
+    return binary ? "binary data" : "plain text";
 }
 
 StepText screenStep(std::string_view text, const std::string& file) {
