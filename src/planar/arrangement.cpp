@@ -1,0 +1,331 @@
+// Two sets of loops cut into pieces that meet at nodes only.
+
+#include "planar/arrangement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "planar/intersection.h"
+#include "planar/segment.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill::planar {
+
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+Box2 boxOf(const Vec2& from, const Segment& segment) {
+    return boundingBox(Path{from, {segment}});
+}
+
+/// Where on the segment p lies, as a share of its length; outside [0, 1] beyond its ends.
+double shareOf(const Vec2& p, const Vec2& from, const Segment& segment) {
+    if (!segment.arc) {
+        const Vec2 d = segment.to - from;
+        return d.dot(p - from) / d.squaredNorm();
+    }
+    const Arc& arc = *segment.arc;
+    const double sweep = std::abs(sweepAngle(from, segment.to, arc));
+    const Vec2 u = from - arc.centre;
+    const Vec2 w = p - arc.centre;
+    double turn = std::atan2(cross(u, w), u.dot(w));
+    if (!arc.ccw) turn = -turn;
+    // Angles just before the start count as negative, all others as passed on the way.
+    if (turn < (sweep - 2 * kPi) / 2) turn += 2 * kPi;
+    return turn / sweep;
+}
+
+Vec2 mirrored(const Vec2& p) {
+    return {p.y(), p.x()};
+}
+
+/// A segment's share in the winding number of the loops it belongs to, about p. `side` 0 for a p away from
+/// the segment, otherwise p lies on it and counts as just left (+1) or right (-1) of it.
+int windingShare(const Vec2& from, const Vec2& to, const std::optional<Arc>& arc, const Vec2& p, int side) {
+    const bool spans = (from.y() <= p.y()) != (to.y() <= p.y());
+    int chord_side = side;
+    bool in_circle = false;
+    if (arc) {
+        in_circle = (p - arc->centre).squaredNorm() < arc->radius_mm * arc->radius_mm;
+        if (side != 0) {
+            in_circle = (side > 0) == arc->ccw;
+            chord_side = arc->ccw ? -1 : 1;  // arcs of pieces are at most half circles
+        }
+    }
+    if (!spans && !in_circle) return 0;
+    if (chord_side == 0) {
+        const double left = cross(to - from, p - from);
+        const double dy = to.y() - from.y();
+        if (left != 0)
+            chord_side = left > 0 ? 1 : -1;
+        else if (dy != 0)
+            chord_side = dy > 0 ? -1 : 1;
+        else
+            chord_side = to.x() > from.x() ? 1 : -1;
+    }
+    int share = 0;
+    if (spans && (to.y() > p.y()) == (chord_side > 0)) share += chord_side;
+    if (in_circle && arc->ccw && chord_side < 0) ++share;
+    if (in_circle && !arc->ccw && chord_side > 0) --share;
+    return share;
+}
+
+/// Calls visit(i, j) for all pairs of boxes that overlap.
+template <typename Visit>
+void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visit visit) {
+    std::vector<int> order(curves.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return curves[at(a)].box.min.x() < curves[at(b)].box.min.x(); });
+    std::vector<int> active;
+    for (const int i : order) {
+        const Box2 box = curves[at(i)].box.grown(slack_mm);
+        std::erase_if(active, [&](int j) { return curves[at(j)].box.max.x() < box.min.x(); });
+        for (const int j : active)
+            if (curves[at(j)].box.overlaps(box)) visit(std::min(i, j), std::max(i, j));
+        active.push_back(i);
+    }
+}
+
+bool adjacent(const Curve& a, const Curve& b) {
+    return a.loop == b.loop && (a.segment.to == b.from || b.segment.to == a.from);
+}
+
+}  // namespace
+
+void appendCurves(const Region& region, int operand, std::vector<Curve>& curves) {
+    int loop = curves.empty() ? 0 : curves.back().loop + 1;
+    for (const Loop& path : region.loops) {
+        Vec2 from = path.start;
+        for (const Segment& segment : path.segments) {
+            const Vec2 to = segment.to;
+            if (segment.arc && std::abs(sweepAngle(from, to, *segment.arc)) > kPi + 1e-6) {
+                const Segment half{snapToGrid(pointAt(from, segment, 0.5)), segment.arc};
+                curves.push_back({from, half, operand, loop, boxOf(from, half)});
+                from = half.to;
+            }
+            curves.push_back({from, segment, operand, loop, boxOf(from, segment)});
+            from = to;
+        }
+        ++loop;
+    }
+}
+
+// Nodes --------------------------------------------------------------------------------------------------
+
+/// Finds the node near a point, or makes one.
+struct Arrangement::NodeIndex {
+    NodeIndex(std::vector<Vec2>& nodes, double snap_mm) : nodes_(nodes), snap_mm_(snap_mm) {}
+
+    int add(const Vec2& p) {
+        int nearest = -1;
+        double distance = snap_mm_;
+        const std::int64_t x0 = cell(p.x() - snap_mm_), x1 = cell(p.x() + snap_mm_);
+        const std::int64_t y0 = cell(p.y() - snap_mm_), y1 = cell(p.y() + snap_mm_);
+        for (std::int64_t x = x0; x <= x1; ++x)
+            for (std::int64_t y = y0; y <= y1; ++y) {
+                const auto found = cells_.find(key(x, y));
+                if (found == cells_.end()) continue;
+                for (const int node : found->second) {
+                    const double d = (nodes_[at(node)] - p).norm();
+                    if (d > distance || (d == distance && nearest >= 0 && nearest < node)) continue;
+                    nearest = node;
+                    distance = d;
+                }
+            }
+        if (nearest >= 0) return nearest;
+        nodes_.push_back(snapToGrid(p));
+        const int node = static_cast<int>(nodes_.size()) - 1;
+        cells_[key(cell(p.x()), cell(p.y()))].push_back(node);
+        return node;
+    }
+
+  private:
+    std::int64_t cell(double value) const {
+        return static_cast<std::int64_t>(std::floor(value / (4 * snap_mm_)));
+    }
+    static std::uint64_t key(std::int64_t x, std::int64_t y) {
+        return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(y);
+    }
+
+    std::vector<Vec2>& nodes_;
+    double snap_mm_;
+    std::unordered_map<std::uint64_t, std::vector<int>> cells_;
+};
+
+// Pieces -------------------------------------------------------------------------------------------------
+
+Arrangement::Arrangement(const std::vector<Curve>& curves, double snap_mm)
+    : curves_(curves), snap_mm_(snap_mm) {
+    cutCurves();
+    dropDeadPieces();
+}
+
+void Arrangement::cutCurves() {
+    NodeIndex index(nodes_, snap_mm_);
+    struct Cut {
+        double share;
+        int node;
+    };
+    std::vector<std::vector<Cut>> cuts(curves_.size());
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        cuts[i].push_back({0, index.add(curves_[i].from)});
+        cuts[i].push_back({1, index.add(curves_[i].segment.to)});
+    }
+    const auto cut = [&](int curve, int node) {
+        const Curve& c = curves_[at(curve)];
+        std::vector<Cut>& list = cuts[at(curve)];
+        if (std::any_of(list.begin(), list.end(), [&](const Cut& known) { return known.node == node; }))
+            return;
+        const double share = shareOf(nodes_[at(node)], c.from, c.segment);
+        if (share > 0 && share < 1) list.push_back({share, node});
+    };
+    std::vector<std::pair<int, int>> pairs;
+    forOverlappingBoxes(curves_, snap_mm_, [&](int i, int j) { pairs.emplace_back(i, j); });
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& [i, j] : pairs) {
+        const Curve& a = curves_[at(i)];
+        const Curve& b = curves_[at(j)];
+        // Neighbours meet at their corner; the rounding of a tangent corner must not move it.
+        if (adjacent(a, b)) continue;
+        for (const Vec2& p : contacts(a.from, a.segment, b.from, b.segment, snap_mm_)) {
+            const int node = index.add(p);
+            cut(i, node);
+            cut(j, node);
+        }
+    }
+    pieces_at_.resize(nodes_.size());
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        std::stable_sort(cuts[i].begin(), cuts[i].end(),
+                         [](const Cut& a, const Cut& b) { return a.share < b.share; });
+        for (std::size_t k = 1; k < cuts[i].size(); ++k)
+            addPiece(cuts[i][k - 1].node, cuts[i][k].node, static_cast<int>(i));
+    }
+}
+
+Segment Arrangement::segment(const Piece& piece) const {
+    Segment result{node(piece.end), curves_[at(piece.curve)].segment.arc};
+    if (result.arc && !piece.along) result.arc->ccw = !result.arc->ccw;
+    return result;
+}
+
+void Arrangement::addPiece(int begin, int end, int curve) {
+    // Shorter than the snapping distance: a point.
+    if (begin == end) return;
+    Piece piece{begin, end, curve, true, {}};
+    const Vec2 middle = pointAt(node(begin), segment(piece), 0.5);
+    const int operand = curves_[at(curve)].operand;
+    for (const int other_index : pieces_at_[at(std::min(begin, end))]) {
+        Piece& other = pieces_[at(other_index)];
+        const bool same_way = other.begin == begin && other.end == end;
+        const bool other_way = other.begin == end && other.end == begin;
+        if (!same_way && !other_way) continue;
+        if ((pointAt(node(other.begin), segment(other), 0.5) - middle).norm() > snap_mm_) continue;
+        other.step[at(operand)] += same_way ? 1 : -1;
+        return;
+    }
+    piece.step[at(operand)] = 1;
+    pieces_at_[at(std::min(begin, end))].push_back(static_cast<int>(pieces_.size()));
+    pieces_.push_back(piece);
+}
+
+void Arrangement::dropDeadPieces() {
+    std::erase_if(pieces_, [](const Piece& piece) { return piece.step == std::array<int, 2>{}; });
+    pieces_at_.clear();
+}
+
+// Inside and outside ---------------------------------------------------------------------------------------
+
+std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
+    // A ray along +x from the middle of the piece. Where the piece runs rather along x, everything is
+    // mirrored at x = y first, which turns left into right and the sign of every winding.
+    const Segment own = segment(piece);
+    const Vec2 middle = pointAt(node(piece.begin), own, 0.5);
+    const Vec2 tangent = tangentAt(node(piece.begin), own, 0.5);
+    const bool mirror = std::abs(tangent.x()) > std::abs(tangent.y());
+    const Vec2 p = mirror ? mirrored(middle) : middle;
+    std::array<int, 2> windings{};
+    for (const Piece& other : pieces_) {
+        Vec2 from = node(other.begin);
+        Segment s = segment(other);
+        if (mirror) {
+            from = mirrored(from);
+            s.to = mirrored(s.to);
+            if (s.arc) s.arc = Arc{mirrored(s.arc->centre), s.arc->radius_mm, !s.arc->ccw};
+        }
+        const int side = &other != &piece ? 0 : mirror ? 1 : -1;
+        const int share = windingShare(from, s.to, s.arc, p, side);
+        for (std::size_t k = 0; k < 2; ++k)
+            windings[k] += (mirror ? -share : share) * other.step[k];
+    }
+    return windings;
+}
+
+/// For every piece the one that stands for it: pieces in a row without a junction between them have the
+/// same windings on both sides, and the longest is the safest to measure.
+std::vector<int> Arrangement::chains() const {
+    std::vector<std::vector<int>> incident(nodes_.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        incident[at(pieces_[i].begin)].push_back(static_cast<int>(i));
+        incident[at(pieces_[i].end)].push_back(static_cast<int>(i));
+    }
+    std::vector<int> leader(pieces_.size());
+    std::iota(leader.begin(), leader.end(), 0);
+    const auto find = [&](int i) {
+        while (leader[at(i)] != i)
+            i = leader[at(i)] = leader[at(leader[at(i)])];
+        return i;
+    };
+    const auto size = [&](int i) {
+        return (node(pieces_[at(i)].end) - node(pieces_[at(i)].begin)).squaredNorm();
+    };
+    for (const std::vector<int>& around : incident) {
+        if (around.size() != 2) continue;
+        const Piece& a = pieces_[at(around[0])];
+        const Piece& b = pieces_[at(around[1])];
+        const bool in_a_row = a.end == b.begin || a.begin == b.end;
+        if (!in_a_row || a.step != b.step) continue;
+        const int i = find(around[0]);
+        const int j = find(around[1]);
+        if (size(i) > size(j) || (size(i) == size(j) && i < j))
+            leader[at(j)] = i;
+        else
+            leader[at(i)] = j;
+    }
+    for (std::size_t i = 0; i < leader.size(); ++i)
+        leader[i] = find(static_cast<int>(i));
+    return leader;
+}
+
+std::vector<Piece> Arrangement::boundary(const std::function<bool(int, int)>& inside) const {
+    const std::vector<int> leader = chains();
+    std::vector<int> verdict(pieces_.size(), 2);  // +1 inside on the left, -1 on the right, 0 no boundary
+    std::vector<Piece> result;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        int& known = verdict[at(leader[i])];
+        if (known == 2) {
+            const Piece& piece = pieces_[at(leader[i])];
+            const std::array<int, 2> right = windingsOnTheRight(piece);
+            const bool in_right = inside(right[0], right[1]);
+            const bool in_left = inside(right[0] + piece.step[0], right[1] + piece.step[1]);
+            known = in_left == in_right ? 0 : in_left ? 1 : -1;
+        }
+        if (known == 0) continue;
+        Piece piece = pieces_[i];
+        if (known < 0) {
+            std::swap(piece.begin, piece.end);
+            piece.along = !piece.along;
+        }
+        result.push_back(piece);
+    }
+    return result;
+}
+
+}  // namespace stepmill::planar

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "stepmill/planar/region.h"
+
+namespace stepmill::planar {
+
+/// A line or arc of an operand as it came in.
+struct Curve {
+    Vec2 from;
+    Segment segment;
+    int operand = 0;  ///< 0 or 1
+    int loop = 0;     ///< numbered over both operands
+    Box2 box;
+};
+
+/// A stretch of a curve between two nodes that no other piece crosses. Coinciding stretches of several
+/// curves are one piece, named after the first.
+struct Piece {
+    int begin = 0;  ///< node
+    int end = 0;    ///< node
+    int curve = 0;
+    bool along = true;  ///< runs in the direction of the curve
+    /// How many more windings operand k has on the left of the piece than on its right.
+    std::array<int, 2> step{};
+};
+
+/// All boundaries of two operands cut at each other's crossings.
+///
+/// Points nearer to each other than the snapping distance are one node, first come, first served:
+/// corners before crossings, operand 0 before operand 1.
+class Arrangement {
+  public:
+    Arrangement(const std::vector<Curve>& curves, double snap_mm);
+
+    /// The pieces between inside and outside, turned so that the inside is on their left.
+    /// `inside(windings of operand 0, of operand 1)` says which points belong to the result.
+    std::vector<Piece> boundary(const std::function<bool(int, int)>& inside) const;
+
+    const std::vector<Curve>& curves() const { return curves_; }
+    const Vec2& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
+    /// The piece as a segment from node(piece.begin).
+    Segment segment(const Piece& piece) const;
+
+  private:
+    struct NodeIndex;
+
+    void cutCurves();
+    void addPiece(int begin, int end, int curve);
+    void dropDeadPieces();
+    std::array<int, 2> windingsOnTheRight(const Piece& piece) const;
+    std::vector<int> chains() const;
+
+    std::vector<Curve> curves_;
+    double snap_mm_;
+    std::vector<Vec2> nodes_;
+    std::vector<Piece> pieces_;
+    std::vector<std::vector<int>> pieces_at_;  // per lower node of a piece
+};
+
+/// The curves of a region; arcs of more than a half circle are cut in two.
+void appendCurves(const Region& region, int operand, std::vector<Curve>& curves);
+
+}  // namespace stepmill::planar

@@ -1,0 +1,102 @@
+// Where lines and arcs meet.
+
+#include "planar/intersection.h"
+
+#include <cmath>
+
+#include "planar/segment.h"
+
+namespace stepmill::planar {
+
+namespace {
+
+using Points = std::vector<Vec2>;
+
+Vec2 perpendicular(const Vec2& v) {
+    return {-v.y(), v.x()};
+}
+
+Points lineLine(const Vec2& from1, const Vec2& to1, const Vec2& from2, const Vec2& to2) {
+    const Vec2 d1 = to1 - from1;
+    const Vec2 d2 = to2 - from2;
+    const double turn = cross(d1, d2);
+    // Below this sine the crossing is lost in rounding, and lines of machine size coincide there anyway.
+    if (std::abs(turn) <= 1e-10 * d1.norm() * d2.norm()) return {};
+    return {from1 + d1 * (cross(from2 - from1, d2) / turn)};
+}
+
+Points lineCircle(const Vec2& from, const Vec2& to, const Arc& arc, double reach_mm) {
+    const Vec2 direction = (to - from).normalized();
+    const Vec2 foot = from + direction * direction.dot(arc.centre - from);
+    const double distance = (foot - arc.centre).norm();
+    const double beyond = distance - arc.radius_mm;
+    if (beyond > std::max(reach_mm, kTangentMm)) return {};
+    if (beyond > -kTangentMm) return {foot};
+    const double half = std::sqrt((arc.radius_mm - distance) * (arc.radius_mm + distance));
+    return {foot - half * direction, foot + half * direction};
+}
+
+Points circleCircle(const Arc& a, const Arc& b, double reach_mm, double coincident_mm) {
+    const Vec2 between = b.centre - a.centre;
+    const double d = between.norm();
+    const double ra = a.radius_mm;
+    const double rb = b.radius_mm;
+    if (d + std::abs(ra - rb) <= coincident_mm || d == 0) return {};
+    const double apart = d - (ra + rb);
+    const double inside = std::abs(ra - rb) - d;
+    const double slack = std::max(reach_mm, kTangentMm);
+    if (apart > slack || inside > slack) return {};
+    const Vec2 axis = between / d;
+    if (apart > -kTangentMm) return {a.centre + axis * (ra + apart / 2)};
+    if (inside > -kTangentMm) {
+        const double gap = inside / 2;
+        return {ra > rb ? Vec2(a.centre + axis * (ra - gap)) : Vec2(a.centre - axis * (ra + gap))};
+    }
+    // Distance of the common chord from a's centre, and half its length.
+    const double along = (d * d + (ra - rb) * (ra + rb)) / (2 * d);
+    const double half = std::sqrt(std::max(0.0, (ra - along) * (ra + along)));
+    const Vec2 across = perpendicular(axis);
+    return {a.centre + along * axis - half * across, a.centre + along * axis + half * across};
+}
+
+Points meetings(const Vec2& from1, const Segment& s1, const Vec2& from2, const Segment& s2, double reach_mm,
+                double coincident_mm) {
+    if (s1.arc && s2.arc) return circleCircle(*s1.arc, *s2.arc, reach_mm, coincident_mm);
+    if (s1.arc) return lineCircle(from2, s2.to, *s1.arc, reach_mm);
+    if (s2.arc) return lineCircle(from1, s1.to, *s2.arc, reach_mm);
+    return lineLine(from1, s1.to, from2, s2.to);
+}
+
+}  // namespace
+
+Points carrierIntersections(const Vec2& from1, const Segment& segment1, const Vec2& from2,
+                            const Segment& segment2, double coincident_mm) {
+    return meetings(from1, segment1, from2, segment2, 0, coincident_mm);
+}
+
+Points contacts(const Vec2& from1, const Segment& segment1, const Vec2& from2, const Segment& segment2,
+                double reach_mm) {
+    Points points;
+    for (const Vec2& end : {from1, segment1.to})
+        if (distanceTo(end, from2, segment2) <= reach_mm) points.push_back(end);
+    for (const Vec2& end : {from2, segment2.to})
+        if (distanceTo(end, from1, segment1) <= reach_mm) points.push_back(end);
+    for (const Vec2& p : meetings(from1, segment1, from2, segment2, reach_mm, reach_mm))
+        if (distanceTo(p, from1, segment1) <= reach_mm && distanceTo(p, from2, segment2) <= reach_mm)
+            points.push_back(p);
+    return points;
+}
+
+double distanceToCarrier(const Vec2& p, const Vec2& from, const Segment& segment) {
+    if (segment.arc) return std::abs((p - segment.arc->centre).norm() - segment.arc->radius_mm);
+    return std::abs(cross((segment.to - from).normalized(), p - from));
+}
+
+Vec2 projectOnCarrier(const Vec2& p, const Vec2& from, const Segment& segment) {
+    if (segment.arc)
+        return segment.arc->centre + segment.arc->radius_mm * (p - segment.arc->centre).normalized();
+    const Vec2 direction = (segment.to - from).normalized();
+    return from + direction * direction.dot(p - from);
+}
+
+}  // namespace stepmill::planar

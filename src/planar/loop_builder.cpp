@@ -1,0 +1,302 @@
+// From pieces of an arrangement back to loops of true lines and arcs.
+
+#include "planar/loop_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planar/intersection.h"
+#include "planar/segment.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill::planar {
+
+namespace {
+
+/// Points of the grid lie up to 0.7 nm off the curve they were computed for; so may an arc's centre.
+constexpr double kOnCurveMm = 2 * kGridMm;
+/// Circles closer than this are one circle that was rounded differently.
+constexpr double kSameCircleMm = 3 * kGridMm;
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+// Walks --------------------------------------------------------------------------------------------------
+
+/// Closed walks along the pieces with the inside always next to them on the left; a walk that comes back
+/// to one of its nodes is split there, so that every loop is simple.
+class Walker {
+  public:
+    Walker(const Arrangement& arrangement, const std::vector<Piece>& pieces)
+        : arrangement_(arrangement), pieces_(pieces), used_(pieces.size(), false) {
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const auto last = at(std::max(pieces[i].begin, pieces[i].end));
+            if (leaving_.size() <= last) leaving_.resize(last + 1);
+            if (arriving_.size() <= last) arriving_.resize(last + 1);
+            leaving_[at(pieces[i].begin)].push_back(static_cast<int>(i));
+            arriving_[at(pieces[i].end)].push_back(static_cast<int>(i));
+        }
+    }
+
+    bool closesUp() const {
+        for (std::size_t i = 0; i < leaving_.size(); ++i)
+            if (leaving_[i].size() != arriving_[i].size()) return false;
+        return true;
+    }
+
+    std::vector<std::vector<int>> loops() {
+        std::vector<std::vector<int>> result;
+        std::vector<int> place(leaving_.size(), -1);  // of a node in the walk
+        for (std::size_t first = 0; first < pieces_.size(); ++first) {
+            if (used_[first]) continue;
+            std::vector<int> walk;
+            int piece = static_cast<int>(first);
+            while (piece >= 0) {
+                used_[at(piece)] = true;
+                place[at(pieces_[at(piece)].begin)] = static_cast<int>(walk.size());
+                walk.push_back(piece);
+                const int node = pieces_[at(piece)].end;
+                if (place[at(node)] >= 0) {
+                    const auto from = walk.begin() + place[at(node)];
+                    result.emplace_back(from, walk.end());
+                    for (auto it = from; it != walk.end(); ++it)
+                        place[at(pieces_[at(*it)].begin)] = -1;
+                    walk.erase(from, walk.end());
+                    if (walk.empty()) break;
+                }
+                piece = next(piece);
+            }
+        }
+        return result;
+    }
+
+  private:
+    /// The first unused piece clockwise from the one we came on: between them lies the inside.
+    int next(int piece) const {
+        const int node = pieces_[at(piece)].end;
+        std::vector<int> choices;
+        for (const int candidate : leaving_[at(node)])
+            if (!used_[at(candidate)]) choices.push_back(candidate);
+        if (choices.size() <= 1) return choices.empty() ? -1 : choices.front();
+        const double reach = reachAround(node);
+        const Vec2 back = direction(piece, false, reach);
+        int best = -1;
+        double least = std::numeric_limits<double>::infinity();
+        for (const int candidate : choices) {
+            const Vec2 ahead = direction(candidate, true, reach);
+            double turn = -std::atan2(cross(back, ahead), back.dot(ahead));
+            if (turn <= 0) turn += 2 * kPi;
+            if (turn >= least) continue;
+            least = turn;
+            best = candidate;
+        }
+        return best;
+    }
+
+    double lengthOf(int piece) const {
+        const Piece& p = pieces_[at(piece)];
+        return length(arrangement_.node(p.begin), arrangement_.segment(p));
+    }
+
+    /// How far to look along the pieces at a node to tell tangent ones apart by their curvature.
+    double reachAround(int node) const {
+        double reach = std::numeric_limits<double>::infinity();
+        for (const int piece : leaving_[at(node)])
+            reach = std::min(reach, lengthOf(piece));
+        for (const int piece : arriving_[at(node)])
+            reach = std::min(reach, lengthOf(piece));
+        return reach / 2;
+    }
+
+    Vec2 direction(int piece, bool from_begin, double reach) const {
+        const Piece& p = pieces_[at(piece)];
+        const double share = reach / lengthOf(piece);
+        const Vec2 begin = arrangement_.node(p.begin);
+        const Vec2 seen = pointAt(begin, arrangement_.segment(p), from_begin ? share : 1 - share);
+        return seen - arrangement_.node(from_begin ? p.begin : p.end);
+    }
+
+    const Arrangement& arrangement_;
+    const std::vector<Piece>& pieces_;
+    std::vector<bool> used_;
+    std::vector<std::vector<int>> leaving_;
+    std::vector<std::vector<int>> arriving_;
+};
+
+// Edges --------------------------------------------------------------------------------------------------
+
+/// An edge of the result with the line or circle it lies on.
+struct Edge {
+    Vec2 from;
+    Segment segment;
+    Vec2 carrier_from;  ///< the source line; its rounding is what positions go by
+    Vec2 carrier_to;
+    int curve = 0;
+    std::vector<Vec2> passed;  ///< joints merged away
+
+    Segment carrier() const { return {carrier_to, segment.arc}; }
+};
+
+bool sameCircle(const Arc& a, const Arc& b) {
+    return a.ccw == b.ccw &&
+           (a.centre - b.centre).norm() + std::abs(a.radius_mm - b.radius_mm) <= kSameCircleMm;
+}
+
+bool oneLine(const Edge& a, const Edge& b) {
+    const Vec2 whole = b.segment.to - a.from;
+    if (whole.dot(a.segment.to - a.from) <= 0 || whole.dot(b.segment.to - b.from) <= 0) return false;
+    if (a.curve == b.curve) return true;
+    const Vec2 direction = whole.normalized();
+    const auto on_line = [&](const Vec2& p) { return std::abs(cross(direction, p - a.from)) <= kOnCurveMm; };
+    return on_line(b.from) && std::all_of(a.passed.begin(), a.passed.end(), on_line) &&
+           std::all_of(b.passed.begin(), b.passed.end(), on_line);
+}
+
+bool mergeable(const Edge& a, const Edge& b) {
+    if (a.segment.arc.has_value() != b.segment.arc.has_value()) return false;
+    return a.segment.arc ? sameCircle(*a.segment.arc, *b.segment.arc) : oneLine(a, b);
+}
+
+void absorb(Edge& a, const Edge& b) {
+    a.passed.push_back(b.from);
+    a.passed.insert(a.passed.end(), b.passed.begin(), b.passed.end());
+    a.segment.to = b.segment.to;
+    if ((b.carrier_to - b.carrier_from).norm() <= (a.carrier_to - a.carrier_from).norm()) return;
+    a.carrier_from = b.carrier_from;
+    a.carrier_to = b.carrier_to;
+    a.curve = b.curve;
+}
+
+std::vector<Edge> mergedEdges(std::vector<Edge> edges) {
+    // Start where an edge of the result starts.
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (mergeable(edges[(i + edges.size() - 1) % edges.size()], edges[i])) continue;
+        std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(i), edges.end());
+        break;
+    }
+    std::vector<Edge> merged;
+    for (const Edge& edge : edges) {
+        if (!merged.empty() && mergeable(merged.back(), edge))
+            absorb(merged.back(), edge);
+        else
+            merged.push_back(edge);
+    }
+    return merged;
+}
+
+/// Where two edges that follow each other meet, near their common node.
+Vec2 jointOf(const Edge& a, const Edge& b, double reach_mm) {
+    const Vec2 node = b.from;
+    const auto off = [&](const Edge& edge, const Vec2& p) {
+        return distanceToCarrier(p, edge.carrier_from, edge.carrier());
+    };
+    if (off(a, node) <= kOnCurveMm && off(b, node) <= kOnCurveMm) return node;
+    Vec2 best = node;
+    double distance = reach_mm;
+    for (const Vec2& p : carrierIntersections(a.carrier_from, a.carrier(), b.carrier_from, b.carrier(), 0)) {
+        if ((p - node).norm() >= distance) continue;
+        distance = (p - node).norm();
+        best = p;
+    }
+    if (distance < reach_mm) return snapToGrid(best);
+    // Tangent or nearly so. A line may turn a little, an arc may not leave its circle.
+    const Edge& firm = b.segment.arc && !a.segment.arc ? b : a;
+    return snapToGrid(projectOnCarrier(node, firm.carrier_from, firm.carrier()));
+}
+
+Loop circleLoop(const Arc& arc) {
+    const Vec2 left = snapToGrid(Vec2(arc.centre.x() - arc.radius_mm, arc.centre.y()));
+    const Vec2 right = snapToGrid(Vec2(arc.centre.x() + arc.radius_mm, arc.centre.y()));
+    return {left, {{right, arc}, {left, arc}}};
+}
+
+/// Appends the edge; where a joint had to stay off an arc's circle, a short line leads there.
+void append(Loop& loop, const Edge& edge, const Vec2& to) {
+    if (!edge.segment.arc) {
+        if (loop.end() != to) loop.segments.push_back({to, std::nullopt});
+        return;
+    }
+    const auto onCircle = [&](const Vec2& p) {
+        if (distanceToCarrier(p, edge.carrier_from, edge.carrier()) <= kOnCurveMm) return p;
+        return snapToGrid(projectOnCarrier(p, edge.carrier_from, edge.carrier()));
+    };
+    const Vec2 begin = onCircle(loop.end());
+    const Vec2 end = onCircle(to);
+    if (begin != loop.end()) loop.segments.push_back({begin, std::nullopt});
+    if (begin != end) loop.segments.push_back({end, edge.segment.arc});
+    if (end != to) loop.segments.push_back({to, std::nullopt});
+}
+
+Loop loopOf(const std::vector<Edge>& edges, double reach_mm) {
+    if (edges.size() == 1) {
+        if (!edges.front().segment.arc) return {};
+        return circleLoop(*edges.front().segment.arc);
+    }
+    std::vector<Vec2> joints;  // joint i: end of edge i
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        joints.push_back(jointOf(edges[i], edges[(i + 1) % edges.size()], reach_mm));
+    Loop loop{joints.back(), {}};
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        append(loop, edges[i], joints[i]);
+    return loop;
+}
+
+bool lowerLeft(const Vec2& a, const Vec2& b) {
+    return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
+}
+
+}  // namespace
+
+std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vector<Piece>& pieces,
+                                 double thin_mm) {
+    Walker walker(arrangement, pieces);
+    if (!walker.closesUp()) return std::nullopt;
+    Region region;
+    for (const std::vector<int>& walk : walker.loops()) {
+        std::vector<Edge> edges;
+        for (const int index : walk) {
+            const Piece& piece = pieces[at(index)];
+            const Curve& curve = arrangement.curves()[at(piece.curve)];
+            edges.push_back({arrangement.node(piece.begin),
+                             arrangement.segment(piece),
+                             curve.from,
+                             curve.segment.to,
+                             piece.curve,
+                             {}});
+        }
+        Loop loop = loopOf(mergedEdges(std::move(edges)), 100 * thin_mm);
+        if (loop.segments.size() < 2) continue;
+        // Width of a long thin loop: area over half its perimeter.
+        if (2 * std::abs(signedArea(loop)) <= thin_mm * length(loop)) continue;
+        region.loops.push_back(std::move(loop));
+    }
+    return ordered(std::move(region));
+}
+
+Region ordered(Region region) {
+    for (Loop& loop : region.loops) {
+        std::size_t lowest = loop.segments.size() - 1;
+        for (std::size_t i = 0; i < loop.segments.size(); ++i)
+            if (lowerLeft(loop.segments[i].to, loop.segments[lowest].to)) lowest = i;
+        loop.start = loop.segments[lowest].to;
+        std::rotate(loop.segments.begin(), loop.segments.begin() + static_cast<std::ptrdiff_t>(lowest) + 1,
+                    loop.segments.end());
+    }
+    std::vector<std::pair<double, std::size_t>> keys;
+    for (std::size_t i = 0; i < region.loops.size(); ++i)
+        keys.emplace_back(signedArea(region.loops[i]), i);
+    std::stable_sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
+        const Vec2& p = region.loops[a.second].start;
+        const Vec2& q = region.loops[b.second].start;
+        if (p != q) return lowerLeft(p, q);
+        return a.first > b.first;
+    });
+    Region result;
+    for (const auto& key : keys)
+        result.loops.push_back(std::move(region.loops[key.second]));
+    return result;
+}
+
+}  // namespace stepmill::planar

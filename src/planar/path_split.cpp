@@ -1,0 +1,1 @@
+#include "stepmill/planar/boolean.h"
