@@ -23,6 +23,8 @@ struct SequenceOptions {
 };
 
 /// One evaluated edge of the tool DAG: machine D_mn with n.
+///
+/// Edges to the sink cost nothing and leave every tool that clears all any tool of the library can.
 struct DagEdge {
     std::string from;  ///< tool id, empty for the source
     std::string to;    ///< tool id, empty for the sink
@@ -62,7 +64,9 @@ struct ToolSequence {
     std::vector<SequenceStep> steps;    ///< empty when no tool can machine anything
     double time_s = 0;                  ///< with one tool change a step
     double cost = 0;
-    double lower_bound_s = 0;  ///< no plan with these tools can be faster [section 6]
+    double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]
+    double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
+    int pruned_edges = 0;        ///< DAG edges whose lower bound ruled them out unevaluated
     std::vector<Residual> residual;
 };
 
@@ -74,8 +78,9 @@ struct EdgeCost {
 EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Machine& machine);
 
 /// Least time any sequence of these tools needs: for each cell of the target the fastest tool that reaches
-/// it, layers x area / (step-over x feed), and one tool change per tool that cannot be done without
-/// [algorithms.md, section 6].
+/// it, layers x area / (cutter diameter x feed), and one tool change per tool used. The diameter stands
+/// where a step-over would be quicker to write but wrong: a first pass cuts full width. 0 when no tool can
+/// machine anything. See docs/algorithms/costs.md.
 double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea>& tools,
                    const ToolLibrary& library, const SequenceOptions& options, const Machine& machine);
 

@@ -1,0 +1,101 @@
+#include "sequence/candidate.h"
+
+#include "sequence/drilling.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill {
+namespace {
+
+constexpr double kFullAccessShare = 1e-5;
+
+/// Upper bound of the material one tool can remove per second.
+///
+/// Moving level, a cutter sweeps its diameter times the depth of cut. Descending it also removes its own
+/// cross-section; the two together are largest along the steepest sum, at the plunge feed. A drill only
+/// descends.
+double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
+    const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
+    if (tool.isDrill()) {
+        const double feed = std::max(cutting.plunge_feed_mm_per_min, cutting.feed_mm_per_min);
+        return std::max(disc_mm2, feature.area_mm2) * feed / kSecondsPerMinute;
+    }
+    const double depth_of_cut = feature.depth_mm() / depthsOfCut(feature.depth_mm(), cutting.step_down_mm);
+    const double slot_mm2 = tool.diameter_mm * depth_of_cut;
+    const double level = slot_mm2 * cutting.feed_mm_per_min;
+    const double descending = std::hypot(slot_mm2, disc_mm2) * cutting.plunge_feed_mm_per_min;
+    return std::max(level, descending) / kSecondsPerMinute;
+}
+
+}  // namespace
+
+CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
+    if (machine.max_speed_rpm > 0 && cutting.speed_rpm > machine.max_speed_rpm) {
+        const double slower = machine.max_speed_rpm / cutting.speed_rpm;
+        cutting.speed_rpm = machine.max_speed_rpm;
+        cutting.feed_mm_per_min *= slower;
+        cutting.plunge_feed_mm_per_min *= slower;
+    }
+    if (machine.max_feed_mm_per_min > 0) {
+        cutting.feed_mm_per_min = std::min(cutting.feed_mm_per_min, machine.max_feed_mm_per_min);
+        cutting.plunge_feed_mm_per_min =
+            std::min(cutting.plunge_feed_mm_per_min, machine.max_feed_mm_per_min);
+    }
+    return cutting;
+}
+
+int depthsOfCut(double depth_mm, double step_down_mm) {
+    if (step_down_mm <= 0) return 1;
+    // A depth that is a whole number of step-downs must not gain a layer by rounding.
+    constexpr double kRounding = 1e-9;
+    return std::max(1, static_cast<int>(std::ceil(depth_mm / step_down_mm - kRounding)));
+}
+
+std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library) {
+    std::vector<const ToolAssembly*> tools;
+    for (const ToolAssembly& tool : library.tools)
+        tools.push_back(&tool);
+    std::stable_sort(tools.begin(), tools.end(), [](const ToolAssembly* a, const ToolAssembly* b) {
+        if (a->diameter_mm != b->diameter_mm) return a->diameter_mm > b->diameter_mm;
+        return a->stick_out_mm < b->stick_out_mm;
+    });
+    return tools;
+}
+
+std::vector<Candidate> usableTools(const Feature& feature, const std::vector<AccessibleArea>& areas,
+                                   const ToolLibrary& library, const SequenceOptions& options,
+                                   const Machine& machine, const Tolerances& tol) {
+    std::vector<Candidate> usable;
+    for (const AccessibleArea& area : areas) {
+        const ToolAssembly& tool = library.tool(area.tool_id);
+        const CuttingData* cutting = tool.cuttingFor(options.material);
+        if (cutting == nullptr || area.excluded) continue;
+        const double coverable = tool.isDrill() ? feature.area_mm2 : area.coverable_area_mm2;
+        if (coverable <= tol.area_mm2) continue;
+        if (tool.isDrill() && !drillCheck(feature, tool, tol).fits) continue;
+        const CuttingData limited = limitedBy(machine, *cutting);
+        usable.push_back({&tool, &area, limited, coverable, volumeRate(feature, tool, limited)});
+    }
+    return usable;
+}
+
+double sameArea(const Feature& feature, const Tolerances& tol) {
+    return std::max(tol.area_mm2, kFullAccessShare * feature.area_mm2);
+}
+
+std::vector<bool> endTools(const Feature& feature, const std::vector<Candidate>& tools,
+                           const Tolerances& tol) {
+    double best = 0;
+    for (const Candidate& tool : tools) {
+        if (!tool.drill()) best = std::max(best, tool.coverable_mm2);
+    }
+    const bool milled_whole = best >= feature.area_mm2 - sameArea(feature, tol);
+    std::vector<bool> ends;
+    for (const Candidate& tool : tools) {
+        // A drill's point leaves a cone on a blind floor, so there it ends only what no cutter can finish.
+        const bool drill_ends = feature.through || !milled_whole;
+        ends.push_back(tool.drill() ? drill_ends : tool.coverable_mm2 >= best - sameArea(feature, tol));
+    }
+    return ends;
+}
+
+}  // namespace stepmill

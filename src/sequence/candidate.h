@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/access/access.h"
+#include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/tool.h"
+#include "stepmill/sequence/sequence.h"
+
+namespace stepmill {
+
+/// A node of a feature's tool DAG: a tool that can machine something there, with its cutting data held to
+/// what the machine can do. Points into the library and the list of areas it was made from.
+struct Candidate {
+    const ToolAssembly* tool = nullptr;
+    const AccessibleArea* area = nullptr;
+    CuttingData cutting;
+    double coverable_mm2 = 0;          ///< of the target; a matching drill's is the whole target
+    double volume_rate_mm3_per_s = 0;  ///< no move of this tool removes more per second
+
+    bool drill() const { return tool->isDrill(); }
+};
+
+/// Cutting data within the machine's speed and feed. A spindle that is too slow slows the feeds in
+/// proportion, so that the chip stays as thick as the library asks.
+CuttingData limitedBy(const Machine& machine, CuttingData cutting);
+
+/// Depths of cut for a depth: as few equal ones as the step-down allows, at least one.
+int depthsOfCut(double depth_mm, double step_down_mm);
+
+/// Tools by falling diameter, ties by rising stick-out, then in the library's order [algorithms.md,
+/// section 7].
+std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
+
+/// The tools of `areas` that can machine something of the feature, in the order of `areas`.
+/// \pre `areas` are in the order of byFallingDiameter()
+std::vector<Candidate> usableTools(const Feature& feature, const std::vector<AccessibleArea>& areas,
+                                   const ToolLibrary& library, const SequenceOptions& options,
+                                   const Machine& machine, const Tolerances& tol);
+
+/// Which candidates clear all that any of them can: the nodes with an edge to the sink.
+std::vector<bool> endTools(const Feature& feature, const std::vector<Candidate>& tools,
+                           const Tolerances& tol);
+
+/// Areas of one feature that differ by less are the same to the DAG: full access [Lim2000] within 1e-5.
+double sameArea(const Feature& feature, const Tolerances& tol);
+
+}  // namespace stepmill

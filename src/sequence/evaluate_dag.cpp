@@ -1,0 +1,219 @@
+#include "sequence/evaluate_dag.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include "sequence/drilling.h"
+#include "stepmill/core/error.h"
+#include "stepmill/sequence/tool_dag.h"
+
+namespace stepmill {
+namespace {
+
+/// A slot of the edge table. Weights are seconds or money, as the objective asks.
+struct EdgeSlot {
+    DagEdge edge;
+    double weight = kNoEdge;        ///< kNoEdge until evaluated, and for good if there is no such edge
+    double least_weight = kNoEdge;  ///< lower bound of the weight
+};
+
+class EdgeTable {
+  public:
+    explicit EdgeTable(const DagTask& task) : task_(task), n_(static_cast<int>(task.tools.size())) {
+        slots_.resize(static_cast<std::size_t>(n_ + 1) * n_);
+        for (int m = kSource; m < n_; ++m) {
+            for (int n = m + 1; n < n_; ++n)
+                slot(m, n).least_weight = leastWeight(m, n);
+        }
+    }
+
+    /// Evaluates the edges listed; every other slot stays as it is.
+    void evaluate(const std::vector<std::pair<int, int>>& edges) {
+        tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+            const auto [m, n] = edges[i];
+            evaluate(m, n, slot(m, n));
+        });
+    }
+
+    double weight(int m, int n) const { return slot(m, n).weight; }
+    const DagEdge& edge(int m, int n) const { return slot(m, n).edge; }
+
+    /// Cheapest conceivable ways to and from every tool, from the edges' lower bounds; the edges from the
+    /// source count with their true weights once these are known.
+    void bound(bool source_known) {
+        to_tool_.assign(n_, kNoEdge);
+        for (int n = 0; n < n_; ++n) {
+            to_tool_[n] = source_known ? slot(kSource, n).weight : slot(kSource, n).least_weight;
+            for (int m = 0; m < n; ++m)
+                to_tool_[n] = std::min(to_tool_[n], to_tool_[m] + slot(m, n).least_weight);
+        }
+        to_sink_.assign(n_, kNoEdge);
+        for (int m = n_; m-- > 0;) {
+            if (task_.ends[m]) to_sink_[m] = 0;
+            for (int n = m + 1; n < n_; ++n)
+                to_sink_[m] = std::min(to_sink_[m], slot(m, n).least_weight + to_sink_[n]);
+        }
+    }
+
+    /// Is there such an edge, and could a path through it be as cheap as `known`? \pre bound() was called
+    bool mayBeat(int m, int n, double known) const {
+        const double before = m == kSource ? 0 : to_tool_[m];
+        const double least = before + slot(m, n).least_weight + to_sink_[n];
+        return least < kNoEdge && least <= known;
+    }
+
+    bool exists(int m, int n) const { return slot(m, n).least_weight < kNoEdge; }
+
+  private:
+    EdgeSlot& slot(int m, int n) { return slots_[static_cast<std::size_t>(m + 1) * n_ + n]; }
+    const EdgeSlot& slot(int m, int n) const { return slots_[static_cast<std::size_t>(m + 1) * n_ + n]; }
+
+    double weigh(const EdgeCost& cost) const {
+        return task_.options.objective == Objective::Time ? cost.time_s : cost.cost;
+    }
+
+    /// Tool n must at least cut, at its best rate, what it covers and m does not.
+    double leastWeight(int m, int n) const {
+        const Candidate& to = task_.tools[n];
+        const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
+        if (from != nullptr && (to.drill() || from->drill())) return kNoEdge;
+        const Feature& feature = task_.ground.feature();
+        const double new_mm2 = to.coverable_mm2 - (from != nullptr ? from->coverable_mm2 : 0);
+        if (new_mm2 <= sameArea(feature, task_.ground.tolerances())) return kNoEdge;
+        PathTotals least;
+        least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
+        return weigh(edgeCost(least, *to.tool, task_.machine));
+    }
+
+    void evaluate(int m, int n, EdgeSlot& into) const {
+        const Candidate& to = task_.tools[n];
+        const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
+        const SequenceStep step = pathOf(from, to);
+        if (step.path.moves.empty()) return;
+        into.edge.from = from != nullptr ? from->tool->id : std::string();
+        into.edge.to = to.tool->id;
+        into.edge.region_area_mm2 = area(step.area.area);
+        into.edge.totals = step.path.totals;
+        const EdgeCost cost = edgeCost(step.path.totals, *to.tool, task_.machine);
+        into.edge.time_s = cost.time_s;
+        into.edge.cost = cost.cost;
+        into.weight = weigh(cost);
+    }
+
+    SequenceStep pathOf(const Candidate* from, const Candidate& to) const {
+        const Feature& feature = task_.ground.feature();
+        if (to.drill()) return drillStep(feature, *to.tool, to.cutting, task_.retract_z_mm, task_.machine);
+        SequenceStep step;
+        step.area = decomposedArea(task_.ground, from != nullptr ? from->area : nullptr, *to.area);
+        if (step.area.centres.empty()) return step;
+        step.path = clearArea(clearingTask(task_, to, step.area), *to.tool, to.cutting, task_.machine,
+                              task_.ground.tolerances());
+        return step;
+    }
+
+    const DagTask& task_;
+    int n_;
+    std::vector<EdgeSlot> slots_;
+    std::vector<double> to_tool_;
+    std::vector<double> to_sink_;
+};
+
+std::vector<DagEdge> listEdges(const EdgeTable& table, const DagTask& task) {
+    std::vector<DagEdge> edges;
+    const int n_tools = static_cast<int>(task.tools.size());
+    for (int m = kSource; m < n_tools; ++m) {
+        for (int n = m + 1; n < n_tools; ++n) {
+            if (table.weight(m, n) < kNoEdge) edges.push_back(table.edge(m, n));
+        }
+        if (m != kSource && task.ends[m]) {
+            DagEdge to_sink;
+            to_sink.from = task.tools[m].tool->id;
+            edges.push_back(to_sink);
+        }
+    }
+    return edges;
+}
+
+}  // namespace
+
+DagResult evaluateDag(const DagTask& task) {
+    const int n_tools = static_cast<int>(task.tools.size());
+    EdgeTable table(task);
+    DagResult result;
+    const auto cheapest = [&] {
+        return cheapestPath(
+            n_tools, [&](int m, int n) { return table.weight(m, n); }, task.ends);
+    };
+
+    // First every tool that can do the whole feature alone: that gives a complete path to beat.
+    std::vector<std::pair<int, int>> round;
+    for (int n = 0; n < n_tools; ++n) {
+        if (task.ends[n]) round.emplace_back(kSource, n);
+    }
+    table.evaluate(round);
+
+    // Then the other first tools, then the followers, leaving out what cannot beat it.
+    const auto addRound = [&](int m_first, int m_last, bool source_known) {
+        const double known = cheapest().cost;
+        table.bound(source_known);
+        round.clear();
+        for (int m = m_first; m <= m_last; ++m) {
+            for (int n = m + 1; n < n_tools; ++n) {
+                if (!table.exists(m, n) || (m == kSource && task.ends[n])) continue;
+                if (table.mayBeat(m, n, known)) {
+                    round.emplace_back(m, n);
+                } else {
+                    ++result.pruned;
+                }
+            }
+        }
+        table.evaluate(round);
+    };
+    addRound(kSource, kSource, false);
+    addRound(0, n_tools - 1, true);
+
+    result.path = cheapest().tools;
+    result.edges = listEdges(table, task);
+    return result;
+}
+
+ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed) {
+    const Feature& feature = task.ground.feature();
+    ClearingTask clearing;
+    clearing.free_centres = n.area->free_centres;
+    clearing.entries = n.area->entries;
+    clearing.centres = decomposed.centres;
+    clearing.cleared_centres = decomposed.cleared_centres;
+    clearing.target = feature.target;
+    clearing.obstruction = feature.obstruction;
+    clearing.top_z_mm = feature.top_z_mm;
+    clearing.floor_z_mm = feature.floor_z_mm;
+    clearing.retract_z_mm = task.retract_z_mm;
+    return clearing;
+}
+
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n) {
+    const Feature& feature = task.ground.feature();
+    const Tolerances& tol = task.ground.tolerances();
+    SequenceStep step;
+    if (n.drill()) {
+        step = drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
+    } else {
+        const bool facing = feature.feature_class == FeatureClass::Face;
+        step.tool_id = n.tool->id;
+        step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
+        step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, *n.area);
+        const ClearingTask clearing = clearingTask(task, n, step.area);
+        step.path = clearArea(clearing, *n.tool, n.cutting, task.machine, tol);
+        step.proof = prove(step.path, clearing, n.tool->radius_mm(), tol);
+        step.speed_rpm = n.cutting.speed_rpm;
+    }
+    if (step.proof.least_clearance_mm < -tol.gouge_mm) {
+        throw Error(ErrorCode::Internal, feature.id,
+                    fmt::format("the path of tool {} would cut {:.4f} mm into what must stay", n.tool->id,
+                                -step.proof.least_clearance_mm));
+    }
+    return step;
+}
+
+}  // namespace stepmill

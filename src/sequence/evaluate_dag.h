@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "sequence/candidate.h"
+
+namespace stepmill {
+
+/// One feature's tools and settings, as every edge of its DAG needs them.
+struct DagTask {
+    const FeatureGround& ground;
+    const std::vector<Candidate>& tools;
+    const std::vector<bool>& ends;
+    const SequenceOptions& options;
+    const Machine& machine;
+    double retract_z_mm = 0;
+};
+
+/// All evaluated edges of a feature's tool DAG and its cheapest path.
+struct DagResult {
+    std::vector<DagEdge> edges;  ///< by from, then to; edges to the sink last of their tool
+    std::vector<int> path;       ///< node numbers
+    int pruned = 0;
+};
+
+/// Evaluates the edges on real tool paths, in parallel, and finds the cheapest path. The result is the
+/// same for any number of threads: every edge has a slot of its own and what is pruned depends on earlier
+/// rounds only.
+DagResult evaluateDag(const DagTask& task);
+
+/// The clearing job of edge (m, n): what n sweeps after m (null: nothing swept yet).
+ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed);
+
+/// Step n of a chosen path, after m (null for the first), with its tool path re-made and proved.
+/// \throws Error(Internal) if the path gouges
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n);
+
+}  // namespace stepmill

@@ -1,0 +1,151 @@
+#include "sequence/residuals.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "sequence/drilling.h"
+#include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+
+namespace stepmill {
+namespace {
+
+void add(Residual& into, const Region& piece, double depth_mm) {
+    into.region.loops.insert(into.region.loops.end(), piece.loops.begin(), piece.loops.end());
+    into.area_mm2 += area(piece);
+    into.volume_mm3 = into.area_mm2 * depth_mm;
+}
+
+double widestDiscMm(const Region& region, const Tolerances& tol) {
+    const auto disc = ClearanceDiagram(region, tol).largestInscribedDisc();
+    return disc ? 2 * disc->radius_mm : 0;
+}
+
+std::string cornerAdvice(const Feature& feature) {
+    if (feature.min_corner_radius_mm && *feature.min_corner_radius_mm > 0)
+        return fmt::format("an end mill of {:.4g} mm or less", 2 * *feature.min_corner_radius_mm);
+    return "a corner radius or relief in the design, or EDM: no cutter makes a sharp inner corner";
+}
+
+/// The point of a drill leaves the rim of a flat floor: the hole less the cone under it.
+std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& drill) {
+    if (feature.through) return {};
+    Residual rim;
+    rim.region = feature.target;
+    rim.area_mm2 = feature.area_mm2;
+    // Cylinder of the point's length less the cone (a third of it).
+    rim.volume_mm3 = feature.area_mm2 * std::min(pointLengthMm(drill), feature.depth_mm()) * 2 / 3;
+    rim.reason = "drill point";
+    rim.advice = fmt::format("an end mill of {:.4g} mm or less that reaches {:.4g} mm deep",
+                             drill.diameter_mm, feature.depth_mm());
+    return {rim};
+}
+
+struct Vote {
+    int count = 0;
+    std::string text;  ///< of the first tool voted for
+};
+
+/// Could the cutter stand in the feature at all?
+bool isNarrowEnough(const AccessibleArea& area, double widest_mm) {
+    return 2 * area.radius_mm <= widest_mm;
+}
+
+std::string reasonFor(ExclusionReason reason) {
+    switch (reason) {
+        case ExclusionReason::HolderCollision:
+            return "holder collision";
+        case ExclusionReason::TooShort:
+            return "too deep";
+        case ExclusionReason::NoEntry:
+            return "no way in";
+        case ExclusionReason::NoCuttingData:
+            return "no cutting data";
+        case ExclusionReason::TooWide:
+        case ExclusionReason::WrongType:
+            break;
+    }
+    return "no cutter narrow enough";
+}
+
+std::string adviceFor(ExclusionReason reason, double widest_mm, double depth_mm) {
+    const std::string cutter = fmt::format("an end mill of {:.4g} mm or less", widest_mm);
+    switch (reason) {
+        case ExclusionReason::HolderCollision:
+            return fmt::format("{} with a longer stick-out than {:.4g} mm or a slimmer holder", cutter,
+                               depth_mm);
+        case ExclusionReason::TooShort:
+            return fmt::format("{} that reaches {:.4g} mm deep", cutter, depth_mm);
+        case ExclusionReason::NoEntry:
+            return cutter + " that cuts over its centre, or a ramp angle in its cutting data";
+        case ExclusionReason::NoCuttingData:
+            return "cutting data for this material in the tool library";
+        case ExclusionReason::TooWide:
+        case ExclusionReason::WrongType:
+            break;
+    }
+    return cutter;
+}
+
+}  // namespace
+
+std::vector<Residual> leftOver(const FeatureGround& ground, const Candidate& last) {
+    const Feature& feature = ground.feature();
+    const Tolerances& tol = ground.tolerances();
+    if (last.drill()) return drillPoint(feature, *last.tool);
+    if (feature.area_mm2 - last.coverable_mm2 <= sameArea(feature, tol)) return {};
+
+    // A cusp in a corner is smaller than the square over the cutter's radius; more than that lies behind a
+    // neck or in a slot the cutter does not fit.
+    const double cusp_mm2 = last.tool->radius_mm() * last.tool->radius_mm();
+    Residual corners;
+    corners.reason = "corner radius";
+    corners.advice = cornerAdvice(feature);
+    Residual narrows;
+    narrows.reason = "no cutter narrow enough";
+    double narrowest_mm = std::numeric_limits<double>::infinity();
+    for (const Region& piece : components(subtract(feature.target, last.area->coverable, tol))) {
+        const double piece_mm2 = area(piece);
+        if (piece_mm2 <= tol.area_mm2) continue;
+        const bool corner = piece_mm2 <= cusp_mm2;
+        add(corner ? corners : narrows, piece, feature.depth_mm());
+        if (!corner) narrowest_mm = std::min(narrowest_mm, widestDiscMm(piece, tol));
+    }
+    narrows.advice = fmt::format("an end mill of {:.4g} mm or less", narrowest_mm);
+
+    std::vector<Residual> result;
+    for (Residual* residual : {&narrows, &corners}) {
+        if (!residual->region.empty()) result.push_back(std::move(*residual));
+    }
+    return result;
+}
+
+Residual wholeFeature(const FeatureGround& ground, const std::vector<AccessibleArea>& areas,
+                      const ToolLibrary& library) {
+    const Feature& feature = ground.feature();
+    const double widest_mm = ground.widestCutterMm();
+    std::map<ExclusionReason, Vote> votes;
+    for (const AccessibleArea& tool : areas) {
+        if (!tool.excluded || tool.excluded->reason == ExclusionReason::WrongType) continue;
+        if (!isNarrowEnough(tool, widest_mm) || tool.excluded->reason == ExclusionReason::TooWide) continue;
+        Vote& vote = votes[tool.excluded->reason];
+        if (vote.count++ == 0) vote.text = library.tool(tool.tool_id).id + " " + tool.excluded->text;
+    }
+    const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+        return a.second.count < b.second.count;
+    });
+    const ExclusionReason reason = most == votes.end() ? ExclusionReason::TooWide : most->first;
+
+    Residual whole;
+    whole.region = feature.target;
+    whole.area_mm2 = feature.area_mm2;
+    whole.volume_mm3 = feature.volume_mm3;
+    whole.reason = reasonFor(reason);
+    if (most != votes.end()) whole.reason += " (" + most->second.text + ")";
+    whole.advice = adviceFor(reason, widest_mm, feature.depth_mm());
+    return whole;
+}
+
+}  // namespace stepmill
