@@ -1,0 +1,131 @@
+#include "stepmill/planar/clearance_diagram.h"
+
+#include "planar/clearance_diagram_opening.h"
+#include "planar/clearance_diagram_trace.h"
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+
+namespace {
+
+using clearance::Graph;
+using clearance::Side;
+using clearance::TracedLoop;
+
+// Offsets the first diagram is built for; larger ones get a frame farther out.
+constexpr double kUsualReach_mm = 400;
+// A topology that fails its check is built again with chords this many times finer.
+constexpr double kFiner = 16;
+constexpr int kAttempts = 3;
+
+Graph makeGraph(const Region& region, double chord_mm, double reach_mm) {
+    return clearance::buildGraph(clearance::makeSites(region, chord_mm, reach_mm), chord_mm);
+}
+
+Region toRegion(const std::vector<TracedLoop>& loops, bool reverse) {
+    Region result;
+    for (const TracedLoop& traced : loops)
+        if (const std::optional<Loop> loop = clearance::toLoop(traced))
+            result.loops.push_back(reverse ? reversed(*loop) : *loop);
+    return result;
+}
+
+}  // namespace
+
+struct ClearanceDiagram::Impl {
+    Region region;
+    Tolerances tol;
+    Graph graph;
+
+    std::vector<TracedLoop> traceChecked(Side side, double distance) const;
+};
+
+/// Traces, and where the self check finds chords too coarse, again on finer ones.
+std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double distance) const {
+    const double tie = tol.linear_mm / 2;
+    const double slack = tol.gouge_mm / 4;
+    const bool fits = side == Side::Inside || distance + tie < graph.set.frame_clearance_mm;
+    double chord = tol.chord_mm;
+    for (int attempt = fits ? 0 : 1; attempt < kAttempts; ++attempt) {
+        std::optional<Graph> other;
+        if (attempt > 0) {
+            chord /= attempt > 1 || fits ? kFiner : 1;
+            other = makeGraph(region, chord, distance);
+        }
+        const Graph& used = other ? *other : graph;
+        std::vector<TracedLoop> loops = clearance::trace(used, side, distance, tie, chord);
+        if (clearance::keepsDistance(used, loops, distance, slack)) return loops;
+    }
+    throw Error(ErrorCode::Internal, "clearance diagram",
+                "an offset comes closer to the boundary than it should");
+}
+
+ClearanceDiagram::ClearanceDiagram(const Region& region, const Tolerances& tol)
+    : impl_(std::make_unique<Impl>(Impl{region, tol, {}})) {
+    if (!region.empty()) impl_->graph = makeGraph(region, tol.chord_mm, kUsualReach_mm);
+}
+ClearanceDiagram::~ClearanceDiagram() = default;
+ClearanceDiagram::ClearanceDiagram(ClearanceDiagram&&) noexcept = default;
+ClearanceDiagram& ClearanceDiagram::operator=(ClearanceDiagram&&) noexcept = default;
+
+const Region& ClearanceDiagram::region() const {
+    return impl_->region;
+}
+
+Region ClearanceDiagram::offset(double distance_mm) const {
+    const double distance = snapToGrid(distance_mm);
+    if (impl_->region.empty() || distance == 0) return impl_->region;
+    const bool grow = distance > 0;
+    const auto loops = impl_->traceChecked(grow ? Side::Outside : Side::Inside, std::abs(distance));
+    Region result = toRegion(loops, grow);
+#ifdef STEPMILL_COSTLY_CHECKS
+    validate(result, "offset of a region");
+#endif
+    return result;
+}
+
+std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) const {
+    STEPMILL_CHECK(step_mm > 0, "rings advance");
+    std::vector<Region> result;
+    for (double distance = first_mm;; distance += step_mm) {
+        Region ring = offset(-distance);
+        if (ring.empty()) return result;
+        result.push_back(std::move(ring));
+    }
+}
+
+Region ClearanceDiagram::opening(double radius_mm) const {
+    const double radius = snapToGrid(radius_mm);
+    if (impl_->region.empty() || radius <= 0) return impl_->region;
+    const auto loops = impl_->traceChecked(Side::Inside, radius);
+    if (std::optional<Region> swept = clearance::sweptByContacts(impl_->graph.set, loops, radius))
+        return std::move(*swept);
+    // Discs on both sides of a neck overlap: let a diagram of the centres unite them.
+    return ClearanceDiagram(toRegion(loops, false), impl_->tol).offset(radius);
+}
+
+std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() const {
+    std::optional<Disc> best;
+    const auto consider = [&](const Vec2& centre, double radius) {
+        if (!best || radius > best->radius_mm) best = Disc{centre, radius};
+    };
+    const Graph& graph = impl_->graph;
+    std::vector<char> bounded(graph.set.sites.size(), 0);
+    for (const clearance::HalfEdge& e : graph.edges) {
+        if (e.side != Side::Inside) continue;
+        bounded[static_cast<std::size_t>(e.site)] = 1;
+        const clearance::Node& node = graph.nodes[static_cast<std::size_t>(e.from)];
+        consider(node.point, node.clearance);
+    }
+    for (std::size_t k = 0; k < graph.set.sites.size(); ++k) {
+        const clearance::Site& site = graph.set.sites[k];
+        if (site.full && site.concaveOn(Side::Inside) && !bounded[k]) consider(site.centre, site.radius);
+    }
+    return best;
+}
+
+Region offset(const Region& region, double distance_mm, const Tolerances& tol) {
+    return ClearanceDiagram(region, tol).offset(distance_mm);
+}
+
+}  // namespace stepmill
