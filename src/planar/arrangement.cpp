@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -23,23 +24,6 @@ std::size_t at(int index) {
 
 Box2 boxOf(const Vec2& from, const Segment& segment) {
     return boundingBox(Path{from, {segment}});
-}
-
-/// Where on the segment p lies, as a share of its length; outside [0, 1] beyond its ends.
-double shareOf(const Vec2& p, const Vec2& from, const Segment& segment) {
-    if (!segment.arc) {
-        const Vec2 d = segment.to - from;
-        return d.dot(p - from) / d.squaredNorm();
-    }
-    const Arc& arc = *segment.arc;
-    const double sweep = std::abs(sweepAngle(from, segment.to, arc));
-    const Vec2 u = from - arc.centre;
-    const Vec2 w = p - arc.centre;
-    double turn = std::atan2(cross(u, w), u.dot(w));
-    if (!arc.ccw) turn = -turn;
-    // Angles just before the start count as negative, all others as passed on the way.
-    if (turn < (sweep - 2 * kPi) / 2) turn += 2 * kPi;
-    return turn / sweep;
 }
 
 Vec2 mirrored(const Vec2& p) {
@@ -96,6 +80,18 @@ void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visi
 
 bool adjacent(const Curve& a, const Curve& b) {
     return a.loop == b.loop && (a.segment.to == b.from || b.segment.to == a.from);
+}
+
+/// Do two neighbouring edges cross at p, rather than meet at their corner? Rounding lets edges that touch
+/// tangentially at their corner cross once more, micrometres away and a nanometre deep.
+bool crossesBesideCorner(const Curve& a, const Curve& b, const Vec2& p) {
+    double from_corner = std::numeric_limits<double>::infinity();
+    if (a.segment.to == b.from) from_corner = std::min(from_corner, (p - b.from).norm());
+    if (b.segment.to == a.from) from_corner = std::min(from_corner, (p - a.from).norm());
+    const Vec2 ta = tangentAt(a.from, a.segment, shareOf(p, a.from, a.segment));
+    const Vec2 tb = tangentAt(b.from, b.segment, shareOf(p, b.from, b.segment));
+    // The two curves part by about a quarter of chord times angle in between.
+    return from_corner * std::abs(cross(ta, tb)) / 4 > 10 * kGridMm;
 }
 
 }  // namespace
@@ -193,9 +189,9 @@ void Arrangement::cutCurves() {
     for (const auto& [i, j] : pairs) {
         const Curve& a = curves_[at(i)];
         const Curve& b = curves_[at(j)];
-        // Neighbours meet at their corner; the rounding of a tangent corner must not move it.
-        if (adjacent(a, b)) continue;
+        const bool neighbours = adjacent(a, b);
         for (const Vec2& p : contacts(a.from, a.segment, b.from, b.segment, snap_mm_)) {
+            if (neighbours && !crossesBesideCorner(a, b, p)) continue;
             const int node = index.add(p);
             cut(i, node);
             cut(j, node);
@@ -237,8 +233,11 @@ void Arrangement::addPiece(int begin, int end, int curve) {
 }
 
 void Arrangement::dropDeadPieces() {
-    std::erase_if(pieces_, [](const Piece& piece) { return piece.step == std::array<int, 2>{}; });
-    pieces_at_.clear();
+    const auto dead = [](const Piece& piece) { return piece.step == std::array<int, 2>{}; };
+    const auto first = std::find_if(pieces_.begin(), pieces_.end(), dead);
+    if (first == pieces_.end()) return;
+    cancelled_at_ = node(first->begin);
+    pieces_.erase(std::remove_if(first, pieces_.end(), dead), pieces_.end());
 }
 
 // Inside and outside ---------------------------------------------------------------------------------------
@@ -304,22 +303,29 @@ std::vector<int> Arrangement::chains() const {
     return leader;
 }
 
-std::vector<Piece> Arrangement::boundary(const std::function<bool(int, int)>& inside) const {
+std::vector<LabelledPiece> Arrangement::labelled() const {
     const std::vector<int> leader = chains();
-    std::vector<int> verdict(pieces_.size(), 2);  // +1 inside on the left, -1 on the right, 0 no boundary
-    std::vector<Piece> result;
+    std::vector<std::optional<std::array<int, 2>>> windings(pieces_.size());
+    std::vector<LabelledPiece> result;
+    result.reserve(pieces_.size());
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        int& known = verdict[at(leader[i])];
-        if (known == 2) {
-            const Piece& piece = pieces_[at(leader[i])];
-            const std::array<int, 2> right = windingsOnTheRight(piece);
-            const bool in_right = inside(right[0], right[1]);
-            const bool in_left = inside(right[0] + piece.step[0], right[1] + piece.step[1]);
-            known = in_left == in_right ? 0 : in_left ? 1 : -1;
-        }
-        if (known == 0) continue;
-        Piece piece = pieces_[i];
-        if (known < 0) {
+        auto& right = windings[at(leader[i])];
+        if (!right) right = windingsOnTheRight(pieces_[at(leader[i])]);
+        const std::array<int, 2>& step = pieces_[i].step;
+        result.push_back({pieces_[i], {(*right)[0] + step[0], (*right)[1] + step[1]}, *right});
+    }
+    return result;
+}
+
+std::vector<Piece> Arrangement::boundary(const std::function<bool(int, int)>& inside) const {
+    std::vector<Piece> result;
+    for (LabelledPiece& labelled_piece : labelled()) {
+        const std::array<int, 2>& left = labelled_piece.left;
+        const std::array<int, 2>& right = labelled_piece.right;
+        const bool in_left = inside(left[0], left[1]);
+        if (in_left == inside(right[0], right[1])) continue;
+        Piece& piece = labelled_piece.piece;
+        if (!in_left) {
             std::swap(piece.begin, piece.end);
             piece.along = !piece.along;
         }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,13 @@ struct Piece {
     std::array<int, 2> step{};
 };
 
+/// A piece with the winding numbers of both operands on its two sides.
+struct LabelledPiece {
+    Piece piece;
+    std::array<int, 2> left{};
+    std::array<int, 2> right{};
+};
+
 /// All boundaries of two operands cut at each other's crossings.
 ///
 /// Points nearer to each other than the snapping distance are one node, first come, first served:
@@ -41,7 +49,11 @@ class Arrangement {
     /// `inside(windings of operand 0, of operand 1)` says which points belong to the result.
     std::vector<Piece> boundary(const std::function<bool(int, int)>& inside) const;
 
+    std::vector<LabelledPiece> labelled() const;
+
     const std::vector<Curve>& curves() const { return curves_; }
+    /// A place where two stretches run along each other in opposite directions and so are no boundary.
+    const std::optional<Vec2>& cancelledAt() const { return cancelled_at_; }
     const Vec2& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
     /// The piece as a segment from node(piece.begin).
     Segment segment(const Piece& piece) const;
@@ -59,6 +71,7 @@ class Arrangement {
     double snap_mm_;
     std::vector<Vec2> nodes_;
     std::vector<Piece> pieces_;
+    std::optional<Vec2> cancelled_at_;
     std::vector<std::vector<int>> pieces_at_;  // per lower node of a piece
 };
 

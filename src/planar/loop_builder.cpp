@@ -207,9 +207,8 @@ Vec2 jointOf(const Edge& a, const Edge& b, double reach_mm) {
 }
 
 Loop circleLoop(const Arc& arc) {
-    const Vec2 left = snapToGrid(Vec2(arc.centre.x() - arc.radius_mm, arc.centre.y()));
-    const Vec2 right = snapToGrid(Vec2(arc.centre.x() + arc.radius_mm, arc.centre.y()));
-    return {left, {{right, arc}, {left, arc}}};
+    const Loop loop = makeCircle(arc.centre, arc.radius_mm).loops.front();
+    return arc.ccw ? loop : reversed(loop);
 }
 
 /// Appends the edge; where a joint had to stay off an arc's circle, a short line leads there.

@@ -1,1 +1,127 @@
+// Paths cut at a region's boundary, and what follows from it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "planar/intersection.h"
+#include "planar/segment.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+
+namespace stepmill {
+
+namespace {
+
+enum class Side { Inside, On, Outside };
+
+struct Stretch {
+    Side side;
+    Path path;
+};
+
+Side sideOf(const Vec2& from, const Segment& segment, const Region& region, double near_mm) {
+    Vec2 farthest = from;
+    double distance = -1;
+    for (const double t : {0.5, 0.25, 0.75}) {
+        const Vec2 p = pointAt(from, segment, t);
+        const double d = distanceToBoundary(region, p);
+        if (d <= distance) continue;
+        distance = d;
+        farthest = p;
+    }
+    if (distance <= near_mm) return Side::On;
+    return planar::windingNumber(region, farthest) > 0 ? Side::Inside : Side::Outside;
+}
+
+/// Points of the segment where it meets the boundary, in its direction, without its ends.
+std::vector<Vec2> cutsOf(const Vec2& from, const Segment& segment, const Region& region, double near_mm) {
+    const Box2 box = boundingBox(Path{from, {segment}}).grown(near_mm);
+    std::vector<std::pair<double, Vec2>> cuts;
+    for (const Loop& loop : region.loops) {
+        Vec2 edge_from = loop.start;
+        for (const Segment& edge : loop.segments) {
+            if (boundingBox(Path{edge_from, {edge}}).overlaps(box))
+                for (const Vec2& p : planar::contacts(from, segment, edge_from, edge, near_mm))
+                    cuts.emplace_back(planar::shareOf(p, from, segment), p);
+            edge_from = edge.to;
+        }
+    }
+    std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const double whole = length(from, segment);
+    std::vector<Vec2> points;
+    double last = 0;
+    for (const auto& [share, p] : cuts) {
+        if ((share - last) * whole <= near_mm || (1 - share) * whole <= near_mm) continue;
+        last = share;
+        points.push_back(snapToGrid(planar::projectOnCarrier(p, from, segment)));
+    }
+    return points;
+}
+
+void append(std::vector<Stretch>& stretches, Side side, const Vec2& from, const Segment& segment,
+            bool continues_segment) {
+    if (stretches.empty() || stretches.back().side != side) {
+        stretches.push_back({side, Path{from, {segment}}});
+        return;
+    }
+    Path& path = stretches.back().path;
+    // A touching point does not part a segment.
+    if (continues_segment)
+        path.segments.back().to = segment.to;
+    else
+        path.segments.push_back(segment);
+}
+
+}  // namespace
+
+SplitPath split(const Path& path, const Region& region, const Tolerances& tol) {
+    std::vector<Stretch> stretches;
+    Vec2 from = path.start;
+    for (const Segment& segment : path.segments) {
+        std::vector<Vec2> ends = cutsOf(from, segment, region, tol.linear_mm);
+        ends.push_back(segment.to);
+        Vec2 begin = from;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const Segment part{ends[i], segment.arc};
+            append(stretches, sideOf(begin, part, region, tol.linear_mm), begin, part, i > 0);
+            begin = ends[i];
+        }
+        from = segment.to;
+    }
+    // A closed path has no end: its last stretch goes on into the first.
+    if (path.closed() && stretches.size() > 1 && stretches.front().side == stretches.back().side) {
+        Path joined = std::move(stretches.back().path);
+        stretches.pop_back();
+        const std::vector<Segment>& rest = stretches.front().path.segments;
+        joined.segments.insert(joined.segments.end(), rest.begin(), rest.end());
+        stretches.front().path = std::move(joined);
+    }
+    SplitPath result;
+    for (Stretch& stretch : stretches) {
+        auto& list = stretch.side == Side::Inside ? result.inside
+                     : stretch.side == Side::On   ? result.on
+                                                  : result.outside;
+        list.push_back(std::move(stretch.path));
+    }
+    return result;
+}
+
+bool covers(const Region& outer, const Region& inner, double slack_mm, const Tolerances& tol) {
+    const Region missing = subtract(inner, outer, tol);
+    for (const Region& part : components(missing)) {
+        const Vec2 size = boundingBox(part).size();
+        if (std::min(size.x(), size.y()) <= slack_mm) continue;
+        // The largest disc in a region is never smaller than area over perimeter.
+        if (2 * area(part) > slack_mm * perimeter(part)) return false;
+        const auto disc = ClearanceDiagram(part, tol).largestInscribedDisc();
+        if (disc && 2 * disc->radius_mm > slack_mm) return false;
+    }
+    return true;
+}
+
+Region withoutSlivers(const Region& region, double width_mm, const Tolerances& tol) {
+    if (region.empty() || width_mm <= 0) return region;
+    return ClearanceDiagram(region, tol).opening(width_mm / 2);
+}
+
+}  // namespace stepmill

@@ -78,7 +78,7 @@ Region makeCircle(const Vec2& centre, double radius_mm) {
     const Vec2 right = snapToGrid(Vec2(c.x() + r, c.y()));
     const Vec2 left = snapToGrid(Vec2(c.x() - r, c.y()));
     const Arc arc{c, r, true};
-    return {{Loop{right, {{left, arc}, {right, arc}}}}};
+    return {{Loop{left, {{right, arc}, {left, arc}}}}};
 }
 
 // Measures -----------------------------------------------------------------------------------------------

@@ -1,10 +1,116 @@
+// What is wrong with a region, in words.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "planar/arrangement.h"
+#include "planar/intersection.h"
+#include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/region.h"
+
 namespace stepmill {
-std::optional<std::string> diagnose(const Region&) {
+
+namespace {
+
+using Trouble = std::optional<std::string>;
+
+/// Rounding of an end point and of a centre to the grid.
+constexpr double kOffCircleMm = 2 * kGridMm;
+
+std::string text(const Vec2& p) {
+    return fmt::format("({:.6f}, {:.6f})", p.x(), p.y());
+}
+
+bool finite(const Vec2& p) {
+    return std::isfinite(p.x()) && std::isfinite(p.y());
+}
+
+Trouble diagnoseSegment(const Vec2& from, const Segment& segment) {
+    if (!finite(segment.to)) return "an edge ends at no finite point";
+    if (!segment.arc) {
+        if (from != segment.to) return std::nullopt;
+        return fmt::format("an edge of no length at {}", text(from));
+    }
+    const Arc& arc = *segment.arc;
+    if (!finite(arc.centre) || !std::isfinite(arc.radius_mm) || arc.radius_mm <= 0)
+        return fmt::format("the arc to {} has no positive radius or no centre", text(segment.to));
+    for (const Vec2& end : {from, segment.to}) {
+        const double off = (end - arc.centre).norm() - arc.radius_mm;
+        if (std::abs(off) > kOffCircleMm)
+            return fmt::format("the arc end {} lies {:.6f} mm off its circle, centre {} radius {:.6f}",
+                               text(end), off, text(arc.centre), arc.radius_mm);
+    }
     return std::nullopt;
 }
+
+/// Does the second edge run back over the first?
+bool turnsBack(const Vec2& from, const Segment& first, const Segment& second) {
+    if (first.arc.has_value() != second.arc.has_value()) return false;
+    if (first.arc)
+        return first.arc->centre == second.arc->centre && first.arc->radius_mm == second.arc->radius_mm &&
+               first.arc->ccw != second.arc->ccw;
+    const Vec2 ahead = first.to - from;
+    const Vec2 back = second.to - first.to;
+    return ahead.dot(back) < 0 &&
+           std::abs(planar::cross(ahead, back)) <= kGridMm * std::max(ahead.norm(), back.norm());
+}
+
+Trouble diagnoseLoop(const Loop& loop) {
+    if (loop.segments.empty()) return "a loop without edges";
+    if (!finite(loop.start)) return "a loop starts at no finite point";
+    if (!loop.closed())
+        return fmt::format("the loop from {} ends at {}: not closed", text(loop.start), text(loop.end()));
+    Vec2 from = loop.start;
+    for (std::size_t i = 0; i < loop.segments.size(); ++i) {
+        if (auto trouble = diagnoseSegment(from, loop.segments[i])) return trouble;
+        const Segment& next = loop.segments[(i + 1) % loop.segments.size()];
+        if (loop.segments.size() > 1 && turnsBack(from, loop.segments[i], next))
+            return fmt::format("the edge after {} runs back over the one before", text(loop.segments[i].to));
+        from = loop.segments[i].to;
+    }
+    return std::nullopt;
+}
+
+/// Every stretch of boundary must have the region, winding 1, on its left and nothing on its right.
+Trouble diagnoseCrossings(const Region& region) {
+    std::vector<planar::Curve> curves;
+    planar::appendCurves(region, 0, curves);
+    const planar::Arrangement arrangement(curves, kOffCircleMm);
+    std::vector<bool> clean(region.loops.size(), false);
+    const std::vector<planar::LabelledPiece> pieces = arrangement.labelled();
+    const auto loopOf = [&](const planar::LabelledPiece& p) {
+        return static_cast<std::size_t>(arrangement.curves()[static_cast<std::size_t>(p.piece.curve)].loop);
+    };
+    if (arrangement.cancelledAt())
+        return fmt::format("two edges run along each other at {}", text(*arrangement.cancelledAt()));
+    for (const auto& p : pieces) {
+        if (p.piece.step[0] != 1)
+            return fmt::format("two edges run along each other at {}", text(arrangement.node(p.piece.begin)));
+        if (p.left[0] == 1) clean[loopOf(p)] = true;
+    }
+    for (const auto& p : pieces) {
+        if (p.left[0] == 1) continue;
+        const std::string where = text(arrangement.node(p.piece.begin));
+        if (clean[loopOf(p)]) return fmt::format("edges cross at {}", where);
+        if (p.left[0] > 1)
+            return fmt::format("the counter-clockwise loop at {} lies inside another one", where);
+        return fmt::format("the clockwise loop at {} lies outside all outer loops", where);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> diagnose(const Region& region) {
+    for (const Loop& loop : region.loops)
+        if (auto trouble = diagnoseLoop(loop)) return trouble;
+    return diagnoseCrossings(region);
+}
+
 void validate(const Region& region, const std::string& subject) {
     if (const auto trouble = diagnose(region)) throw Error(ErrorCode::InvalidRegion, subject, *trouble);
 }
+
 }  // namespace stepmill

@@ -23,6 +23,22 @@ bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p) {
     return !(cross(v, w) > 0 && cross(w, u) > 0);
 }
 
+double shareOf(const Vec2& p, const Vec2& from, const Segment& segment) {
+    if (!segment.arc) {
+        const Vec2 d = segment.to - from;
+        return d.dot(p - from) / d.squaredNorm();
+    }
+    const Arc& arc = *segment.arc;
+    const double sweep = std::abs(sweepAngle(from, segment.to, arc));
+    const Vec2 u = from - arc.centre;
+    const Vec2 w = p - arc.centre;
+    double turn = std::atan2(cross(u, w), u.dot(w));
+    if (!arc.ccw) turn = -turn;
+    // Angles just before the start count as negative, all others as passed on the way.
+    if (turn < (sweep - 2 * kPi) / 2) turn += 2 * kPi;
+    return turn / sweep;
+}
+
 int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm) {
     // sagitta = r (1 - cos(step / 2)); never coarser than sixty degrees, so that a circle stays a shape.
     const double widest = kPi / 3;

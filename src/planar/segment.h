@@ -11,6 +11,9 @@ inline double cross(const Vec2& a, const Vec2& b) {
 /// Does the ray from the arc's centre through p meet the arc from `from` to `to`? True at the ends.
 bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p);
 
+/// Where on the segment p lies, as a share of its length; outside [0, 1] beyond its ends.
+double shareOf(const Vec2& p, const Vec2& from, const Segment& segment);
+
 /// Number of equal chords of at most that sagitta for an arc of that sweep; at least 1.
 int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm);
 
