@@ -1,0 +1,22 @@
+#pragma once
+
+#include <TopoDS_Face.hxx>
+
+#include "layers/solid_mesh.h"
+
+namespace stepmill::layers {
+
+/// Kind, surface, orientation and, where the surface is simple, its numbers. Height range left open.
+MeshFace describeFace(const TopoDS_Face& face, const Tolerances& tol);
+
+/// Lowest (direction -1) or highest (+1) point of a face whose edges end at `edge_z` and whose facet
+/// nodes at `node_z`.
+double innerExtreme(const MeshFace& face, double node_z, double edge_z, int direction, double chord_mm);
+
+/// Widens [low, high] by the heights of a curve between two parameters.
+void widenByCurve(const Geom_Curve& curve, double t0, double t1, double& low, double& high);
+
+/// Adds the height, if any, where the face's outline seen from above turns back between its ends.
+void addSilhouette(const MeshFace& face, std::vector<double>& heights);
+
+}  // namespace stepmill::layers

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "layers/solid_mesh.h"
+
+namespace stepmill::layers {
+
+/// A height where the section may change, and how much its exact value matters.
+struct Level {
+    enum class Rank { FaceEnd, Silhouette, Plane, StockBound };
+    double z_mm = 0;
+    Rank rank = Rank::FaceEnd;
+};
+
+/// Heights of a solid: its horizontal planes, the ends of all other faces, and their silhouettes.
+void addLevels(const SolidMesh& mesh, std::vector<Level>& levels);
+
+/// From the top down; levels closer than `merge_mm` to their neighbour are one, at the highest-ranking
+/// height among them (of equals the highest). Levels outside [bottom, top] are left out.
+std::vector<double> mergeLevels(std::vector<Level> levels, double top_mm, double bottom_mm, double merge_mm);
+
+}  // namespace stepmill::layers

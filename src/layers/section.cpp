@@ -1,0 +1,59 @@
+// Sections of a solid at one height.
+
+#include "layers/section.h"
+
+#include "layers/curve_fit.h"
+#include "layers/section_path.h"
+#include "layers/section_trace.h"
+
+namespace stepmill::layers {
+
+namespace {
+
+/// Stretches of a chain on one face each, beginning where the face changes.
+std::vector<FaceRun> splitByFace(const SolidMesh& mesh, const std::vector<Crossing>& chain) {
+    const std::size_t n = chain.size();
+    std::size_t first = 0;
+    while (first < n && chain[first].face == chain[(first + n - 1) % n].face)
+        ++first;
+    if (first == n) return {FaceRun{&mesh.faces()[chain[0].face], chain, true}};
+    std::vector<FaceRun> runs;
+    for (std::size_t k = 0; k < n; ++k) {
+        const Crossing& crossing = chain[(first + k) % n];
+        if (runs.empty() || crossing.face != runs.back().crossings.back().face)
+            runs.push_back({&mesh.faces()[crossing.face], {}, false});
+        runs.back().crossings.push_back(crossing);
+    }
+    return runs;
+}
+
+}  // namespace
+
+std::optional<Region> exactSection(const SolidMesh& mesh, double z_mm, const Tolerances& tol) {
+    const auto chains = traceChains(mesh, z_mm);
+    if (!chains) return std::nullopt;
+    Region region;
+    for (const std::vector<Crossing>& chain : *chains) {
+        Loop loop = joinRuns(mesh, splitByFace(mesh, chain), z_mm, tol);
+        if (!loop.segments.empty()) region.loops.push_back(std::move(loop));
+    }
+    sortLoops(region);
+    return region;
+}
+
+std::optional<Region> facetSection(const SolidMesh& mesh, double z_mm) {
+    const auto chains = traceChains(mesh, z_mm);
+    if (!chains) return std::nullopt;
+    Region region;
+    for (const std::vector<Crossing>& chain : *chains) {
+        std::vector<Segment> segments;
+        for (const Crossing& crossing : chain)
+            segments.push_back({snapToGrid(crossing.to), std::nullopt});
+        Loop loop = tidyLoop(std::move(segments));
+        if (!loop.segments.empty()) region.loops.push_back(std::move(loop));
+    }
+    sortLoops(region);
+    return region;
+}
+
+}  // namespace stepmill::layers
