@@ -1,0 +1,180 @@
+#include <map>
+#include <set>
+
+#include "stepmill/core/error.h"
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+namespace {
+
+/// How many partial orders the look-ahead keeps after each tool change.
+constexpr std::size_t kBeamWidth = 16;
+
+/// The operations as a precedence problem: per feature a queue, which opens when the queues of its
+/// ancestors are empty.
+struct Problem {
+    std::vector<int> tool;                  ///< of each operation, numbered by first appearance
+    std::vector<int> feature;               ///< of each operation
+    std::vector<std::vector<int>> queue;    ///< operations of each feature in their own order
+    std::vector<std::vector<int>> parents;  ///< of each feature
+    int tools = 0;
+};
+
+/// How many operations of each feature are done, and the tools called so far.
+struct Partial {
+    std::vector<int> done;
+    std::vector<int> tools;
+    int total = 0;
+    int tools_left = 0;
+};
+
+Problem makeProblem(const std::vector<Operation>& operations, const std::vector<Feature>& features) {
+    Problem problem;
+    std::map<std::string, int> feature_number;
+    for (const Feature& feature : features)
+        feature_number.emplace(feature.id, static_cast<int>(feature_number.size()));
+    problem.queue.resize(features.size());
+    problem.parents.resize(features.size());
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        for (const std::string& parent : features[i].parents) {
+            const auto found = feature_number.find(parent);
+            STEPMILL_CHECK(found != feature_number.end(), "parent " + parent + " of " + features[i].id);
+            problem.parents[i].push_back(found->second);
+        }
+    }
+    std::map<std::string, int> tool_number;
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        const auto found = feature_number.find(operations[i].feature_id);
+        STEPMILL_CHECK(found != feature_number.end(), "feature of operation " + operations[i].id);
+        const auto tool =
+            tool_number.emplace(operations[i].tool_id, static_cast<int>(tool_number.size())).first;
+        problem.tool.push_back(tool->second);
+        problem.feature.push_back(found->second);
+        problem.queue[found->second].push_back(static_cast<int>(i));
+    }
+    problem.tools = static_cast<int>(tool_number.size());
+    return problem;
+}
+
+/// A parent without operations does not hold its children back, but its own parents do.
+bool isFinished(const Problem& problem, const std::vector<int>& done, int feature) {
+    if (done[feature] < static_cast<int>(problem.queue[feature].size())) return false;
+    for (const int parent : problem.parents[feature]) {
+        if (!isFinished(problem, done, parent)) return false;
+    }
+    return true;
+}
+
+/// The feature's next operation if it may run now, else -1.
+int nextOperation(const Problem& problem, const std::vector<int>& done, int feature) {
+    if (done[feature] == static_cast<int>(problem.queue[feature].size())) return -1;
+    for (const int parent : problem.parents[feature]) {
+        if (!isFinished(problem, done, parent)) return -1;
+    }
+    return problem.queue[feature][done[feature]];
+}
+
+void countToolsLeft(const Problem& problem, Partial& partial) {
+    std::set<int> left;
+    for (std::size_t f = 0; f < problem.queue.size(); ++f) {
+        for (std::size_t i = partial.done[f]; i < problem.queue[f].size(); ++i)
+            left.insert(problem.tool[problem.queue[f][i]]);
+    }
+    partial.tools_left = static_cast<int>(left.size());
+}
+
+/// Runs everything tool `tool` can do now and thereby becomes able to do.
+Partial afterVisit(const Problem& problem, Partial partial, int tool) {
+    partial.tools.push_back(tool);
+    for (bool again = true; again;) {
+        again = false;
+        for (std::size_t f = 0; f < problem.queue.size(); ++f) {
+            const int next = nextOperation(problem, partial.done, static_cast<int>(f));
+            if (next < 0 || problem.tool[next] != tool) continue;
+            ++partial.done[f];
+            ++partial.total;
+            again = true;
+        }
+    }
+    countToolsLeft(problem, partial);
+    return partial;
+}
+
+/// Fewest tools left to call, then most operations done, then the earlier tools.
+bool isMorePromising(const Partial& a, const Partial& b) {
+    if (a.tools_left != b.tools_left) return a.tools_left < b.tools_left;
+    if (a.total != b.total) return a.total > b.total;
+    return a.tools < b.tools;
+}
+
+std::vector<Partial> oneVisitMore(const Problem& problem, const std::vector<Partial>& beam) {
+    std::vector<Partial> wider;
+    std::set<std::vector<int>> seen;
+    for (const Partial& partial : beam) {
+        std::set<int> callable;
+        for (std::size_t f = 0; f < problem.queue.size(); ++f) {
+            const int next = nextOperation(problem, partial.done, static_cast<int>(f));
+            if (next >= 0) callable.insert(problem.tool[next]);
+        }
+        for (const int tool : callable) {
+            Partial longer = afterVisit(problem, partial, tool);
+            if (seen.insert(longer.done).second) wider.push_back(std::move(longer));
+        }
+    }
+    std::sort(wider.begin(), wider.end(), isMorePromising);
+    if (wider.size() > kBeamWidth) wider.resize(kBeamWidth);
+    return wider;
+}
+
+/// The tools in the order of their visits: a beam search, one tool change at a time.
+std::vector<int> visits(const Problem& problem) {
+    std::vector<Partial> beam(1);
+    beam[0].done.assign(problem.queue.size(), 0);
+    const int operations = static_cast<int>(problem.tool.size());
+    while (beam.front().total < operations) {
+        beam = oneVisitMore(problem, beam);
+        STEPMILL_CHECK(!beam.empty(), "features do not wait for each other in a circle");
+    }
+    return beam.front().tools;
+}
+
+Vec2 startOf(const Operation& operation) {
+    return operation.path.start.head<2>();
+}
+
+Vec2 endOf(const Operation& operation) {
+    const Toolpath& path = operation.path;
+    return path.moves.empty() ? startOf(operation) : Vec2(path.moves.back().to.head<2>());
+}
+
+}  // namespace
+
+std::vector<int> orderOperations(const std::vector<Operation>& operations,
+                                 const std::vector<Feature>& features) {
+    const Problem problem = makeProblem(operations, features);
+    std::vector<int> done(problem.queue.size(), 0);
+    std::vector<int> order;
+    // Within a visit the nearest operation comes next, so that the tool does not cross the part for nothing.
+    std::optional<Vec2> position;
+    for (const int tool : visits(problem)) {
+        for (;;) {
+            int nearest = -1;
+            double nearest_mm = 0;
+            for (std::size_t f = 0; f < problem.queue.size(); ++f) {
+                const int next = nextOperation(problem, done, static_cast<int>(f));
+                if (next < 0 || problem.tool[next] != tool) continue;
+                const double distance_mm = position ? (startOf(operations[next]) - *position).norm() : 0;
+                if (nearest >= 0 && distance_mm >= nearest_mm) continue;
+                nearest = next;
+                nearest_mm = distance_mm;
+            }
+            if (nearest < 0) break;
+            order.push_back(nearest);
+            ++done[problem.feature[nearest]];
+            position = endOf(operations[nearest]);
+        }
+    }
+    return order;
+}
+
+}  // namespace stepmill

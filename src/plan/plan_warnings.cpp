@@ -1,0 +1,84 @@
+#include <set>
+
+#include <fmt/format.h>
+
+#include "plan/plan_steps.h"
+
+namespace stepmill {
+namespace {
+
+/// Residuals smaller than this are listed, but not worth a warning [mm3].
+constexpr double kWorthAWarningMm3 = 1;
+
+void warnOfResiduals(Plan& plan, const PlannedFeature& planned) {
+    for (const Residual& residual : planned.sequence.residual) {
+        if (residual.volume_mm3 < kWorthAWarningMm3) continue;
+        const bool nothing_done = planned.sequence.steps.empty();
+        plan.warnings.push_back({nothing_done ? "no-tool" : "residual", planned.feature.id,
+                                 fmt::format("{:.4g} mm3 stay: {}; needs {}", residual.volume_mm3,
+                                             residual.reason, residual.advice)});
+    }
+}
+
+void warnOfTravel(Plan& plan, const PlannedSetup& setup) {
+    Box3 box;
+    for (const Operation& operation : setup.operations) {
+        if (operation.path.moves.empty()) continue;
+        box.extend(operation.path.start);
+        for (const Move& move : operation.path.moves) {
+            box.extend(move.to);
+            if (!move.arc) continue;
+            // The whole circle stands for the arc: generous by less than a radius.
+            const Vec2 reach = Vec2::Constant(move.arc->radius_mm);
+            const Vec2 low = move.arc->centre - reach;
+            const Vec2 high = move.arc->centre + reach;
+            box.extend(Vec3(low.x(), low.y(), move.to.z()));
+            box.extend(Vec3(high.x(), high.y(), move.to.z()));
+        }
+    }
+    if (box.isEmpty()) return;
+    const char* const axes = "XYZ";
+    for (int axis = 0; axis < 3; ++axis) {
+        const double travel = plan.machine.travel_mm[axis];
+        const double needed = box.sizes()[axis];
+        if (travel <= 0 || needed <= travel) continue;
+        plan.warnings.push_back(
+            {"travel", setup.setup.id,
+             fmt::format("the program moves {:.4g} mm along {}, the machine travels {:.4g} mm", needed,
+                         axes[axis], travel)});
+    }
+}
+
+void warnOfMagazine(Plan& plan, const PlannedSetup& setup) {
+    std::set<std::string> tools;
+    for (const Operation& operation : setup.operations)
+        tools.insert(operation.tool_id);
+    const int magazine = plan.machine.magazine_size;
+    if (magazine <= 0 || static_cast<int>(tools.size()) <= magazine) return;
+    plan.warnings.push_back(
+        {"magazine", setup.setup.id,
+         fmt::format("{} tools are needed, the magazine holds {}", tools.size(), magazine)});
+}
+
+}  // namespace
+
+void warnOfInput(Plan& plan, const LayerStack& layers) {
+    for (const std::string& remark : layers.remarks)
+        plan.warnings.push_back({"section", layers.setup_id, remark});
+}
+
+void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
+    for (const PlannedFeature& planned : setup.features)
+        warnOfResiduals(plan, planned);
+    for (const Unplanned& unplanned : setup.unplanned) {
+        if (unplanned.volume_mm3 < kWorthAWarningMm3) continue;
+        plan.warnings.push_back(
+            {"unreachable", setup.setup.id,
+             fmt::format("{:.4g} mm3 between z {:.4g} and {:.4g} mm are not planned: {}",
+                         unplanned.volume_mm3, unplanned.top_z_mm, unplanned.bottom_z_mm, unplanned.reason)});
+    }
+    warnOfTravel(plan, setup);
+    warnOfMagazine(plan, setup);
+}
+
+}  // namespace stepmill
