@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "catalog/json_text.h"
 
 namespace stepmill {
@@ -18,7 +20,7 @@ bool nearlyEqual(double a, double b) {
 }
 
 std::string lengthText(double value) {
-    return json(value).dump();
+    return fmt::format("{}", value);
 }
 
 /// Checks one tool; findings carry pointers into the file.
@@ -76,7 +78,7 @@ class ToolRules {
 
     void checkShank() {
         if (!tool_.contains("shank")) return;
-        const double from = tool_["shank"]["from"];
+        const json& from = tool_["shank"]["from"];
         const double flutes = tool_["flute_length"];
         const double stick_out = tool_["stick_out"];
         const std::string at = childPointer(childPointer(pointer_, "shank"), "from");
@@ -95,8 +97,8 @@ class ToolRules {
         for (std::size_t i = 0; i < tool_["holder"].size(); ++i) {
             const json& cylinder = tool_["holder"][i];
             const std::string here = childPointer(at, i);
-            const double bottom = cylinder["bottom"];
-            const double top = cylinder["top"];
+            const json& bottom = cylinder["bottom"];
+            const json& top = cylinder["top"];
             expect(bottom >= below, childPointer(here, "bottom"),
                    "at least " + below_name + ", " + lengthText(below), bottom);
             expect(top > bottom, childPointer(here, "top"),
@@ -104,7 +106,7 @@ class ToolRules {
             if (bottom > below && !nearlyEqual(bottom, below))
                 doubt(childPointer(here, "bottom"),
                       "gap over " + below_name + ", " + lengthText(below) + "; nothing is checked there");
-            below = std::max(below, top);
+            below = std::max(below, top.get<double>());
             below_name = "the top of the cylinder below";
         }
     }

@@ -193,7 +193,8 @@ std::vector<CatalogFinding> SchemaWords::objectBreaches(const json& schema, cons
     };
     for (const json& name : schema.value("required", json::array()))
         if (!value.contains(name.get<std::string>())) missing(name.get<std::string>(), "");
-    for (const auto& [field, needed] : schema.value("dependencies", none).items())
+    const json& dependencies = schema.contains("dependencies") ? schema["dependencies"] : none;
+    for (const auto& [field, needed] : dependencies.items())
         for (const json& name : needed)
             if (value.contains(field) && !value.contains(name.get<std::string>()))
                 missing(name.get<std::string>(), " beside \"" + field + "\"");

@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/file.h"
+#include "unit/catalog/catalog_test_files.h"
+
+namespace stepmill {
+namespace {
+
+using nlohmann::json;
+using test::sample;
+using test::thrownBy;
+
+json goodMachine() {
+    return json::parse(readFile(sample("machine_vmc.json")));
+}
+
+std::string messageOf(const json& machine) {
+    const Error error = thrownBy([&] { machineFromText(machine.dump(), "mill.json"); });
+    EXPECT_EQ(error.code(), ErrorCode::InvalidCatalog);
+    return error.what();
+}
+
+TEST(ReadMachine, GivesEveryField) {
+    const Machine machine = machineFromText(R"({
+        "format": 1, "name": "Mill", "rapid_mm_per_min": 25000, "max_feed_mm_per_min": 10000, "max_speed_rpm": 8000,
+        "tool_change_s": 4.5, "hourly_rate": 75.5, "currency": "CHF", "travel_mm": [500, 400, 300],
+        "magazine_size": 20, "acceleration_mm_per_s2": 2500, "safe_height_mm": 3, "dialect": "linuxcnc"})",
+                                            "mill.json");
+    EXPECT_EQ(machine.name, "Mill");
+    EXPECT_DOUBLE_EQ(machine.rapid_mm_per_min, 25000);
+    EXPECT_DOUBLE_EQ(machine.max_feed_mm_per_min, 10000);
+    EXPECT_DOUBLE_EQ(machine.max_speed_rpm, 8000);
+    EXPECT_DOUBLE_EQ(machine.tool_change_s, 4.5);
+    EXPECT_DOUBLE_EQ(machine.hourly_rate, 75.5);
+    EXPECT_EQ(machine.currency, "CHF");
+    EXPECT_EQ(machine.travel_mm, (std::array<double, 3>{500, 400, 300}));
+    EXPECT_EQ(machine.magazine_size, 20);
+    EXPECT_DOUBLE_EQ(machine.acceleration_mm_per_s2, 2500);
+    EXPECT_DOUBLE_EQ(machine.safe_height_mm, 3);
+    EXPECT_EQ(machine.dialect, "linuxcnc");
+}
+
+TEST(ReadMachine, TakesTheSamples) {
+    EXPECT_DOUBLE_EQ(readMachine(sample("machine_vmc.json")).rapid_mm_per_min, 30000);
+    EXPECT_EQ(readMachine(sample("machine_knee_mill.json")).magazine_size, 1);
+}
+
+TEST(MachineErrors, TellAMissingField) {
+    json machine = goodMachine();
+    machine.erase("rapid_mm_per_min");
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#: expected the field \"rapid_mm_per_min\", a number greater than 0, found none");
+}
+
+TEST(MachineErrors, TellAMisspeltFieldAndTheOneItStandsFor) {
+    json machine = goodMachine();
+    machine["safe_hieght_mm"] = 5;
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/safe_hieght_mm: unknown field; \"safe_height_mm\" is the nearest known one");
+}
+
+TEST(MachineErrors, TellATravelOfTwoAxes) {
+    json machine = goodMachine();
+    machine["travel_mm"] = {760, 410};
+    EXPECT_EQ(messageOf(machine), "mill.json#/travel_mm: expected a list of 3 items, found a list of 2");
+}
+
+TEST(MachineErrors, TellANegativeTravel) {
+    json machine = goodMachine();
+    machine["travel_mm"] = {760, -410, 510};
+    EXPECT_EQ(messageOf(machine), "mill.json#/travel_mm/1: expected a number greater than 0, found -410");
+}
+
+TEST(MachineErrors, TellAnUnknownDialect) {
+    json machine = goodMachine();
+    machine["dialect"] = "fanuc";
+    EXPECT_EQ(messageOf(machine), "mill.json#/dialect: expected \"linuxcnc\", found \"fanuc\"");
+}
+
+TEST(MachineErrors, TellAFileThatIsNotThere) {
+    EXPECT_EQ(thrownBy([] { readMachine(sample("no_such_machine.json")); }).code(),
+              ErrorCode::FileUnreadable);
+}
+
+}  // namespace
+}  // namespace stepmill

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/file.h"
+#include "unit/catalog/catalog_test_files.h"
+
+namespace stepmill {
+namespace {
+
+using nlohmann::json;
+using Lines = std::vector<std::string>;
+
+/// One setup, one round pocket, one operation: every list of the format has an entry.
+json minimalPlan() {
+    json plan = json::parse(R"({
+    "format": 1,
+    "stepmill": {"version": "0.1.0"},
+    "part": {"file": "disc.step", "name": "", "unit_in_file": "mm", "bbox_mm": [[0, 0, 0], [40, 40, 10]],
+             "volume_mm3": 14429.2, "solids": 1, "surfaces": {"plane": 7, "cylinder": 1}},
+    "stock": {"kind": "box", "bbox_mm": [[0, 0, 0], [40, 40, 10]], "volume_mm3": 16000},
+    "machine": {"name": "Mill", "rapid_mm_per_min": 30000, "tool_change_s": 5, "hourly_rate": 80},
+    "material": "aluminium",
+    "tool_library": {"file": "tools.json"},
+    "setups": [{"id": "S1", "axis": [0, 0, 1], "transform": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 0, 0, 0, 1],
+                "program": "S1.ngc", "features": ["S1.F1"], "operations": ["S1.O1"], "time_s": 60}],
+    "features": [{
+        "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [], "top_z_mm": 0, "floor_z_mm": -5,
+        "depth_mm": 5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
+        "min_corner_radius_mm": 10,
+        "target": {"loops": [{"hole": false, "start": [30, 20], "segments": [
+            {"to": [10, 20], "centre": [20, 20], "ccw": true}, {"to": [30, 20], "centre": [20, 20], "ccw": true}]}]},
+        "obstruction": {"loops": [{"hole": false, "start": [0, 0], "segments": [
+            {"to": [40, 0]}, {"to": [40, 40]}, {"to": [0, 40]}, {"to": [0, 0]}]}]},
+        "tools": [{"tool": "EM8", "accessible_area_mm2": 314.16, "coverable_area_mm2": 314.16,
+                   "collision_free_area_mm2": 300, "access_volume_mm3": 1570.8,
+                   "blocked_lumps": [{"area_mm2": 14.16, "region": {"loops": []}, "surrogates": null,
+                                      "reason": "holder collision"}]},
+                  {"tool": "EM25", "accessible_area_mm2": 0, "coverable_area_mm2": 0, "collision_free_area_mm2": 0,
+                   "access_volume_mm3": 0, "blocked_lumps": [],
+                   "excluded": {"reason": "too wide", "text": "fits nowhere"}}],
+        "dag": {"edges": [{"from": "source", "to": "EM8", "region_area_mm2": 314.16, "cut_length_mm": 200,
+                           "air_length_mm": 30, "time_s": 55, "cost": 1.2,
+                           "surrogates": [{"tool": "EM6", "area_mm2": 14.16, "time_s": 4}]}],
+                "path": ["EM8"]},
+        "time_s": 55, "lower_bound_s": 40,
+        "residual": [{"region": {"loops": []}, "area_mm2": 0.5, "volume_mm3": 2.5, "reason": "corner radius"}]}],
+    "operations": [{
+        "id": "S1.O1", "setup": "S1", "feature": "S1.F1", "tool": "EM8", "role": "rough",
+        "pattern": "contour-parallel", "layers": 1, "z_top_mm": 0, "z_floor_mm": -5, "step_over_mm": 3.6,
+        "step_down_mm": 5, "feed_mm_per_min": 1900, "plunge_feed_mm_per_min": 570, "speed_rpm": 11950,
+        "cut_length_mm": 200, "feed_air_length_mm": 5, "air_length_mm": 30, "time_s": 55}],
+    "totals": {"time_s": 60, "cutting_s": 50, "air_s": 5, "tool_change_s": 5, "tool_changes": 1, "cost": 1.3,
+               "lower_bound_s": 45},
+    "volume_balance": {"stock_minus_part_mm3": 1570.8, "planned_mm3": 1568.3, "residual_mm3": 2.5,
+                       "unreachable_mm3": 0},
+    "warnings": [{"code": "residual", "subject": "S1.F1", "text": "a corner stays"}]})");
+    plan["part"]["sha256"] = std::string(64, '0');
+    plan["tool_library"]["sha256"] = std::string(64, 'a');
+    return plan;
+}
+
+Lines errorsWith(const std::string& pointer, const json& value) {
+    json plan = minimalPlan();
+    plan[json::json_pointer(pointer)] = value;
+    return schemaErrors(SchemaName::Plan, plan.dump());
+}
+
+TEST(PlanSchema, TakesAMinimalPlan) {
+    EXPECT_EQ(schemaErrors(SchemaName::Plan, minimalPlan().dump()), Lines{});
+}
+
+TEST(PlanSchema, TakesNullWhereTheFormatAllowsIt) {
+    EXPECT_EQ(errorsWith("/features/0/min_corner_radius_mm", nullptr), Lines{});
+    EXPECT_EQ(errorsWith("/features/0/tools/1/excluded", nullptr), Lines{});
+    EXPECT_EQ(errorsWith("/features/0/tools/0/blocked_lumps/0/surrogates", json::array({"EM6"})), Lines{});
+}
+
+TEST(PlanSchema, RefusesAMisspeltField) {
+    EXPECT_EQ(errorsWith("/totals/cutting_sec", 3),
+              Lines{"#/totals/cutting_sec: unknown field; \"cutting_s\" is the nearest known one"});
+}
+
+TEST(PlanSchema, ListsTheKnownFieldsWhenNoneIsNear) {
+    EXPECT_EQ(errorsWith("/stepmill/built_on_monday", true),
+              Lines{"#/stepmill/built_on_monday: unknown field; expected one of version"});
+}
+
+TEST(PlanSchema, RefusesEveryPlanThatLacksAField) {
+    const json plan = minimalPlan();
+    for (const auto& [name, value] : plan.items()) {
+        json lacking = plan;
+        lacking.erase(name);
+        const Lines errors = schemaErrors(SchemaName::Plan, lacking.dump());
+        ASSERT_EQ(errors.size(), 1U) << name;
+        EXPECT_EQ(errors[0].rfind("#: expected the field \"" + name + "\"", 0), 0U) << errors[0];
+    }
+}
+
+TEST(PlanSchema, RefusesEveryOperationThatLacksAField) {
+    const json operation = minimalPlan()["operations"][0];
+    for (const auto& [name, value] : operation.items()) {
+        json lacking = operation;
+        lacking.erase(name);
+        const Lines errors = errorsWith("/operations/0", lacking);
+        ASSERT_EQ(errors.size(), 1U) << name;
+        EXPECT_EQ(errors[0].rfind("#/operations/0: expected the field \"" + name + "\"", 0), 0U) << errors[0];
+    }
+}
+
+TEST(PlanSchema, RefusesEveryFeatureThatLacksAField) {
+    const json feature = minimalPlan()["features"][0];
+    for (const auto& [name, value] : feature.items()) {
+        json lacking = feature;
+        lacking.erase(name);
+        const Lines errors = errorsWith("/features/0", lacking);
+        ASSERT_EQ(errors.size(), 1U) << name;
+        EXPECT_EQ(errors[0].rfind("#/features/0: expected the field \"" + name + "\"", 0), 0U) << errors[0];
+    }
+}
+
+TEST(PlanSchema, RefusesAnArcWithoutItsSense) {
+    EXPECT_EQ(
+        errorsWith("/features/0/target/loops/0/segments/0", {{"to", {1, 2}}, {"centre", {0, 0}}}),
+        Lines{"#/features/0/target/loops/0/segments/0: expected the field \"ccw\", true or false beside "
+              "\"centre\", found none"});
+}
+
+TEST(PlanSchema, RefusesAPointOfThreeNumbers) {
+    EXPECT_EQ(errorsWith("/features/0/target/loops/0/start", {1, 2, 3}),
+              Lines{"#/features/0/target/loops/0/start: expected a list of 2 items, found a list of 3"});
+}
+
+TEST(PlanSchema, RefusesANumberThatBecameNull) {
+    EXPECT_EQ(errorsWith("/operations/0/time_s", nullptr),
+              Lines{"#/operations/0/time_s: expected a number of at least 0, found null"});
+}
+
+TEST(PlanSchema, RefusesAnUnknownRole) {
+    EXPECT_EQ(
+        errorsWith("/operations/0/role", "polish"),
+        Lines{
+            "#/operations/0/role: expected one of \"face\", \"rough\", \"rest\", \"surrogate\", \"cleanup\", "
+            "\"drill\", \"bore\", found \"polish\""});
+}
+
+TEST(PlanSchema, RefusesATransformOfTwelveNumbers) {
+    EXPECT_EQ(errorsWith("/setups/0/transform", json(std::vector<int>(12, 0))),
+              Lines{"#/setups/0/transform: expected a list of 16 items, found a list of 12"});
+}
+
+TEST(PlanSchema, RefusesADigestThatIsNone) {
+    EXPECT_EQ(errorsWith("/part/sha256", "12AB"),
+              Lines{"#/part/sha256: expected a text like ^[0-9a-f]{64}$, found \"12AB\""});
+}
+
+TEST(PlanSchema, RefusesAFeatureIdWithoutItsSetup) {
+    EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"),
+              Lines{"#/setups/0/features/0: expected a text like ^S[0-9]+\\.F[0-9]+$, found \"F1\""});
+}
+
+TEST(PlanSchema, TakesAnySurfaceKindButOnlyCounts) {
+    EXPECT_EQ(errorsWith("/part/surfaces/bspline", 3), Lines{});
+    EXPECT_EQ(errorsWith("/part/surfaces/bspline", 0.5),
+              Lines{"#/part/surfaces/bspline: expected a whole number of at least 1, found 0.5"});
+}
+
+TEST(SchemaErrors, GiveOneLineForTextThatIsNotJson) {
+    const Lines errors = schemaErrors(SchemaName::Machine, "{\n \"format\": 1,,\n}");
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].rfind("#: not JSON at line 2, column 14: ", 0), 0U) << errors[0];
+}
+
+TEST(SchemaErrors, CountColumnsInCharactersNotBytes) {
+    const Lines errors = schemaErrors(SchemaName::Machine, "[\"\xC3\xA4\xC3\xB6\", x]");
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].rfind("#: not JSON at line 1, column 8: ", 0), 0U) << errors[0];
+}
+
+TEST(SchemaErrors, GiveOneLineForAWrongTopLevel) {
+    EXPECT_EQ(schemaErrors(SchemaName::Tools, "[]"), Lines{"#: expected an object, found a list of 0"});
+}
+
+TEST(SchemaText, IsTheFileInTheSchemasFolder) {
+    const std::filesystem::path folder = std::filesystem::path(STEPMILL_SOURCE_DIR) / "schemas";
+    EXPECT_EQ(schemaText(SchemaName::Tools), readFile(folder / "tools.schema.json"));
+    EXPECT_EQ(schemaText(SchemaName::Machine), readFile(folder / "machine.schema.json"));
+    EXPECT_EQ(schemaText(SchemaName::Plan), readFile(folder / "plan.schema.json"));
+}
+
+}  // namespace
+}  // namespace stepmill
