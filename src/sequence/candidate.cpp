@@ -29,6 +29,7 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
 }  // namespace
 
 CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
+    if (cutting.plunge_feed_mm_per_min <= 0) cutting.plunge_feed_mm_per_min = cutting.feed_mm_per_min;
     if (machine.max_speed_rpm > 0 && cutting.speed_rpm > machine.max_speed_rpm) {
         const double slower = machine.max_speed_rpm / cutting.speed_rpm;
         cutting.speed_rpm = machine.max_speed_rpm;

@@ -22,7 +22,8 @@ struct Candidate {
 };
 
 /// Cutting data within the machine's speed and feed. A spindle that is too slow slows the feeds in
-/// proportion, so that the chip stays as thick as the library asks.
+/// proportion, so that the chip stays as thick as the library asks. Without a plunge feed the cutting feed
+/// stands for it.
 CuttingData limitedBy(const Machine& machine, CuttingData cutting);
 
 /// Depths of cut for a depth: as few equal ones as the step-down allows, at least one.
