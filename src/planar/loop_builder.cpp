@@ -134,6 +134,7 @@ struct Edge {
     Vec2 carrier_from;  ///< the source line; its rounding is what positions go by
     Vec2 carrier_to;
     int curve = 0;
+    double piece_mm = 0;       ///< length of the longest piece in it
     std::vector<Vec2> passed;  ///< joints merged away
 
     Segment carrier() const { return {carrier_to, segment.arc}; }
@@ -163,7 +164,9 @@ void absorb(Edge& a, const Edge& b) {
     a.passed.push_back(b.from);
     a.passed.insert(a.passed.end(), b.passed.begin(), b.passed.end());
     a.segment.to = b.segment.to;
-    if ((b.carrier_to - b.carrier_from).norm() <= (a.carrier_to - a.carrier_from).norm()) return;
+    // The longer piece knows the direction better; a short one may have been bent to a node.
+    if (b.piece_mm <= a.piece_mm) return;
+    a.piece_mm = b.piece_mm;
     a.carrier_from = b.carrier_from;
     a.carrier_to = b.carrier_to;
     a.curve = b.curve;
@@ -194,6 +197,9 @@ Vec2 jointOf(const Edge& a, const Edge& b, double reach_mm) {
     };
     if (off(a, node) <= kOnCurveMm && off(b, node) <= kOnCurveMm) return node;
     Vec2 best = node;
+    // Beyond a part of the shorter edge the intersection is that of another joint.
+    const double shorter = std::min(length(a.from, a.segment), length(b.from, b.segment));
+    reach_mm = std::min(reach_mm, shorter / 4);
     double distance = reach_mm;
     for (const Vec2& p : carrierIntersections(a.carrier_from, a.carrier(), b.carrier_from, b.carrier(), 0)) {
         if ((p - node).norm() >= distance) continue;
@@ -224,7 +230,9 @@ void append(Loop& loop, const Edge& edge, const Vec2& to) {
     const Vec2 begin = onCircle(loop.end());
     const Vec2 end = onCircle(to);
     if (begin != loop.end()) loop.segments.push_back({begin, std::nullopt});
-    if (begin != end) loop.segments.push_back({end, edge.segment.arc});
+    // Ends that fall together close the arc to a full circle, or leave nothing of it.
+    const bool long_way = std::abs(sweepAngle(edge.from, edge.segment.to, *edge.segment.arc)) > kPi;
+    if (begin != end || long_way) loop.segments.push_back({end, edge.segment.arc});
     if (end != to) loop.segments.push_back({to, std::nullopt});
 }
 
@@ -258,12 +266,10 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
         for (const int index : walk) {
             const Piece& piece = pieces[at(index)];
             const Curve& curve = arrangement.curves()[at(piece.curve)];
-            edges.push_back({arrangement.node(piece.begin),
-                             arrangement.segment(piece),
-                             curve.from,
-                             curve.segment.to,
-                             piece.curve,
-                             {}});
+            const Vec2& from = arrangement.node(piece.begin);
+            const Segment segment = arrangement.segment(piece);
+            const double piece_mm = (segment.to - from).norm();
+            edges.push_back({from, segment, curve.from, curve.segment.to, piece.curve, piece_mm, {}});
         }
         Loop loop = loopOf(mergedEdges(std::move(edges)), 100 * thin_mm);
         if (loop.segments.size() < 2) continue;

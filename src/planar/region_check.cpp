@@ -8,6 +8,7 @@
 #include "planar/intersection.h"
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/tolerances.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
@@ -74,11 +75,9 @@ Trouble diagnoseLoop(const Loop& loop) {
 }
 
 /// Every stretch of boundary must have the region, winding 1, on its left and nothing on its right.
-Trouble diagnoseCrossings(const Region& region) {
-    std::vector<planar::Curve> curves;
-    planar::appendCurves(region, 0, curves);
-    const planar::Arrangement arrangement(curves, kOffCircleMm);
-    std::vector<bool> clean(region.loops.size(), false);
+Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm) {
+    const planar::Arrangement arrangement(curves, snap_mm);
+    std::vector<bool> clean(curves.empty() ? 0 : static_cast<std::size_t>(curves.back().loop) + 1, false);
     const std::vector<planar::LabelledPiece> pieces = arrangement.labelled();
     const auto loopOf = [&](const planar::LabelledPiece& p) {
         return static_cast<std::size_t>(arrangement.curves()[static_cast<std::size_t>(p.piece.curve)].loop);
@@ -106,7 +105,13 @@ Trouble diagnoseCrossings(const Region& region) {
 std::optional<std::string> diagnose(const Region& region) {
     for (const Loop& loop : region.loops)
         if (auto trouble = diagnoseLoop(loop)) return trouble;
-    return diagnoseCrossings(region);
+    std::vector<planar::Curve> curves;
+    planar::appendCurves(region, 0, curves);
+    // Loops that touch do so to within the tolerance of the boolean that made them: an overlap that goes
+    // away when points that close are taken as one is no crossing.
+    const Trouble trouble = diagnoseCrossings(curves, kOffCircleMm);
+    if (!trouble || !diagnoseCrossings(curves, Tolerances().linear_mm)) return std::nullopt;
+    return trouble;
 }
 
 void validate(const Region& region, const std::string& subject) {
