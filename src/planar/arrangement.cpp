@@ -30,37 +30,6 @@ Vec2 mirrored(const Vec2& p) {
     return {p.y(), p.x()};
 }
 
-/// A segment's share in the winding number of the loops it belongs to, about p. `side` 0 for a p away from
-/// the segment, otherwise p lies on it and counts as just left (+1) or right (-1) of it.
-int windingShare(const Vec2& from, const Vec2& to, const std::optional<Arc>& arc, const Vec2& p, int side) {
-    const bool spans = (from.y() <= p.y()) != (to.y() <= p.y());
-    int chord_side = side;
-    bool in_circle = false;
-    if (arc) {
-        in_circle = (p - arc->centre).squaredNorm() < arc->radius_mm * arc->radius_mm;
-        if (side != 0) {
-            in_circle = (side > 0) == arc->ccw;
-            chord_side = arc->ccw ? -1 : 1;  // arcs of pieces are at most half circles
-        }
-    }
-    if (!spans && !in_circle) return 0;
-    if (chord_side == 0) {
-        const double left = cross(to - from, p - from);
-        const double dy = to.y() - from.y();
-        if (left != 0)
-            chord_side = left > 0 ? 1 : -1;
-        else if (dy != 0)
-            chord_side = dy > 0 ? -1 : 1;
-        else
-            chord_side = to.x() > from.x() ? 1 : -1;
-    }
-    int share = 0;
-    if (spans && (to.y() > p.y()) == (chord_side > 0)) share += chord_side;
-    if (in_circle && arc->ccw && chord_side < 0) ++share;
-    if (in_circle && !arc->ccw && chord_side > 0) --share;
-    return share;
-}
-
 /// Calls visit(i, j) for all pairs of boxes that overlap.
 template <typename Visit>
 void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visit visit) {
@@ -260,7 +229,7 @@ std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
             if (s.arc) s.arc = Arc{mirrored(s.arc->centre), s.arc->radius_mm, !s.arc->ccw};
         }
         const int side = &other != &piece ? 0 : mirror ? 1 : -1;
-        const int share = windingShare(from, s.to, s.arc, p, side);
+        const int share = windingShare(from, s, p, side);
         for (std::size_t k = 0; k < 2; ++k)
             windings[k] += (mirror ? -share : share) * other.step[k];
     }

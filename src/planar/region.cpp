@@ -194,40 +194,10 @@ Vec2 centroid(const Region& region) {
 
 namespace planar {
 
-namespace {
-
-/// On which side of a-b lies p: +1 left, -1 right. A point on the line counts as if moved to the right by
-/// a little and upwards by much less, so that it is on one side only, and the same for every caller.
-int sideOf(const Vec2& a, const Vec2& b, const Vec2& p) {
-    const double left = cross(b - a, p - a);
-    if (left != 0) return left > 0 ? 1 : -1;
-    const double dy = b.y() - a.y();
-    if (dy != 0) return dy > 0 ? -1 : 1;
-    return b.x() > a.x() ? 1 : -1;
-}
-
-}  // namespace
-
 int windingNumber(const Loop& loop, const Vec2& p) {
     int winding = 0;
-    forEachSegment(loop, [&](const Vec2& from, const Segment& segment) {
-        const Vec2& to = segment.to;
-        const bool spans = (from.y() <= p.y()) != (to.y() <= p.y());
-        if (!segment.arc) {
-            if (!spans) return;
-            const int side = sideOf(from, to, p);
-            if (to.y() > p.y() ? side > 0 : side < 0) winding += side;
-            return;
-        }
-        // The chord, and one more turn for points between chord and arc.
-        const Arc& arc = *segment.arc;
-        const bool in_circle = (p - arc.centre).squaredNorm() < arc.radius_mm * arc.radius_mm;
-        if (!spans && !in_circle) return;
-        const int side = from == to ? 0 : sideOf(from, to, p);
-        if (spans && (to.y() > p.y() ? side > 0 : side < 0)) winding += side;
-        if (in_circle && arc.ccw && side <= 0) ++winding;
-        if (in_circle && !arc.ccw && side >= 0) --winding;
-    });
+    forEachSegment(
+        loop, [&](const Vec2& from, const Segment& segment) { winding += windingShare(from, segment, p); });
     return winding;
 }
 

@@ -109,8 +109,10 @@ std::optional<std::string> diagnose(const Region& region) {
     planar::appendCurves(region, 0, curves);
     // Loops that touch do so to within the tolerance of the boolean that made them: an overlap that goes
     // away when points that close are taken as one is no crossing.
+    const double linear_mm = Tolerances().linear_mm;
     const Trouble trouble = diagnoseCrossings(curves, kOffCircleMm);
-    if (!trouble || !diagnoseCrossings(curves, Tolerances().linear_mm)) return std::nullopt;
+    if (!trouble || !diagnoseCrossings(curves, linear_mm) || !diagnoseCrossings(curves, 3 * linear_mm))
+        return std::nullopt;
     return trouble;
 }
 

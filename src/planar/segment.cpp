@@ -11,6 +11,54 @@ namespace stepmill {
 
 namespace planar {
 
+namespace {
+
+/// On which side of a-b lies p: +1 left, -1 right. A point on the line counts as if moved to the right by
+/// a little and upwards by much less, so that it is on one side only, and the same for every caller.
+int sideOf(const Vec2& a, const Vec2& b, const Vec2& p) {
+    const double left = cross(b - a, p - a);
+    if (left != 0) return left > 0 ? 1 : -1;
+    const double dy = b.y() - a.y();
+    if (dy != 0) return dy > 0 ? -1 : 1;
+    return b.x() > a.x() ? 1 : -1;
+}
+
+/// Is p, a point of the circle's disc, between the arc and its chord?
+bool betweenChordAndArc(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p, bool arc_side) {
+    // Ends that rounding moved off the circle turn the chord of a short arc so far that its line cuts off
+    // another part of the disc. The cone from the centre tells the parts apart.
+    if ((to - from).squaredNorm() >= arc.radius_mm * arc.radius_mm) return arc_side;
+    const double turn = cross(from - arc.centre, to - arc.centre);
+    const bool short_way = (turn > 0) == arc.ccw;
+    const bool in_cone = inSweep(from, to, arc, p);
+    return short_way ? arc_side && in_cone : arc_side || in_cone;
+}
+
+}  // namespace
+
+int windingShare(const Vec2& from, const Segment& segment, const Vec2& p, int side) {
+    // A ray from p along +x counts the chord; points between chord and arc have one turn more.
+    const Vec2& to = segment.to;
+    const bool spans = (from.y() <= p.y()) != (to.y() <= p.y());
+    if (!segment.arc) {
+        if (!spans) return 0;
+        const int chord_side = side != 0 ? side : sideOf(from, to, p);
+        return (to.y() > p.y()) == (chord_side > 0) ? chord_side : 0;
+    }
+    const Arc& arc = *segment.arc;
+    const int turn = arc.ccw ? 1 : -1;
+    const bool in_disc =
+        side != 0 ? side == turn : (p - arc.centre).squaredNorm() < arc.radius_mm * arc.radius_mm;
+    if (from == to) return in_disc ? turn : 0;
+    if (!spans && !in_disc) return 0;
+    // Left turning arcs bulge to the right of their chord, and so does their middle.
+    const int chord_side = side != 0 ? -turn : sideOf(from, to, p);
+    const bool arc_side = chord_side == -turn;
+    int share = spans && (to.y() > p.y()) == (chord_side > 0) ? chord_side : 0;
+    if (in_disc && (side != 0 || betweenChordAndArc(from, to, arc, p, arc_side))) share += turn;
+    return share;
+}
+
 bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p) {
     if (from == to) return true;
     Vec2 u = from - arc.centre;

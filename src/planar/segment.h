@@ -17,6 +17,11 @@ double shareOf(const Vec2& p, const Vec2& from, const Segment& segment);
 /// Number of equal chords of at most that sagitta for an arc of that sweep; at least 1.
 int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm);
 
+/// A segment's share in the winding number of its loop about p. `side` 0 for a p away from the segment;
+/// otherwise p lies in the middle of it and counts as just left (+1) or right (-1).
+/// \pre side == 0 or the segment is no more than a half circle
+int windingShare(const Vec2& from, const Segment& segment, const Vec2& p, int side = 0);
+
 /// How often the loop winds around p, which must not lie on it.
 int windingNumber(const Loop& loop, const Vec2& p);
 int windingNumber(const Region& region, const Vec2& p);
