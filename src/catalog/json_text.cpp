@@ -7,30 +7,38 @@ namespace {
 
 using nlohmann::json;
 
-/// Follows the parser to notice fields given twice, of which nlohmann-json keeps only the last.
-class DuplicateFields {
+/// Reads along to notice fields given twice, of which a json object keeps only the last. (The parser's own
+/// callback would do, but searches a list from its start at each item's end.)
+class DuplicateFields : public nlohmann::json_sax<json> {
   public:
     explicit DuplicateFields(std::vector<CatalogFinding>& findings) : findings_(findings) {}
 
-    void see(json::parse_event_t event, const json& parsed) {
-        using Event = json::parse_event_t;
-        switch (event) {
-            case Event::object_start:
-            case Event::array_start:
-                frames_.push_back({event == Event::array_start, 0, {}, {}});
-                break;
-            case Event::object_end:
-            case Event::array_end:
-                frames_.pop_back();
-                nextItem();
-                break;
-            case Event::key:
-                seeKey(parsed.get<std::string>());
-                break;
-            case Event::value:
-                nextItem();
-                break;
-        }
+    bool null() override { return nextItem(); }
+    bool boolean(bool /*value*/) override { return nextItem(); }
+    bool number_integer(number_integer_t /*value*/) override { return nextItem(); }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return nextItem(); }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return nextItem(); }
+    bool string(string_t& /*value*/) override { return nextItem(); }
+    bool binary(binary_t& /*value*/) override { return nextItem(); }
+    bool start_object(std::size_t /*size*/) override { return open(false); }
+    bool start_array(std::size_t /*size*/) override { return open(true); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        Frame& frame = frames_.back();
+        frame.key = name;
+        if (frame.keys.insert(name).second) return true;
+        std::string pointer = "#";
+        for (const Frame& step : frames_)
+            pointer = step.is_array ? childPointer(pointer, step.index) : childPointer(pointer, step.key);
+        findings_.push_back({pointer, "expected each field once, found it twice"});
+        return true;
+    }
+
+    bool parse_error(std::size_t /*offset*/, const std::string& /*token*/,
+                     const nlohmann::detail::exception& /*error*/) override {
+        return false;
     }
 
   private:
@@ -41,18 +49,19 @@ class DuplicateFields {
         std::set<std::string> keys;
     };
 
-    void nextItem() {
-        if (!frames_.empty() && frames_.back().is_array) ++frames_.back().index;
+    bool open(bool is_array) {
+        frames_.push_back({is_array, 0, {}, {}});
+        return true;
     }
 
-    void seeKey(const std::string& key) {
-        Frame& frame = frames_.back();
-        frame.key = key;
-        if (frame.keys.insert(key).second) return;
-        std::string pointer = "#";
-        for (const Frame& step : frames_)
-            pointer = step.is_array ? childPointer(pointer, step.index) : childPointer(pointer, step.key);
-        findings_.push_back({pointer, "expected each field once, found it twice"});
+    bool close() {
+        frames_.pop_back();
+        return nextItem();
+    }
+
+    bool nextItem() {
+        if (!frames_.empty() && frames_.back().is_array) ++frames_.back().index;
+        return true;
     }
 
     std::vector<CatalogFinding>& findings_;
@@ -99,13 +108,10 @@ CatalogFinding notJson(std::string_view text, std::size_t offset, const std::str
 
 ParsedJson parseJson(std::string_view text) {
     ParsedJson result;
-    DuplicateFields duplicates(result.findings);
-    const auto follow = [&duplicates](int, json::parse_event_t event, json& parsed) {
-        duplicates.see(event, parsed);
-        return true;
-    };
     try {
-        result.value = json::parse(text.begin(), text.end(), follow);
+        result.value = json::parse(text.begin(), text.end());
+        DuplicateFields duplicates(result.findings);
+        json::sax_parse(text.begin(), text.end(), &duplicates);
     } catch (const json::parse_error& error) {
         // `byte` counts the characters read, the offending one included.
         result.findings = {notJson(text, error.byte == 0 ? 0 : error.byte - 1, error.what())};

@@ -131,7 +131,7 @@ std::vector<CatalogFinding> checkToolLibrary(const std::filesystem::path& path) 
 std::vector<std::string> findLibraryErrors(const std::filesystem::path& path) {
     std::vector<std::string> lines;
     for (const CatalogFinding& finding : checkToolLibrary(path))
-        lines.push_back(finding.pointer + ": " + (finding.doubt ? "doubt: " : "") + finding.text);
+        if (!finding.doubt) lines.push_back(finding.pointer + ": " + finding.text);
     return lines;
 }
 

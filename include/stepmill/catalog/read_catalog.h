@@ -28,9 +28,9 @@ std::vector<CatalogFinding> checkToolLibrary(const std::filesystem::path& path);
 ///         Error(FileUnreadable).
 ToolLibrary readToolLibrary(const std::filesystem::path& path);
 
-/// All that is wrong or doubtful in a library, one line each ("#/tools/3/diameter: ..."), for
-/// `stepmill tools validate`; lines of mere doubts say "doubt: " after the pointer (checkToolLibrary() tells
-/// them apart). Empty when it is fine. \throws Error(FileUnreadable)
+/// All that is wrong in a library, one line each ("#/tools/3/diameter: ..."), for `stepmill tools validate`.
+/// Empty when readToolLibrary() takes it; checkToolLibrary() tells the doubts too.
+/// \throws Error(FileUnreadable)
 std::vector<std::string> findLibraryErrors(const std::filesystem::path& path);
 
 /// Reads a machine file (schemas/machine.schema.json). Same errors.

@@ -233,6 +233,7 @@ TEST(LibraryFindings, KeepDoubtsApartFromErrors) {
     const std::vector<std::string> expected{"#/tools/0/holder/1/bottom", "#/tools/1", "#/tools/1/cutting",
                                             "#/tools/0/coating"};
     EXPECT_EQ(pointers, expected);
+    EXPECT_TRUE(findLibraryErrors(file.path()).empty());
     EXPECT_EQ(readToolLibrary(file.path()).tools.size(), 2U);
 }
 
