@@ -1,0 +1,168 @@
+// From the plan view of a layer to moves in space.
+
+#include "toolpath/emit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/core/units.h"
+#include "toolpath/curve.h"
+
+namespace stepmill::toolpath {
+
+namespace {
+
+/// Descents through material begin this far over it [mm].
+constexpr double kDescentStartMm = 0.2;
+/// Lines whose directions differ by less than this go on as one [rad].
+constexpr double kStraightRad = 1e-9;
+
+Vec3 at3(const Vec2& p, double z) {
+    return {p.x(), p.y(), z};
+}
+
+/// How many times a piece of path must be gone along to descend at no more than the angle.
+int timesAlong(double length_mm, const LayerHeights& heights) {
+    const double drop = heights.above_mm + kDescentStartMm - heights.floor_mm;
+    const double needed = drop / std::tan(heights.ramp_angle_rad);
+    return std::max(1, static_cast<int>(std::ceil(needed / length_mm - 1e-9)));
+}
+
+}  // namespace
+
+void MoveWriter::writeLayer(const std::vector<ScriptStep>& script, const LayerHeights& heights) {
+    heights_ = heights;
+    for (const ScriptStep& step : script)
+        std::visit([this](const auto& s) { write(s); }, step);
+    retract();
+}
+
+void MoveWriter::write(const ComeDown& step) {
+    approach(step.at, heights_.floor_mm + kApproachMm);
+    add(MoveKind::Plunge, at3(step.at, heights_.floor_mm), std::nullopt, true);
+}
+
+void MoveWriter::write(const HelixDown& step) {
+    descendTo(step.start);
+    const double from_z = at_.z();
+    const int turns = timesAlong(2 * kPi * step.radius_mm, heights_);
+    for (int i = 1; i <= turns; ++i)
+        turn(step, MoveKind::Plunge, from_z + (heights_.floor_mm - from_z) * i / turns);
+    turn(step, MoveKind::Feed, heights_.floor_mm);
+}
+
+void MoveWriter::write(const RampDown& step) {
+    descendTo(step.from);
+    const double from_z = at_.z();
+    // Oddly many legs end at the far end, from where a level one comes back and takes the slope away.
+    int legs = timesAlong((step.to - step.from).norm(), heights_);
+    legs += legs % 2 == 0 ? 1 : 0;
+    for (int i = 1; i <= legs; ++i)
+        add(MoveKind::Plunge,
+            at3(i % 2 == 1 ? step.to : step.from, from_z + (heights_.floor_mm - from_z) * i / legs));
+    add(MoveKind::Feed, at3(step.from, heights_.floor_mm));
+}
+
+void MoveWriter::write(const PlungeDown& step) {
+    descendTo(step.at);
+    add(MoveKind::Plunge, at3(step.at, heights_.floor_mm));
+}
+
+void MoveWriter::write(const RampAlong& step) {
+    descendTo(step.pass.start);
+    const double from_z = at_.z();
+    const double whole = length(step.pass);
+    const double drop = from_z - heights_.floor_mm;
+    const double needed = drop / std::tan(heights_.ramp_angle_rad);
+    if (step.closed) {
+        const int turns = timesAlong(whole, heights_);
+        for (int i = 1; i <= turns; ++i)
+            along(step.pass, MoveKind::Plunge, from_z - drop * i / turns);
+    } else {
+        const Path leg = needed / 2 < whole ? firstPart(step.pass, needed / 2) : step.pass;
+        const int pairs = timesAlong(2 * length(leg), heights_);
+        for (int i = 1; i <= pairs; ++i) {
+            along(leg, MoveKind::Plunge, from_z - drop * (i - 0.5) / pairs);
+            along(reversed(leg), MoveKind::Plunge, from_z - drop * i / pairs);
+        }
+    }
+    along(step.pass, MoveKind::Feed, heights_.floor_mm);
+}
+
+void MoveWriter::write(const Link& step) {
+    add(MoveKind::Feed, at3(step.to, heights_.floor_mm), std::nullopt, step.in_air);
+}
+
+void MoveWriter::write(const Cut& step) {
+    along(step.path, MoveKind::Feed, heights_.floor_mm);
+}
+
+void MoveWriter::approach(const Vec2& at, double clear_z_mm) {
+    if (path_.moves.empty()) {
+        path_.start = at3(at, heights_.retract_mm);
+        at_ = path_.start;
+    }
+    retract();
+    add(MoveKind::Rapid, at3(at, heights_.retract_mm));
+    add(MoveKind::Rapid, at3(at, std::min(clear_z_mm, heights_.retract_mm)));
+}
+
+/// To the place where a descent through this layer's material begins.
+void MoveWriter::descendTo(const Vec2& at) {
+    approach(at, heights_.above_mm + kApproachMm);
+    const double from_z = std::min(heights_.above_mm + kDescentStartMm, at_.z());
+    add(MoveKind::Plunge, at3(at, from_z), std::nullopt, true);
+}
+
+void MoveWriter::retract() {
+    if (at_.z() < heights_.retract_mm) add(MoveKind::Rapid, Vec3(at_.x(), at_.y(), heights_.retract_mm));
+}
+
+void MoveWriter::along(const Path& path, MoveKind kind, double to_z_mm) {
+    const double whole = length(path);
+    const double from_z = at_.z();
+    double gone = 0;
+    for (const Edge& edge : edgesOf(path)) {
+        const double part = length(edge.from, edge.segment);
+        const auto z = [&](double share) {
+            return to_z_mm == from_z ? to_z_mm : from_z + (to_z_mm - from_z) * (gone + share * part) / whole;
+        };
+        const Vec2& to = edge.segment.to;
+        // End where it starts means nothing to a controller: a full circle goes out as two halves.
+        if (edge.segment.arc && edge.from == to)
+            add(kind, at3(snapToGrid(pointAt(edge.from, edge.segment, 0.5)), z(0.5)), edge.segment.arc);
+        add(kind, at3(to, z(1)), edge.segment.arc);
+        gone += part;
+    }
+    // The last share is 1 but for rounding; the next layer counts on the exact level.
+    if (path_.moves.back().kind == kind) path_.moves.back().to.z() = to_z_mm;
+    at_.z() = to_z_mm;
+}
+
+void MoveWriter::turn(const HelixDown& helix, MoveKind kind, double to_z_mm) {
+    const Arc arc{helix.centre, helix.radius_mm, true};
+    const Vec2 opposite = snapToGrid(Vec2(2 * helix.centre - helix.start));
+    along(Path{helix.start, {{opposite, arc}, {helix.start, arc}}}, kind, to_z_mm);
+}
+
+void MoveWriter::add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc, bool in_air) {
+    if (to == at_ && !arc) return;
+    const Vec3 step = to - at_;
+    if (!arc && kind == MoveKind::Feed && !path_.moves.empty()) {
+        Move& last = path_.moves.back();
+        const Vec3 start = path_.moves.size() > 1 ? path_.moves[path_.moves.size() - 2].to : path_.start;
+        const Vec3 before = last.to - start;
+        const bool goes_on = last.kind == kind && !last.arc && last.in_air == in_air &&
+                             before.dot(step) > 0 &&
+                             before.cross(step).norm() <= kStraightRad * before.norm() * step.norm();
+        if (goes_on) {
+            last.to = to;
+            at_ = to;
+            return;
+        }
+    }
+    path_.moves.push_back({kind, to, arc, in_air});
+    at_ = to;
+}
+
+}  // namespace stepmill::toolpath

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/toolpath/toolpath.h"
+#include "toolpath/layer_script.h"
+
+namespace stepmill::toolpath {
+
+/// Rapids come down to this far over material or over the depth they may reach, then feed [mm].
+inline constexpr double kApproachMm = 1.0;
+
+/// Heights of one depth of cut, and how to descend through material.
+struct LayerHeights {
+    double above_mm;  ///< the level the layer starts from: the floor of the one before, or the top
+    double floor_mm;  ///< the level it is cut to
+    double retract_mm;
+    double ramp_angle_rad;
+};
+
+/// Turns scripts into moves.
+class MoveWriter {
+  public:
+    explicit MoveWriter(Toolpath& path) : path_(path) {}
+
+    /// Ends at the retract height.
+    void writeLayer(const std::vector<ScriptStep>& script, const LayerHeights& heights);
+
+  private:
+    void write(const ComeDown& step);
+    void write(const HelixDown& step);
+    void write(const RampDown& step);
+    void write(const PlungeDown& step);
+    void write(const RampAlong& step);
+    void write(const Link& step);
+    void write(const Cut& step);
+
+    /// Up, over, and down to a height that is known to be clear.
+    void approach(const Vec2& at, double clear_z_mm);
+    void descendTo(const Vec2& at);
+    void retract();
+    void along(const Path& path, MoveKind kind, double to_z_mm);
+    void turn(const HelixDown& helix, MoveKind kind, double to_z_mm);
+    void add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc = std::nullopt,
+             bool in_air = false);
+
+    Toolpath& path_;
+    LayerHeights heights_{};
+    Vec3 at_ = Vec3::Zero();
+};
+
+}  // namespace stepmill::toolpath

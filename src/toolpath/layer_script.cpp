@@ -1,0 +1,313 @@
+// Order of the passes of a layer and the ways between them.
+
+#include "toolpath/layer_script.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "stepmill/core/error.h"
+#include "stepmill/core/units.h"
+#include "toolpath/curve.h"
+
+namespace stepmill::toolpath {
+
+namespace {
+
+/// Links are tried to this many of the nearest passes before the cutter is lifted.
+constexpr std::size_t kLinkTrials = 8;
+/// A straight link to a neighbouring pass may be this many step-overs long.
+constexpr double kNeighbourLink = 2.0;
+/// Rays on which the rim of the disc is looked at to tell whether ground is cleared.
+constexpr int kRimRays = 16;
+/// The rim is looked at this share of the radius inside the disc: cusps thinner than that are no material.
+constexpr double kRimShare = 0.99;
+/// Distance between the places of a link that are looked at, in radii.
+constexpr double kLookEvery = 0.25;
+/// A helix or ramp smaller than this is not worth the name [mm].
+constexpr double kLeastEntryMm = 0.05;
+
+/// Where a pass would be joined.
+struct Joint {
+    int pass = 0;
+    double distance_mm = 0;
+    NearestPoint at;
+};
+
+class LayerPlanner {
+  public:
+    LayerPlanner(const ClearingTask& task, const PassSet& set, double radius_mm, double step_over_mm,
+                 const LinkRates& rates, const Tolerances& tol)
+        : task_(task),
+          set_(set),
+          radius_mm_(radius_mm),
+          step_over_mm_(step_over_mm),
+          rates_(rates),
+          tol_(tol),
+          done_(set.passes.size(), false),
+          entered_(set.components.size(), false) {
+        for (const Region& component : set.components)
+            walls_.push_back(edgesOf(component));
+    }
+
+    std::vector<ScriptStep> plan() {
+        for (std::size_t left = set_.passes.size(); left > 0; --left)
+            if (!linkOn()) goTo();
+        return std::move(script_);
+    }
+
+  private:
+    const Pass& pass(int i) const { return set_.passes[static_cast<std::size_t>(i)]; }
+    bool isDone(int i) const { return done_[static_cast<std::size_t>(i)]; }
+    bool isReady(int i) const {
+        return std::all_of(pass(i).after.begin(), pass(i).after.end(), [&](int j) { return isDone(j); });
+    }
+    Entry entryOf(int component) const { return task_.entries[static_cast<std::size_t>(component)]; }
+
+    Joint jointWith(int i, const Vec2& from) const {
+        const Path& path = pass(i).path;
+        const NearestPoint at = pass(i).closed ? nearestOn(path, from)
+                                               : NearestPoint{(from - path.start).norm(), 0, 0, path.start};
+        return {i, at.distance_mm, at};
+    }
+
+    /// Passes not yet cut, nearest to `from` first.
+    std::vector<Joint> waiting(const Vec2& from, bool ready) const {
+        std::vector<Joint> joints;
+        for (int i = 0; i < static_cast<int>(set_.passes.size()); ++i)
+            if (!isDone(i) && isReady(i) == ready) joints.push_back(jointWith(i, from));
+        std::stable_sort(joints.begin(), joints.end(),
+                         [](const Joint& a, const Joint& b) { return a.distance_mm < b.distance_mm; });
+        return joints;
+    }
+
+    /// May the axis go straight from a to b, both known to be free centres?
+    bool isFree(const Vec2& a, const Vec2& b, int component) const {
+        if ((a - b).norm() < kGridMm) return true;
+        return !anyNearer(walls_[static_cast<std::size_t>(component)], makeEdge(a, {b, {}}),
+                          tol_.guard_mm - 2 * kGridMm);
+    }
+
+    // At depth -------------------------------------------------------------------------------------------
+
+    bool linkOn() {
+        if (last_ < 0) return false;
+        const std::vector<Joint> joints = waiting(at_, true);
+        for (std::size_t i = 0; i < std::min(joints.size(), kLinkTrials); ++i)
+            if (tryLink(joints[i])) return true;
+        return false;
+    }
+
+    bool tryLink(const Joint& joint) {
+        const Pass& next = pass(joint.pass);
+        if (next.component != pass(last_).component) return false;
+        const bool neighbour = std::count(next.neighbours.begin(), next.neighbours.end(), last_) > 0 &&
+                               joint.distance_mm <= kNeighbourLink * step_over_mm_;
+        if (!neighbour && !isShorter(joint.distance_mm)) return false;
+        if (!isFree(at_, joint.at.point, next.component)) return false;
+        const bool cleared = isCleared(at_, joint.at.point);
+        if (!neighbour && !cleared) return false;
+        link(joint.at.point, cleared);
+        cut(joint);
+        return true;
+    }
+
+    /// Is the way at depth quicker than up, across and down again?
+    bool isShorter(double link_mm) const {
+        const double over =
+            (2 * rates_.lift_mm + link_mm) / rates_.rapid_mm_per_min + 1 / rates_.plunge_feed_mm_per_min;
+        return link_mm / rates_.feed_mm_per_min <= over;
+    }
+
+    bool isCleared(const Vec2& from, const Vec2& to) const {
+        const double length_mm = (to - from).norm();
+        const int looks = std::max(1, static_cast<int>(std::ceil(length_mm / (kLookEvery * radius_mm_))));
+        for (int i = 0; i <= looks; ++i)
+            if (!isCleared(Vec2(from + static_cast<double>(i) / looks * (to - from)))) return false;
+        return true;
+    }
+
+    /// Does a disc here meet no material? Looks at rays of its rim and at half its radius.
+    bool isCleared(const Vec2& centre) const {
+        for (int i = 0; i < kRimRays; ++i) {
+            const double angle = 2 * kPi * i / kRimRays;
+            const Vec2 ray(std::cos(angle), std::sin(angle));
+            for (const double share : {kRimShare, kRimShare / 2})
+                if (isMaterial(centre + share * radius_mm_ * ray)) return false;
+        }
+        return true;
+    }
+
+    bool isMaterial(const Vec2& p) const {
+        for (const Edge& edge : cut_)
+            if (edge.box.grown(radius_mm_).overlaps({p, p}) &&
+                distanceTo(p, edge.from, edge.segment) <= radius_mm_)
+                return false;
+        if (!task_.cleared_centres.empty() && distanceToRegion(task_.cleared_centres, p) <= radius_mm_)
+            return false;
+        return contains(task_.target, p);
+    }
+
+    // From above -----------------------------------------------------------------------------------------
+
+    /// Lifts the cutter and comes down for another pass: where it can in air, else as the entry of the
+    /// component says, at worst along the pass itself.
+    void goTo() {
+        for (const bool ready : {true, false}) {
+            for (const Joint& joint : waiting(at_, ready))
+                if (comeDownInAir(joint)) return;
+            for (const Joint& joint : waiting(at_, ready))
+                if (enter(joint, ready)) return;
+        }
+        const std::vector<Joint> joints = waiting(at_, true);
+        STEPMILL_CHECK(!joints.empty(), "the order of passes has a cycle");
+        const Joint& joint = joints.front();
+        const Pass& next = pass(joint.pass);
+        script_.push_back(RampAlong{rotated(joint), next.closed});
+        // The script's emission cuts the pass as part of coming down.
+        finish(joint.pass, rotated(joint));
+    }
+
+    bool comeDownInAir(const Joint& joint) {
+        const Pass& next = pass(joint.pass);
+        if (next.starts_in_air) {
+            script_.push_back(ComeDown{next.path.start});
+            cut(joint);
+            return true;
+        }
+        for (const int neighbour : next.neighbours) {
+            if (!isDone(neighbour)) continue;
+            // The pair of points that is nearest from the pass' start or, when closed, from the last place.
+            const NearestPoint landing = nearestOn(pass(neighbour).path, joint.at.point);
+            const Joint from_there = jointWith(joint.pass, landing.point);
+            if (from_there.distance_mm > kNeighbourLink * step_over_mm_) continue;
+            if (!isFree(landing.point, from_there.at.point, next.component)) continue;
+            script_.push_back(ComeDown{landing.point});
+            at_ = landing.point;
+            link(from_there.at.point, false);
+            cut(from_there);
+            return true;
+        }
+        return false;
+    }
+
+    bool enter(const Joint& joint, bool ready) {
+        const Pass& next = pass(joint.pass);
+        const Entry entry = entryOf(next.component);
+        const bool open = entry.kind == EntryKind::OpenEdge;
+        // Through material a component is entered once a layer, and only for a pass whose turn it is.
+        if (!open && (!ready || entered_[static_cast<std::size_t>(next.component)])) return false;
+        const Joint from_entry = jointWith(joint.pass, entry.at);
+        if (!isFree(entry.at, from_entry.at.point, next.component)) return false;
+        if (!goDown(entry, from_entry.at.point, next.component)) return false;
+        entered_[static_cast<std::size_t>(next.component)] = true;
+        const Joint from_here = jointWith(joint.pass, at_);
+        const bool near = isFree(at_, from_here.at.point, next.component);
+        const Joint& best = near ? from_here : from_entry;
+        if (!near) link(entry.at, true);
+        if (open) linkThroughAir(best.at.point);
+        link(best.at.point, false);
+        cut(best);
+        return true;
+    }
+
+    /// Adds the way down; false when the entry does not keep the guard from the walls.
+    bool goDown(const Entry& entry, const Vec2& towards, int component) {
+        const Vec2 away = towards - entry.at;
+        const std::vector<Edge>& walls = walls_[static_cast<std::size_t>(component)];
+        if (entry.kind == EntryKind::Helix) {
+            const double room =
+                distanceToBoundary(set_.components[static_cast<std::size_t>(component)], entry.at);
+            const double radius = snapToGrid(std::min(entry.helix_radius_mm, room - tol_.guard_mm - kGridMm));
+            if (radius < kLeastEntryMm) return false;
+            const Vec2 direction = away.norm() > kGridMm ? Vec2(away.normalized()) : Vec2(1, 0);
+            at_ = snapToGrid(Vec2(entry.at + radius * direction));
+            script_.push_back(HelixDown{entry.at, radius, at_});
+            const Vec2 opposite = 2 * entry.at - at_;
+            const Arc arc{entry.at, radius, true};
+            cut_.push_back(makeEdge(at_, {opposite, arc}));
+            cut_.push_back(makeEdge(opposite, {at_, arc}));
+        } else if (entry.kind == EntryKind::Ramp) {
+            const Edge ramp = makeEdge(entry.at, {entry.ramp_to, {}});
+            if ((entry.ramp_to - entry.at).norm() < kLeastEntryMm) return false;
+            if (anyNearer(walls, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
+            script_.push_back(RampDown{entry.at, entry.ramp_to});
+            cut_.push_back(ramp);
+            at_ = entry.at;
+        } else if (entry.kind == EntryKind::Plunge) {
+            script_.push_back(PlungeDown{entry.at});
+            at_ = entry.at;
+        } else {
+            script_.push_back(ComeDown{entry.at});
+            at_ = entry.at;
+        }
+        return true;
+    }
+
+    /// The first part of a way in over an open edge, up to where the disc meets the target.
+    void linkThroughAir(const Vec2& to) {
+        const Vec2 from = at_;
+        double air = 0;
+        double cutting = 1;
+        for (int i = 0; i < 20; ++i) {
+            const double middle = (air + cutting) / 2;
+            const bool in_air =
+                distanceToRegion(task_.target, Vec2(from + middle * (to - from))) >= radius_mm_;
+            (in_air ? air : cutting) = middle;
+        }
+        if (air > 0) link(snapToGrid(Vec2(from + air * (to - from))), true);
+    }
+
+    // Script ---------------------------------------------------------------------------------------------
+
+    void link(const Vec2& to, bool in_air) {
+        if ((to - at_).norm() < kGridMm / 2) return;
+        script_.push_back(Link{to, in_air});
+        cut_.push_back(makeEdge(at_, {to, {}}));
+        at_ = to;
+    }
+
+    Path rotated(const Joint& joint) const {
+        const Pass& next = pass(joint.pass);
+        return next.closed ? startingAt(next.path, joint.at.edge, joint.at.share) : next.path;
+    }
+
+    void cut(const Joint& joint) {
+        const Path path = rotated(joint);
+        script_.push_back(Cut{path});
+        finish(joint.pass, path);
+    }
+
+    void finish(int i, const Path& path) {
+        const std::vector<Edge> edges = edgesOf(path);
+        cut_.insert(cut_.end(), edges.begin(), edges.end());
+        done_[static_cast<std::size_t>(i)] = true;
+        last_ = i;
+        at_ = path.end();
+    }
+
+    const ClearingTask& task_;
+    const PassSet& set_;
+    double radius_mm_;
+    double step_over_mm_;
+    const LinkRates& rates_;
+    const Tolerances& tol_;
+    std::vector<std::vector<Edge>> walls_;  ///< boundaries of the components of free centres
+    std::vector<Edge> cut_;                 ///< where the axis has been in this layer
+    std::vector<bool> done_;
+    std::vector<bool> entered_;
+    std::vector<ScriptStep> script_;
+    Vec2 at_ = Vec2::Zero();
+    int last_ = -1;
+};
+
+}  // namespace
+
+std::vector<ScriptStep> scriptLayer(const ClearingTask& task, const PassSet& set, double radius_mm,
+                                    double step_over_mm, const LinkRates& rates, const Tolerances& tol) {
+    STEPMILL_CHECK(task.entries.size() == set.components.size(),
+                   "a clearing task has one entry per component of its free centres");
+    return LayerPlanner(task, set, radius_mm, step_over_mm, rates, tol).plan();
+}
+
+}  // namespace stepmill::toolpath

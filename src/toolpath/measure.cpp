@@ -1,0 +1,65 @@
+// What a path adds up to, and how it looks from above.
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/core/units.h"
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill {
+
+namespace {
+
+double lengthOf(const Vec3& from, const Move& move) {
+    const double flat = length(Vec2(from.head<2>()), Segment{move.to.head<2>(), move.arc});
+    return std::hypot(flat, move.to.z() - from.z());
+}
+
+}  // namespace
+
+PathTotals& PathTotals::operator+=(const PathTotals& other) {
+    cut_length_mm += other.cut_length_mm;
+    feed_air_length_mm += other.feed_air_length_mm;
+    air_length_mm += other.air_length_mm;
+    feed_time_s += other.feed_time_s;
+    rapid_time_s += other.rapid_time_s;
+    return *this;
+}
+
+PathTotals measure(const Toolpath& path, const Machine& machine) {
+    PathTotals totals;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const double length_mm = lengthOf(from, move);
+        from = move.to;
+        if (move.kind == MoveKind::Rapid) {
+            totals.air_length_mm += length_mm;
+            totals.rapid_time_s += length_mm / machine.rapid_mm_per_min * kSecondsPerMinute;
+            continue;
+        }
+        const double feed = move.kind == MoveKind::Feed ? path.feed_mm_per_min : path.plunge_feed_mm_per_min;
+        totals.cut_length_mm += length_mm;
+        totals.feed_time_s += length_mm / feed * kSecondsPerMinute;
+        if (move.in_air) totals.feed_air_length_mm += length_mm;
+    }
+    return totals;
+}
+
+std::vector<Path> topView(const Toolpath& path) {
+    double deepest = path.start.z();
+    for (const Move& move : path.moves)
+        deepest = std::min(deepest, move.to.z());
+    std::vector<Path> chains;
+    Vec3 from = path.start;
+    bool goes_on = false;
+    for (const Move& move : path.moves) {
+        const bool shown = move.kind == MoveKind::Feed && from.z() == deepest && move.to.z() == deepest;
+        if (shown && !goes_on) chains.push_back({from.head<2>(), {}});
+        if (shown) chains.back().segments.push_back({move.to.head<2>(), move.arc});
+        goes_on = shown;
+        from = move.to;
+    }
+    return chains;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,186 @@
+// The moves against what must stay, whatever they were made by.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "stepmill/toolpath/toolpath.h"
+#include "toolpath/curve.h"
+#include "toolpath/emit.h"
+
+namespace stepmill {
+
+namespace {
+
+using toolpath::Edge;
+
+/// A disc that cuts into material by less than this many guards only touches it.
+constexpr double kSlackGuards = 8;
+
+/// Edges by the cells of a grid their boxes meet.
+class EdgeGrid {
+  public:
+    EdgeGrid(std::vector<Edge> edges, double cell_mm) : edges_(std::move(edges)) {
+        for (const Edge& edge : edges_) {
+            box_.add(edge.box.min);
+            box_.add(edge.box.max);
+        }
+        if (edges_.empty()) return;
+        const double widest = box_.size().maxCoeff();
+        cell_mm_ = std::max(cell_mm, widest / kMostCells);
+        columns_ = static_cast<int>(box_.size().x() / cell_mm_) + 1;
+        rows_ = static_cast<int>(box_.size().y() / cell_mm_) + 1;
+        cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+        for (std::size_t i = 0; i < edges_.size(); ++i)
+            forEachCell(edges_[i].box, [&](std::vector<std::size_t>& cell) { cell.push_back(i); });
+        seen_.assign(edges_.size(), 0);
+    }
+
+    /// Distance from `edge` to the nearest edge, or `limit_mm` when all are farther away.
+    double nearest(const Edge& edge, double limit_mm) {
+        double least = limit_mm;
+        ++round_;
+        const Box2 around = edge.box.grown(limit_mm);
+        if (edges_.empty() || !around.overlaps(box_)) return least;
+        forEachCell(around, [&](const std::vector<std::size_t>& cell) {
+            for (const std::size_t i : cell) {
+                if (seen_[i] == round_ || !around.overlaps(edges_[i].box)) continue;
+                seen_[i] = round_;
+                least = std::min(least, toolpath::separation(edge, edges_[i]));
+            }
+        });
+        return least;
+    }
+
+  private:
+    static constexpr double kMostCells = 256;
+
+    int index(double value, double origin, int count) const {
+        return std::clamp(static_cast<int>(std::floor((value - origin) / cell_mm_)), 0, count - 1);
+    }
+
+    template <typename Visit>
+    void forEachCell(const Box2& box, Visit visit) {
+        const int left = index(box.min.x(), box_.min.x(), columns_);
+        const int right = index(box.max.x(), box_.min.x(), columns_);
+        const int low = index(box.min.y(), box_.min.y(), rows_);
+        const int high = index(box.max.y(), box_.min.y(), rows_);
+        for (int row = low; row <= high; ++row)
+            for (int column = left; column <= right; ++column)
+                visit(cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                             static_cast<std::size_t>(column)]);
+    }
+
+    std::vector<Edge> edges_;
+    Box2 box_;
+    double cell_mm_ = 1;
+    int columns_ = 0;
+    int rows_ = 0;
+    std::vector<std::vector<std::size_t>> cells_;
+    std::vector<int> seen_;
+    int round_ = 0;
+};
+
+class Prover {
+  public:
+    Prover(const ClearingTask& task, double radius_mm, const Tolerances& tol)
+        : task_(task),
+          radius_mm_(radius_mm),
+          tol_(tol),
+          walls_(toolpath::edgesOf(task.obstruction), 2 * radius_mm) {}
+
+    PathProof run(const Toolpath& path) {
+        PathProof proof;
+        proof.least_clearance_mm = std::numeric_limits<double>::infinity();
+        Vec3 from = path.start;
+        for (const Move& move : path.moves) {
+            if (move.kind == MoveKind::Rapid) {
+                proof.rapids_clear = proof.rapids_clear && rapidIsClear(from, move);
+                outside_ = outside_ && from.head<2>() == move.to.head<2>();
+            } else {
+                cut_.push_back({toolpath::makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}),
+                                std::max(from.z(), move.to.z())});
+            }
+            if (std::min(from.z(), move.to.z()) < task_.top_z_mm)
+                proof.least_clearance_mm = std::min(proof.least_clearance_mm, clearance(from, move));
+            from = move.to;
+        }
+        return proof;
+    }
+
+  private:
+    struct Level {
+        Edge edge;
+        double top_z_mm;  ///< the higher of its ends
+    };
+
+    /// Beyond this distance clearances are all alike; keeps the search local.
+    double farMm() const { return 4 * radius_mm_; }
+
+    double clearance(const Vec3& from, const Move& move) {
+        const Edge edge = toolpath::makeEdge(from.head<2>(), {move.to.head<2>(), move.arc});
+        const bool first_time =
+            known_
+                .insert({edge.from.x(), edge.from.y(), edge.segment.to.x(), edge.segment.to.y(),
+                         move.arc ? move.arc->centre.x() : 0, move.arc ? move.arc->centre.y() : 0,
+                         move.arc ? (move.arc->ccw ? 1 : -1) * move.arc->radius_mm : 0})
+                .second;
+        if (!first_time) return std::numeric_limits<double>::infinity();
+        // The circle the controller follows runs through the end points; rounding of centre and radius
+        // may differ from it by as much.
+        double off_circle = 0;
+        if (move.arc)
+            for (const Vec2& end : {edge.from, edge.segment.to})
+                off_circle =
+                    std::max(off_circle, std::abs((end - move.arc->centre).norm() - move.arc->radius_mm));
+        const double distance = walls_.nearest(edge, farMm());
+        // A move that starts outside and meets no wall stays outside.
+        if (!outside_ || distance == 0) {
+            const double inside = insideDepth(edge.segment.to);
+            outside_ = inside == 0;
+            if (!outside_) return -inside - radius_mm_;
+        }
+        return distance - off_circle - radius_mm_;
+    }
+
+    /// How deep a point lies in the obstruction; 0 outside.
+    double insideDepth(const Vec2& p) const {
+        return contains(task_.obstruction, p) ? distanceToBoundary(task_.obstruction, p) : 0;
+    }
+
+    bool rapidIsClear(const Vec3& from, const Move& move) const {
+        const double low = std::min(from.z(), move.to.z());
+        if (low >= task_.retract_z_mm) return true;
+        const Vec2 at = from.head<2>();
+        if (move.arc || at != move.to.head<2>()) return false;
+        if (move.to.z() > from.z()) return true;  // up the way it came
+        if (low >= task_.top_z_mm) return true;
+        const double slack = kSlackGuards * tol_.guard_mm;
+        if (toolpath::distanceToRegion(task_.target, at) >= radius_mm_ - slack) return true;
+        if (!task_.cleared_centres.empty() && toolpath::distanceToRegion(task_.cleared_centres, at) <= slack)
+            return true;
+        return std::any_of(cut_.begin(), cut_.end(), [&](const Level& level) {
+            return level.top_z_mm <= low &&
+                   distanceTo(at, level.edge.from, level.edge.segment) <= 2 * kGridMm;
+        });
+    }
+
+    const ClearingTask& task_;
+    double radius_mm_;
+    const Tolerances& tol_;
+    EdgeGrid walls_;
+    bool outside_ = false;  ///< where the cutter is, is known to be outside the obstruction
+    std::vector<Level> cut_;
+    std::set<std::array<double, 7>> known_;
+};
+
+}  // namespace
+
+PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
+                const Tolerances& tol) {
+    return Prover(task, tool_radius_mm, tol).run(path);
+}
+
+}  // namespace stepmill

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill::test {
+
+/// A flat end mill of that diameter.
+inline ToolAssembly flatEndMill(double diameter_mm) {
+    ToolAssembly tool;
+    tool.id = "flat";
+    tool.diameter_mm = diameter_mm;
+    tool.flute_length_mm = 50;
+    tool.centre_cutting = true;
+    return tool;
+}
+
+inline CuttingData cuttingData(double step_over_mm, double step_down_mm) {
+    CuttingData cutting;
+    cutting.material = "aluminium";
+    cutting.step_over_mm = step_over_mm;
+    cutting.step_down_mm = step_down_mm;
+    cutting.feed_mm_per_min = 1000;
+    cutting.plunge_feed_mm_per_min = 300;
+    cutting.ramp_angle_deg = 3;
+    return cutting;
+}
+
+inline Machine machineWithRapid(double rapid_mm_per_min) {
+    Machine machine;
+    machine.rapid_mm_per_min = rapid_mm_per_min;
+    return machine;
+}
+
+/// A block around `target` that has it as a pocket; `open` regions are cut out of the block as well.
+inline Region blockAround(const Region& target, const Region& open, const Tolerances& tol) {
+    const Box2 box = boundingBox(target).grown(15);
+    const Region block = subtract(makeRectangle(box.min, box.max), target, tol);
+    return open.empty() ? block : subtract(block, open, tol);
+}
+
+/// A way into a component of free centres: over an open edge where its boundary leaves the target by the
+/// radius, else a helix in its widest place.
+inline Entry entryInto(const Region& component, const Region& target, double radius_mm,
+                       const Tolerances& tol) {
+    for (const Loop& loop : component.loops) {
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            const Vec2 middle = pointAt(from, segment, 0.5);
+            if (!contains(target, middle) && distanceToBoundary(target, middle) >= radius_mm - 1e-4)
+                return {EntryKind::OpenEdge, middle, 0, Vec2::Zero()};
+            from = segment.to;
+        }
+    }
+    const auto widest = ClearanceDiagram(component, tol).largestInscribedDisc();
+    if (!widest) return {};
+    return {EntryKind::Helix, widest->centre, std::min(0.6 * radius_mm, widest->radius_mm), Vec2::Zero()};
+}
+
+/// The whole of a target with a tool of that radius, free centres by offsets alone.
+inline ClearingTask fullTask(const Region& target, const Region& obstruction, double radius_mm,
+                             const Tolerances& tol) {
+    ClearingTask task;
+    task.target = target;
+    task.obstruction = obstruction;
+    task.free_centres = subtract(offset(target, radius_mm, tol), offset(obstruction, radius_mm, tol), tol);
+    task.centres = task.free_centres;
+    for (const Region& component : components(task.free_centres))
+        task.entries.push_back(entryInto(component, target, radius_mm, tol));
+    task.top_z_mm = 0;
+    task.floor_z_mm = -6;
+    task.retract_z_mm = 5;
+    return task;
+}
+
+/// What a smaller tool has left to do after a larger one [algorithms.md, section 4].
+inline ClearingTask restTask(const Region& target, const Region& obstruction, double larger_mm,
+                             double radius_mm, const Tolerances& tol) {
+    ClearingTask task = fullTask(target, obstruction, radius_mm, tol);
+    const Region larger = fullTask(target, obstruction, larger_mm, tol).free_centres;
+    task.cleared_centres = larger.empty() ? Region{} : offset(larger, larger_mm - radius_mm, tol);
+    task.centres = withoutSlivers(subtract(task.free_centres, task.cleared_centres, tol), tol.sliver_mm, tol);
+    return task;
+}
+
+}  // namespace stepmill::test

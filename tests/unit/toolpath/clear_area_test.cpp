@@ -1,0 +1,280 @@
+// Clearing whole targets: coverage, walls, lengths, layers, entries.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "stepmill/core/units.h"
+#include "support/clearing_tasks.h"
+#include "support/raster_simulator.h"
+
+namespace stepmill {
+namespace {
+
+using namespace test;
+
+constexpr double kCellMm = 0.1;
+constexpr double kMarginMm = 0.15;
+
+const Tolerances kTol;
+const Machine kMachine = machineWithRapid(5000);
+
+/// 70 x 50, corner radius 6, island of diameter 16 in the middle.
+Region pocketWithIsland() {
+    Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 6);
+    pocket.loops.push_back(reversed(makeCircle({35, 25}, 8).loops.front()));
+    return pocket;
+}
+
+/// Nothing gouged, nothing left, rapids in air: by raster and by the path's own proof.
+void expectSound(const Toolpath& path, const ClearingTask& task, double radius_mm) {
+    const SimulatedCut cut = simulate(path, task, radius_mm, kCellMm, kMarginMm);
+    EXPECT_EQ(cut.gouged_mm2, 0);
+    EXPECT_EQ(cut.left_mm2, 0);
+    EXPECT_EQ(cut.bad_rapids, 0);
+    EXPECT_GT(cut.reachable_mm2, 0);
+    const PathProof proof = prove(path, task, radius_mm, kTol);
+    EXPECT_GE(proof.least_clearance_mm, 0);
+    EXPECT_TRUE(proof.rapids_clear);
+}
+
+class PocketWithIsland : public testing::TestWithParam<double> {};
+
+TEST_P(PocketWithIsland, IsClearedToTheWallsByAnyTool) {
+    const double r = GetParam() / 2;
+    const Region target = pocketWithIsland();
+    const ClearingTask task = fullTask(target, blockAround(target, {}, kTol), r, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(2 * r), cuttingData(r, 4), kMachine, kTol);
+    EXPECT_EQ(path.layers, 2);
+    expectSound(path, task, r);
+    // The passes along the walls keep no more than the guard.
+    EXPECT_LT(prove(path, task, r, kTol).least_clearance_mm, 2 * kTol.guard_mm);
+}
+
+INSTANTIATE_TEST_SUITE_P(Diameters, PocketWithIsland, testing::Values(3.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0));
+
+TEST(ClearArea, GivesNoMovesWhenTheToolFitsNowhere) {
+    const Region slot = makeRectangle({0, 0}, {50, 8});
+    // A slot exactly as wide as the cutter is not passable by the planar kernel's rule for ties.
+    const ClearingTask task = fullTask(slot, blockAround(slot, {}, kTol), 4, kTol);
+    EXPECT_TRUE(clearArea(task, flatEndMill(8), cuttingData(4, 4), kMachine, kTol).moves.empty());
+}
+
+TEST(ClearArea, RunsThroughASlotALittleWiderThanTheCutter) {
+    const Region slot = makeRoundedRectangle({0, 0}, {50, 8.1}, 4.05);
+    const ClearingTask task = fullTask(slot, blockAround(slot, {}, kTol), 4, kTol);
+    expectSound(clearArea(task, flatEndMill(8), cuttingData(3, 4), kMachine, kTol), task, 4);
+}
+
+TEST(ClearArea, ComesInOverTheOpenEndOfASlot) {
+    const Region slot = makeRectangle({0, 0}, {60, 20});
+    const Region open = makeRectangle({-40, -1}, {0, 21});
+    const ClearingTask task = fullTask(slot, blockAround(slot, open, kTol), 5, kTol);
+    ASSERT_EQ(task.entries.size(), 1U);
+    EXPECT_EQ(task.entries.front().kind, EntryKind::OpenEdge);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
+    expectSound(path, task, 5);
+    // Every descent is in air: nothing has to be plunged into.
+    for (const Move& move : path.moves)
+        EXPECT_TRUE(move.kind != MoveKind::Plunge || move.in_air);
+}
+
+TEST(ClearArea, MachinesAStepNarrowerThanTheCutterFromOutside) {
+    const Region step = makeRectangle({0, 0}, {60, 4});
+    const Region open = makeRectangle({-40, 0}, {100, 40});
+    const Region sides = makeRectangle({-40, 0}, {100, 4});
+    const ClearingTask task = fullTask(step, blockAround(step, unite(open, sides, kTol), kTol), 6, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(12), cuttingData(3, 4), kMachine, kTol);
+    expectSound(path, task, 6);
+}
+
+TEST(ClearArea, CutsAStepFromTheOpenSideTowardsTheWallOneStepOverAtATime) {
+    const Region step = makeRectangle({0, 0}, {60, 10});
+    const Region open = makeRectangle({-40, 0}, {100, 50});
+    const ClearingTask task = fullTask(step, blockAround(step, open, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 10), kMachine, kTol);
+    expectSound(path, task, 5);
+    double last_y = 100;
+    int passes = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const bool pass = move.kind == MoveKind::Feed && std::abs(move.to.x() - from.x()) > 50;
+        if (pass) {
+            // Climb milling with a right-handed spindle: the wall, at y = 0, is on the right.
+            EXPECT_GT(move.to.x(), from.x());
+            EXPECT_LT(move.to.y(), last_y - 3.9);
+            last_y = move.to.y();
+            ++passes;
+        }
+        from = move.to;
+    }
+    EXPECT_EQ(passes, 3);  // 13, 9 and 5 mm from the wall
+    EXPECT_NEAR(last_y, 5, 1e-3);
+}
+
+TEST(ClearArea, ClearsAFaceFromOutsideIn) {
+    const Region face = makeRectangle({0, 0}, {80, 50});
+    ClearingTask task = fullTask(face, {}, 10, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(20), cuttingData(8, 10), kMachine, kTol);
+    const SimulatedCut cut = simulate(path, task, 10, kCellMm, kMarginMm);
+    EXPECT_EQ(cut.left_mm2, 0);
+    EXPECT_EQ(cut.bad_rapids, 0);
+    // The first ring is the longest.
+    double first = 0;
+    double longest = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const double run = (move.to - from).norm();
+        if (move.kind == MoveKind::Feed && !move.arc && !move.in_air && run > 20) {
+            if (first == 0) first = run;
+            longest = std::max(longest, run);
+        }
+        from = move.to;
+    }
+    EXPECT_GE(first, 40);
+    EXPECT_LE(first, longest);
+}
+
+TEST(ClearArea, HasTheLengthOfItsRingsInASquarePocket) {
+    // Centres: 40 x 40; rings of side 40, 32, ..., 8 with the step-over 4; links of 4 between them.
+    const Region pocket = makeRectangle({0, 0}, {50, 50});
+    ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    task.entries.front() = {EntryKind::Plunge, Vec2(25, 25), 0, Vec2::Zero()};
+    task.floor_z_mm = -2;
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
+    double rings = 0;
+    for (const double side : {40.0, 32.0, 24.0, 16.0, 8.0})
+        rings += 4 * side;
+    const double links = 4 + 4 * 4;       // from the middle to the first ring, then from ring to ring
+    const double plunge = 2 + 0.2 + 0.8;  // the depth and the approach above it
+    EXPECT_NEAR(path.totals.cut_length_mm, rings + links + plunge, 0.02);
+    EXPECT_NEAR(path.totals.feed_air_length_mm, 0.8, 1e-9);
+    EXPECT_NEAR(path.totals.feed_time_s, (rings + links) / 1000 * 60 + plunge / 300 * 60, 0.01);
+    // Down to 1 mm over the top, and up again.
+    EXPECT_NEAR(path.totals.air_length_mm, 4 + 7, 1e-9);
+    EXPECT_NEAR(path.totals.rapid_time_s, 11.0 / 5000 * 60, 1e-9);
+}
+
+TEST(ClearArea, DividesTheDepthEvenly) {
+    const Region pocket = makeRectangle({0, 0}, {40, 40});
+    ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    task.floor_z_mm = -10;
+    const auto layers = [&](double step_down) {
+        const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, step_down), kMachine, kTol);
+        std::set<double> levels;
+        Vec3 from = path.start;
+        for (const Move& move : path.moves) {
+            if (move.kind == MoveKind::Feed) levels.insert(move.to.z());
+            from = move.to;
+        }
+        EXPECT_EQ(static_cast<int>(levels.size()), path.layers);
+        EXPECT_EQ(*levels.begin(), -10);
+        EXPECT_NEAR(path.step_down_mm * path.layers, 10, 1e-12);
+        return path.layers;
+    };
+    EXPECT_EQ(layers(4), 3);
+    EXPECT_EQ(layers(2.5), 4);
+    EXPECT_EQ(layers(10.0 / 3 - 1e-12), 3);
+    EXPECT_EQ(layers(20), 1);
+}
+
+TEST(ClearArea, KeepsTheWallOnTheRight) {
+    const Region pocket = makeRectangle({0, 0}, {40, 40});
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 10), kMachine, kTol);
+    int along_walls = 0;
+    for (const Path& chain : topView(path)) {
+        Vec2 from = chain.start;
+        for (const Segment& segment : chain.segments) {
+            const Vec2 middle = pointAt(from, segment, 0.5);
+            if (std::abs(distanceToBoundary(pocket, middle) - 5) < 1e-2 && length(from, segment) > 5) {
+                const Vec2 along = tangentAt(from, segment, 0.5);
+                EXPECT_FALSE(contains(pocket, middle + 6 * Vec2(along.y(), -along.x())));
+                ++along_walls;
+            }
+            from = segment.to;
+        }
+    }
+    EXPECT_GE(along_walls, 4);
+}
+
+TEST(ClearArea, KeepsArcsAsArcs) {
+    const Region pocket = makeCircle({0, 0}, 30);
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 10), kMachine, kTol);
+    expectSound(path, task, 5);
+    // Rings of radius 25, 21, ..., 1: seven circles, each three arcs at most, the helix and the links.
+    EXPECT_LT(path.moves.size(), 7 * 4 + 30U);
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        EXPECT_TRUE(!move.arc || from.head<2>() != move.to.head<2>()) << "a full circle is two halves";
+        from = move.to;
+    }
+}
+
+TEST(ClearArea, HasNoMovesWithoutLength) {
+    const Region target = pocketWithIsland();
+    const ClearingTask task = fullTask(target, blockAround(target, {}, kTol), 4, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(3, 4), kMachine, kTol);
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        EXPECT_GT((move.to - from).norm(), 0);
+        from = move.to;
+    }
+    EXPECT_EQ(path.start.z(), task.retract_z_mm);
+    EXPECT_EQ(from.z(), task.retract_z_mm);
+}
+
+TEST(ClearArea, GivesTheSamePathTwice) {
+    const Region target = pocketWithIsland();
+    const ClearingTask task = fullTask(target, blockAround(target, {}, kTol), 4, kTol);
+    const auto make = [&] { return clearArea(task, flatEndMill(8), cuttingData(3, 4), kMachine, kTol); };
+    const Toolpath a = make();
+    const Toolpath b = make();
+    ASSERT_EQ(a.moves.size(), b.moves.size());
+    for (std::size_t i = 0; i < a.moves.size(); ++i) {
+        EXPECT_EQ(a.moves[i].to, b.moves[i].to);
+        EXPECT_EQ(a.moves[i].arc, b.moves[i].arc);
+        EXPECT_EQ(a.moves[i].kind, b.moves[i].kind);
+    }
+}
+
+class DescentThroughMaterial : public testing::TestWithParam<EntryKind> {};
+
+TEST_P(DescentThroughMaterial, IsNoSteeperThanTheRampAngleUnlessPlunging) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {50, 30}, 6);
+    ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    Entry entry{GetParam(), Vec2(20, 15), 0, Vec2::Zero()};
+    if (GetParam() == EntryKind::Helix) entry.helix_radius_mm = 3;
+    if (GetParam() == EntryKind::Ramp) entry.ramp_to = Vec2(30, 15);
+    task.entries.front() = entry;
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 3), kMachine, kTol);
+    expectSound(path, task, 5);
+    Vec3 from = path.start;
+    double steepest = 0;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Plunge && !move.in_air) {
+            const double flat = length(Vec2(from.head<2>()), Segment{move.to.head<2>(), move.arc});
+            steepest = std::max(steepest, std::atan2(from.z() - move.to.z(), flat));
+        }
+        EXPECT_TRUE(move.kind != MoveKind::Feed || from.z() == move.to.z());
+        from = move.to;
+    }
+    const bool plunges = GetParam() == EntryKind::Plunge;
+    EXPECT_NEAR(steepest, plunges ? kPi / 2 : 0, plunges ? 1e-9 : degToRad(3) + 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DescentThroughMaterial,
+                         testing::Values(EntryKind::Helix, EntryKind::Ramp, EntryKind::Plunge));
+
+TEST(ClearArea, RampsAlongThePassWhereTheEntryHasNoRoom) {
+    const Region slot = makeRoundedRectangle({0, 0}, {50, 8.1}, 4.05);
+    ClearingTask task = fullTask(slot, blockAround(slot, {}, kTol), 4, kTol);
+    task.entries.front() = {EntryKind::Helix, Vec2(25, 4.05), 0.05, Vec2::Zero()};
+    const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(3, 4), kMachine, kTol);
+    expectSound(path, task, 4);
+}
+
+}  // namespace
+}  // namespace stepmill

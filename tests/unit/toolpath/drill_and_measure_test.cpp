@@ -1,0 +1,163 @@
+// Drilling, totals, proofs of paths made by hand.
+
+#include <gtest/gtest.h>
+
+#include "stepmill/core/units.h"
+#include "support/clearing_tasks.h"
+
+namespace stepmill {
+namespace {
+
+using namespace test;
+
+const Tolerances kTol;
+const Machine kMachine = machineWithRapid(5000);
+
+ToolAssembly drill(double diameter_mm) {
+    ToolAssembly tool = flatEndMill(diameter_mm);
+    tool.type = ToolType::Drill;
+    return tool;
+}
+
+TEST(DrillHole, PecksDownAndOut) {
+    CuttingData cutting = cuttingData(0, 5);
+    const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(6), cutting, kMachine);
+    EXPECT_EQ(path.layers, 3);
+    double lowest_rapid = 10;
+    double deepest = 0;
+    double drilled = 0;
+    double z = path.start.z();
+    for (const Move& move : path.moves) {
+        EXPECT_EQ(move.to.x(), 3);
+        EXPECT_EQ(move.to.y(), 4);
+        if (move.kind == MoveKind::Rapid) {
+            EXPECT_GE(move.to.z(), drilled + 0.5 - 1e-12);
+            lowest_rapid = std::min(lowest_rapid, move.to.z());
+        } else {
+            EXPECT_LE(z - move.to.z(), 5);
+            drilled = move.to.z();
+        }
+        deepest = std::min(deepest, move.to.z());
+        z = move.to.z();
+    }
+    EXPECT_EQ(deepest, -12);
+    EXPECT_EQ(z, 10);
+    EXPECT_NEAR(lowest_rapid, -7.5, 1e-12);
+    EXPECT_NEAR(path.totals.cut_length_mm, 5 + 4.5 + 4.5, 1e-12);
+}
+
+TEST(DrillHole, PecksTwoDiametersWithoutAStepDown) {
+    const Toolpath path = drillHole({0, 0}, 0, -30, 10, drill(5), cuttingData(0, 0), kMachine);
+    EXPECT_EQ(path.layers, 3);
+}
+
+TEST(Measure, AddsHelicesAndFeedsByKind) {
+    Toolpath path;
+    path.start = {10, 0, 5};
+    path.feed_mm_per_min = 600;
+    path.plunge_feed_mm_per_min = 120;
+    const Arc arc{{0, 0}, 10, true};
+    path.moves = {{MoveKind::Rapid, {10, 0, 0}, std::nullopt, false},
+                  {MoveKind::Plunge, {-10, 0, -3}, arc, false},
+                  {MoveKind::Feed, {10, 0, -3}, std::nullopt, true}};
+    const PathTotals totals = measure(path, kMachine);
+    const double helix = std::hypot(10 * kPi, 3);
+    EXPECT_NEAR(totals.cut_length_mm, helix + 20, 1e-12);
+    EXPECT_NEAR(totals.feed_air_length_mm, 20, 1e-12);
+    EXPECT_NEAR(totals.air_length_mm, 5, 1e-12);
+    EXPECT_NEAR(totals.feed_time_s, helix / 2 + 2, 1e-12);
+    EXPECT_NEAR(totals.rapid_time_s, 0.06, 1e-12);
+    EXPECT_NEAR(totals.time_s(), totals.feed_time_s + totals.rapid_time_s, 1e-12);
+}
+
+TEST(Measure, MatchesTheTotalsOfAMadePath) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {50, 40}, 6);
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
+    const PathTotals totals = measure(path, kMachine);
+    EXPECT_EQ(totals.cut_length_mm, path.totals.cut_length_mm);
+    EXPECT_EQ(totals.rapid_time_s, path.totals.rapid_time_s);
+}
+
+class ProofByHand : public testing::Test {
+  protected:
+    ProofByHand() {
+        const Region pocket = makeRectangle({0, 0}, {40, 40});
+        task_ = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+        path_.start = {20, 20, 5};
+        add(MoveKind::Plunge, {20, 20, -6});
+    }
+    void add(MoveKind kind, const Vec3& to, std::optional<Arc> arc = std::nullopt) {
+        path_.moves.push_back({kind, to, arc, false});
+    }
+    PathProof proof() const { return prove(path_, task_, 5, kTol); }
+
+    ClearingTask task_;
+    Toolpath path_;
+};
+
+TEST_F(ProofByHand, MeasuresTheClearanceOfLines) {
+    add(MoveKind::Feed, {34.75, 20, -6});
+    EXPECT_NEAR(proof().least_clearance_mm, 0.25, 1e-9);
+}
+
+TEST_F(ProofByHand, FindsAGouge) {
+    add(MoveKind::Feed, {35.01, 20, -6});
+    EXPECT_NEAR(proof().least_clearance_mm, -0.01, 1e-9);
+}
+
+TEST_F(ProofByHand, FindsTheBulgeOfAnArc) {
+    // Ends are clear, the middle of the arc comes to x = 36.
+    add(MoveKind::Feed, {26, 10, -6});
+    add(MoveKind::Feed, {26, 30, -6}, Arc{{26, 20}, 10, true});
+    EXPECT_NEAR(proof().least_clearance_mm, -1, 1e-9);
+}
+
+TEST_F(ProofByHand, FindsACutterInsideTheObstruction) {
+    path_.moves.clear();
+    path_.start = {-8, -8, 5};
+    add(MoveKind::Plunge, {-8, -8, -1});
+    // The block is 15 mm wide round the pocket: the nearest way out is 7 mm, and the radius on top.
+    EXPECT_NEAR(proof().least_clearance_mm, -12, 1e-9);
+}
+
+TEST_F(ProofByHand, RefusesARapidThroughMaterial) {
+    EXPECT_TRUE(proof().rapids_clear);
+    add(MoveKind::Rapid, {20, 20, 5});
+    add(MoveKind::Rapid, {10, 20, 5});
+    EXPECT_TRUE(proof().rapids_clear);
+    add(MoveKind::Rapid, {10, 20, -5});
+    EXPECT_FALSE(proof().rapids_clear);
+}
+
+TEST_F(ProofByHand, RefusesARapidAcrossAtDepth) {
+    add(MoveKind::Rapid, {30, 20, -6});
+    EXPECT_FALSE(proof().rapids_clear);
+}
+
+TEST_F(ProofByHand, AllowsARapidDownWhereAFeedHasBeen) {
+    add(MoveKind::Feed, {30, 20, -6});
+    add(MoveKind::Rapid, {30, 20, 5});
+    add(MoveKind::Rapid, {25, 20, 5});
+    add(MoveKind::Rapid, {25, 20, -5});
+    EXPECT_TRUE(proof().rapids_clear);
+}
+
+TEST(TopView, ShowsTheFeedsOfTheDeepestLayerOnly) {
+    Toolpath path;
+    path.start = {0, 0, 5};
+    path.moves = {{MoveKind::Plunge, {0, 0, -1}, std::nullopt, false},
+                  {MoveKind::Feed, {10, 0, -1}, std::nullopt, false},
+                  {MoveKind::Plunge, {10, 0, -2}, std::nullopt, false},
+                  {MoveKind::Feed, {20, 0, -2}, std::nullopt, false},
+                  {MoveKind::Feed, {20, 7, -2}, std::nullopt, false},
+                  {MoveKind::Rapid, {20, 7, 5}, std::nullopt, false}};
+    const std::vector<Path> view = topView(path);
+    ASSERT_EQ(view.size(), 1U);
+    EXPECT_EQ(view.front().start, Vec2(10, 0));
+    EXPECT_EQ(view.front().segments.size(), 2U);
+    EXPECT_NEAR(length(view.front()), 17, 1e-12);
+}
+
+}  // namespace
+}  // namespace stepmill

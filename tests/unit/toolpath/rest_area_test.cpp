@@ -1,0 +1,72 @@
+// Rest regions: only what a larger tool has left.
+
+#include <gtest/gtest.h>
+
+#include "support/clearing_tasks.h"
+#include "support/raster_simulator.h"
+
+namespace stepmill {
+namespace {
+
+using namespace test;
+
+const Tolerances kTol;
+const Machine kMachine = machineWithRapid(5000);
+
+void expectSound(const Toolpath& path, const ClearingTask& task, double radius_mm) {
+    const SimulatedCut cut = simulate(path, task, radius_mm, 0.1, 0.15);
+    EXPECT_EQ(cut.gouged_mm2, 0);
+    EXPECT_EQ(cut.left_mm2, 0);
+    EXPECT_EQ(cut.bad_rapids, 0);
+    const PathProof proof = prove(path, task, radius_mm, kTol);
+    EXPECT_GE(proof.least_clearance_mm, 0);
+    EXPECT_TRUE(proof.rapids_clear);
+}
+
+TEST(RestArea, OfARoundedPocketIsItsFourCorners) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 4);
+    const ClearingTask task = restTask(pocket, blockAround(pocket, {}, kTol), 10, 4, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(3, 10), kMachine, kTol);
+    expectSound(path, task, 4);
+    // One short pass a corner, nothing along the walls between them: the free centres touch their corner
+    // in a point, from which the larger tool's corner arcs (radius 6 for this tool's centre) part.
+    EXPECT_EQ(components(task.centres).size(), 4U);
+    EXPECT_LT(path.totals.cut_length_mm, 4 * (2 * 6 + 6 + 2.0));
+    for (const Move& move : path.moves)
+        EXPECT_TRUE(move.kind != MoveKind::Plunge || move.in_air)
+            << "corners are entered from cleared ground";
+}
+
+TEST(RestArea, BehindANeckIsEnteredFromClearedGround) {
+    // Two 30 mm squares joined by a neck 10 mm wide; 12 mm cannot pass it.
+    const Region target =
+        unite(unite(makeRectangle({0, 0}, {30, 30}), makeRectangle({50, 0}, {80, 30}), kTol),
+              makeRectangle({25, 10}, {55, 20}), kTol);
+    ClearingTask task = restTask(target, blockAround(target, {}, kTol), 6, 4, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(3, 10), kMachine, kTol);
+    expectSound(path, task, 4);
+}
+
+TEST(RestArea, IsEmptyWhenTheLargerToolReachesEverything) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 6);
+    const ClearingTask task = restTask(pocket, blockAround(pocket, {}, kTol), 6, 3, kTol);
+    EXPECT_TRUE(clearArea(task, flatEndMill(6), cuttingData(3, 10), kMachine, kTol).moves.empty());
+}
+
+TEST(RestArea, OfALimitedTaskStaysAtItsLimits) {
+    // Centres confined to a quarter of a pocket, though the tool could go everywhere.
+    const Region pocket = makeRoundedRectangle({0, 0}, {60, 60}, 5);
+    ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 4, kTol);
+    task.centres = intersect(task.free_centres, makeRectangle({0, 0}, {30, 30}), kTol);
+    task.entries.front() = {EntryKind::Helix, Vec2(20, 20), 2, Vec2::Zero()};
+    const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(3, 10), kMachine, kTol);
+    expectSound(path, task, 4);
+    for (const Path& chain : topView(path)) {
+        const Box2 box = boundingBox(chain);
+        EXPECT_LE(box.max.x(), 30.001);
+        EXPECT_LE(box.max.y(), 30.001);
+    }
+}
+
+}  // namespace
+}  // namespace stepmill
