@@ -101,7 +101,7 @@ TopoDS_Shape singleSolid(const TopoDS_Shape& shape, const std::string& subject) 
 
 void requireValid(const TopoDS_Shape& solid, const std::string& subject) {
     if (const int free_edges = countFreeEdges(solid); free_edges > 0)
-        throw Error(ErrorCode::OpenShell, subject,
+        throw Error(ErrorCode::InvalidSolid, subject,
                     "the solid is not closed: " + std::to_string(free_edges) + " free edges");
     if (!BRepCheck_Analyzer(solid).IsValid())
         throw Error(ErrorCode::InvalidSolid, subject,

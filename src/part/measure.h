@@ -31,8 +31,7 @@ std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape);
 /// \throws Error(InvalidSolid)
 TopoDS_Shape singleSolid(const TopoDS_Shape& shape, const std::string& subject);
 
-/// \throws Error(OpenShell) for free edges, Error(InvalidSolid) if BRepCheck finds fault or the volume is
-/// not positive.
+/// \throws Error(InvalidSolid) for free edges, if BRepCheck finds fault or the volume is not positive.
 void requireValid(const TopoDS_Shape& solid, const std::string& subject);
 
 /// Fills box, volume, faces (without names), surfaces and shape.

@@ -117,6 +117,7 @@ StepToken StepLexer::lex() {
     const char c = at(0);
     if (c == '\'') return quoted('\'', StepToken::Kind::String);
     if (c == '"') return quoted('"', StepToken::Kind::Binary);
+    if (c == '<') return quoted('>', StepToken::Kind::Resource);
     if (c == '#' || c == '@') return reference();
     if (isDigit(c)) return number();
     if (c == '+' || c == '-') return number();
@@ -128,7 +129,7 @@ StepToken StepLexer::lex() {
             ++pos_;
         return make(StepToken::Kind::Word, begin, line_);
     }
-    if (std::string_view("(),;=$*/&<>{}:").find(c) == std::string_view::npos)
+    if (std::string_view("(),;=$*/&{}:").find(c) == std::string_view::npos)
         fail(ErrorCode::StepDamaged, line_, nameByte(c) + " where no STEP token can begin");
     ++pos_;
     return make(StepToken::Kind::Punctuation, begin, line_);

@@ -9,7 +9,7 @@ namespace stepmill {
 
 /// A token of ISO 10303-21; `text` points into the file.
 struct StepToken {
-    enum class Kind { End, Word, Number, String, Binary, Enumeration, Reference, Punctuation };
+    enum class Kind { End, Word, Number, String, Binary, Enumeration, Reference, Resource, Punctuation };
     Kind kind = Kind::End;
     std::string_view text;
     int line = 1;

@@ -128,6 +128,7 @@ class Screen {
     void word(const StepToken& token);
     void noteKeyword(std::string_view keyword);
     void checkReferences();
+    void checkCycles();
     void define(std::uint64_t id, int line, std::string_view keyword);
     void expect(char punctuation, const std::string& after);
     std::uint64_t idOf(const StepToken& token);
@@ -331,6 +332,46 @@ void Screen::checkReferences() {
                                   std::to_string(first.line) + " to #" + std::to_string(first.target));
 }
 
+/// A shape is a tree with shared leaves; a path that comes back to where it began would send the reader
+/// round for ever. Depth-first search with a stack of its own, since files nest as deep as they like.
+void Screen::checkCycles() {
+    // References lie in the order of their entities: those of entity i from begin[i] to begin[i + 1].
+    std::vector<std::size_t> begin(entities_.size() + 1, 0);
+    for (const Reference& reference : references_)
+        ++begin[reference.entity + 1];
+    for (std::size_t i = 0; i < entities_.size(); ++i)
+        begin[i + 1] += begin[i];
+
+    enum class State : unsigned char { Fresh, Open, Done };
+    std::vector<State> state(entities_.size(), State::Fresh);
+    std::vector<std::size_t> next = begin;
+    std::vector<std::size_t> path;
+    for (std::size_t root = 0; root < entities_.size(); ++root) {
+        if (state[root] != State::Fresh || !isShapeEntity(entities_[root].keyword)) continue;
+        path.push_back(root);
+        state[root] = State::Open;
+        while (!path.empty()) {
+            const std::size_t at = path.back();
+            if (next[at] == begin[at + 1]) {
+                state[at] = State::Done;
+                path.pop_back();
+                continue;
+            }
+            const Reference& reference = references_[next[at]++];
+            const auto target = index_of_id_.find(reference.target);
+            if (target == index_of_id_.end() || !isShapeEntity(entities_[target->second].keyword)) continue;
+            if (state[target->second] == State::Open)
+                damaged(reference.line, "#" + std::to_string(reference.target) + " " +
+                                            std::string(entities_[target->second].keyword) +
+                                            " contains itself by way of #" +
+                                            std::to_string(entities_[at].id) + "; another entity expected");
+            if (state[target->second] == State::Done) continue;
+            state[target->second] = State::Open;
+            path.push_back(target->second);
+        }
+    }
+}
+
 StepText Screen::run() {
     lexer_.next();  // ISO-10303-21, seen by the caller
     expect(';', "ISO-10303-21");
@@ -355,6 +396,7 @@ StepText Screen::run() {
     if (result_.entities == 0)
         throw Error(ErrorCode::NoSolid, file_, "the DATA section is empty; there is no part in this file");
     checkReferences();
+    checkCycles();
     return std::move(result_);
 }
 

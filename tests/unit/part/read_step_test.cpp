@@ -1,0 +1,177 @@
+// readStep on files made from a sample part by editing its text.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/part/part.h"
+
+namespace stepmill {
+namespace {
+
+namespace fs = std::filesystem;
+
+// shoulder_block.step: 80 x 60 x 30 mm less 25 x 60 x 8 and 25 x 60 x 18.
+constexpr double kBlockVolume_mm3 = 105000;
+
+template <class Value, class Given>
+ReadOptions with(Value ReadOptions::*member, Given value) {
+    ReadOptions options;
+    options.*member = value;
+    return options;
+}
+
+class ReadStepTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "stepmill-read-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+        text_ = readFile(fs::path(STEPMILL_SOURCE_DIR) / "step_parts" / "shoulder_block.step");
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    /// Replaces the first `from` in the text; a test whose edit does nothing fails.
+    void edit(const std::string& from, const std::string& to) {
+        const std::size_t at = text_.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        text_.replace(at, from.size(), to);
+    }
+
+    std::vector<Part> read(const ReadOptions& options = {}) {
+        writeFile(folder_ / "edited.step", text_);
+        return readStep(folder_ / "edited.step", options);
+    }
+
+    std::optional<ErrorCode> refusal(const ReadOptions& options = {}) {
+        try {
+            read(options);
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return std::nullopt;
+    }
+
+    static bool hasRemark(const Part& part, const std::string& text) {
+        return std::any_of(part.remarks.begin(), part.remarks.end(),
+                           [&](const std::string& remark) { return remark.find(text) != std::string::npos; });
+    }
+
+    fs::path folder_;
+    std::string text_;
+};
+
+TEST_F(ReadStepTest, ReadsUnitNameSchemaAndHash) {
+    const std::vector<Part> parts = read();
+    ASSERT_EQ(parts.size(), 1U);
+    const Part& part = parts[0];
+    EXPECT_EQ(part.file, "edited.step");
+    EXPECT_EQ(part.sha256, sha256(text_));
+    EXPECT_EQ(part.name, "shoulder_block");
+    EXPECT_EQ(part.schema, "AP214");
+    EXPECT_EQ(part.unit_in_file, "mm");
+    EXPECT_EQ(part.count, 1);
+    EXPECT_NEAR(part.volume_mm3, kBlockVolume_mm3, 1e-4);
+    EXPECT_TRUE(part.remarks.empty());
+}
+
+TEST_F(ReadStepTest, KeepsTheNamesOfFaces) {
+    const Part part = read().at(0);
+    std::map<std::string, int> names;
+    for (const PartFace& face : part.faces)
+        ++names[face.step_name];
+    EXPECT_EQ(names["top"], 1);
+    EXPECT_EQ(names["bottom"], 1);
+    EXPECT_EQ(names["level z 22"], 1);
+    EXPECT_EQ(names["level z 12"], 1);
+    EXPECT_EQ(names.count(""), 0U);
+}
+
+TEST_F(ReadStepTest, ConvertsOtherUnitsToMillimetres) {
+    edit("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT(.CENTI.,.METRE.)");
+    const Part part = read().at(0);
+    EXPECT_EQ(part.unit_in_file, "cm");
+    EXPECT_NEAR(part.bbox_mm.sizes().x(), 800, 1e-6);
+    EXPECT_NEAR(part.volume_mm3, kBlockVolume_mm3 * 1e3, 1);
+}
+
+TEST_F(ReadStepTest, AUnitOptionOverridesTheFile) {
+    const Part part = read(with(&ReadOptions::unit, "inch")).at(0);
+    EXPECT_NEAR(part.bbox_mm.sizes().x(), 80 * 25.4, 1e-6);
+    EXPECT_TRUE(hasRemark(part, "overridden"));
+    EXPECT_EQ(part.faces.at(0).step_name.empty(), false);
+    EXPECT_EQ(refusal(with(&ReadOptions::unit, "furlong")), ErrorCode::Usage);
+}
+
+TEST_F(ReadStepTest, AHugePartInMetresIsTakenWithADoubt) {
+    edit("SI_UNIT(.MILLI.,.METRE.)", "SI_UNIT($,.METRE.)");
+    const Part part = read().at(0);
+    EXPECT_EQ(part.unit_in_file, "m");
+    EXPECT_TRUE(hasRemark(part, "--unit mm"));
+    EXPECT_EQ(refusal(with(&ReadOptions::largest_mm, 50000)), ErrorCode::ImplausibleSize);
+}
+
+TEST_F(ReadStepTest, RefusesAPartTooSmallToMill) {
+    EXPECT_EQ(refusal(with(&ReadOptions::smallest_mm, 31)), ErrorCode::ImplausibleSize);
+    EXPECT_EQ(refusal(with(&ReadOptions::smallest_mm, 29)), std::nullopt);
+}
+
+TEST_F(ReadStepTest, RefusesASolidNumberTheFileDoesNotHave) {
+    EXPECT_EQ(refusal(with(&ReadOptions::solid, 0)), std::nullopt);
+    EXPECT_EQ(refusal(with(&ReadOptions::solid, 1)), ErrorCode::Usage);
+    EXPECT_EQ(refusal(with(&ReadOptions::solid, -2)), ErrorCode::Usage);
+}
+
+TEST_F(ReadStepTest, AShellWithoutSolidIsNoSolid) {
+    edit("ADVANCED_BREP_SHAPE_REPRESENTATION", "MANIFOLD_SURFACE_SHAPE_REPRESENTATION");
+    const std::size_t at = text_.find("MANIFOLD_SOLID_BREP('',#");
+    ASSERT_NE(at, std::string::npos);
+    const std::size_t end = text_.find(')', at);
+    const std::string shell = text_.substr(at + 23, end - at - 23);
+    text_.replace(at, end - at + 1, "SHELL_BASED_SURFACE_MODEL('',(" + shell + "))");
+    EXPECT_EQ(refusal(), ErrorCode::NoSolid);
+}
+
+TEST_F(ReadStepTest, ASolidWithAFaceLeftOutIsAnOpenShell) {
+    const std::size_t at = text_.find("CLOSED_SHELL('',(#");
+    ASSERT_NE(at, std::string::npos);
+    const std::size_t first = text_.find('#', at);
+    text_.erase(first, text_.find(',', first) - first + 1);
+    EXPECT_EQ(refusal(), ErrorCode::OpenShell);
+}
+
+TEST_F(ReadStepTest, AVertexMovedOffItsEdgesIsRefused) {
+    const std::size_t vertex = text_.find("VERTEX_POINT('',#");
+    ASSERT_NE(vertex, std::string::npos);
+    const std::string id = text_.substr(vertex + 16, text_.find(')', vertex) - vertex - 16);
+    const std::size_t point = text_.find("\n" + id + " = CARTESIAN_POINT");
+    ASSERT_NE(point, std::string::npos);
+    const std::size_t numbers = text_.find(",(", point);
+    const std::size_t end = text_.find(')', numbers);
+    text_.replace(numbers, end - numbers, ",(1.,2.,3.");
+    EXPECT_EQ(refusal(), ErrorCode::InvalidSolid);
+}
+
+TEST_F(ReadStepTest, AMissingFileIsUnreadable) {
+    try {
+        readStep(folder_ / "missing.step");
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::FileUnreadable);
+    }
+}
+
+TEST_F(ReadStepTest, ReadingTwiceGivesTheSameParts) {
+    const Part first = read().at(0);
+    const Part second = read().at(0);
+    EXPECT_EQ(first.volume_mm3, second.volume_mm3);
+    ASSERT_EQ(first.faces.size(), second.faces.size());
+    for (std::size_t i = 0; i < first.faces.size(); ++i)
+        EXPECT_EQ(first.faces[i].step_name, second.faces[i].step_name);
+}
+
+}  // namespace
+}  // namespace stepmill
