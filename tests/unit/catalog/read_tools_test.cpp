@@ -197,6 +197,17 @@ TEST(SampleTools, OfTheShopCutBothMaterialsWithAtMostHalfTheirDiameter) {
     }
 }
 
+TEST(ToolLibraryGuide, ShowsAnExampleThatReads) {
+    const std::string guide =
+        readFile(std::filesystem::path(STEPMILL_SOURCE_DIR) / "docs" / "tool-library.md");
+    const std::string opening = "```json\n";
+    const std::size_t begin = guide.find(opening) + opening.size();
+    const std::string example = guide.substr(begin, guide.find("```", begin) - begin);
+    const ToolLibrary library = toolLibraryFromText(example, "tool-library.md");
+    EXPECT_EQ(library.tool("EM12").shank.bottom_mm, 30);
+    EXPECT_TRUE(library.unknown_fields.empty());
+}
+
 TEST(DefaultCatalog, IsTheSampleLibraryAndMachine) {
     const ToolLibrary built_in = defaultToolLibrary();
     const ToolLibrary from_file = readToolLibrary(sample("shop_metric_tools.json"));
