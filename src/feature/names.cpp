@@ -1,0 +1,32 @@
+#include "stepmill/core/error.h"
+#include "stepmill/feature/feature.h"
+
+namespace stepmill {
+
+std::string toString(FeatureClass feature_class) {
+    switch (feature_class) {
+        case FeatureClass::Face:
+            return "face";
+        case FeatureClass::ClosedPocket:
+            return "closed pocket";
+        case FeatureClass::OpenPocket:
+            return "open pocket";
+        case FeatureClass::SlotBlind:
+            return "blind slot";
+        case FeatureClass::SlotThrough:
+            return "through slot";
+        case FeatureClass::Step:
+            return "step";
+        case FeatureClass::ThroughPocket:
+            return "through pocket";
+        case FeatureClass::OpenProfile:
+            return "open profile";
+        case FeatureClass::HoleBlind:
+            return "blind hole";
+        case FeatureClass::HoleThrough:
+            return "through hole";
+    }
+    throw Error(ErrorCode::Internal, "feature class", "unknown value");
+}
+
+}  // namespace stepmill

@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include "feature/boundary.h"
+#include "feature/classify.h"
+#include "feature/removal_forest.h"
+#include "feature/standing_material.h"
+#include "feature/unplanned.h"
+#include "stepmill/feature/feature.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill {
+namespace {
+
+using feature::RemovalComponent;
+using feature::RemovalForest;
+
+class Recogniser {
+  public:
+    Recogniser(const LayerStack& layers, const Tolerances& tol)
+        : layers_(layers),
+          tol_(tol),
+          forest_(feature::buildRemovalForest(layers, tol)),
+          standing_(layers, forest_, tol),
+          owner_(forest_.components.size(), -1) {}
+
+    FeatureSet run() {
+        FeatureSet found;
+        for (const std::vector<int>& chain : feature::featureChains(forest_, tol_))
+            found.features.push_back(makeFeature(chain));
+        found.unplanned = feature::findUnplanned(layers_, forest_, tol_);
+        return found;
+    }
+
+  private:
+    Feature makeFeature(const std::vector<int>& chain) {
+        const int number = static_cast<int>(removed_.size());
+        const RemovalComponent& first = forest_.components[chain.front()];
+        const RemovalComponent& last = forest_.components[chain.back()];
+        for (const int index : chain)
+            owner_[index] = number;
+        removed_.push_back(removedOnceDone(chain));
+
+        Feature made;
+        made.id = idOf(number);
+        made.setup_id = layers_.setup_id;
+        for (const int parent : parentFeatures(first))
+            made.parents.push_back(idOf(parent));
+        made.top_z_mm = layers_.layers[first.layer].top_z_mm;
+        made.floor_z_mm = layers_.layers[last.layer].bottom_z_mm;
+        made.target = last.region;
+        made.obstruction = standing_.above(last.layer, removed_.back());
+        made.obstacles = standing_.obstacles(last.layer, removed_.back());
+        made.through = nothingBelow(last);
+        made.area_mm2 = last.area_mm2;
+        for (const int index : chain) {
+            const RemovalComponent& component = forest_.components[index];
+            made.volume_mm3 += component.area_mm2 * layers_.layers[component.layer].height_mm();
+        }
+        describeBoundary(made);
+        return made;
+    }
+
+    void describeBoundary(Feature& made) const {
+        made.boundary = feature::boundaryPieces(made.target, made.obstruction, tol_);
+        for (const BoundaryPiece& piece : made.boundary)
+            (piece.open ? made.open_length_mm : made.closed_length_mm) += length(piece.path);
+        made.min_corner_radius_mm = feature::minCornerRadiusMm(made.boundary);
+        made.feature_class = feature::classify(made.target, made.boundary, made.through, tol_);
+    }
+
+    std::string idOf(int number) const { return layers_.setup_id + ".F" + std::to_string(number + 1); }
+
+    std::vector<int> parentFeatures(const RemovalComponent& component) const {
+        std::vector<int> parents;
+        for (const int parent : component.parents)
+            parents.push_back(owner_[parent]);
+        std::sort(parents.begin(), parents.end());
+        parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
+        return parents;
+    }
+
+    /// The components of the chain and of all its ancestors, ascending.
+    std::vector<int> removedOnceDone(const std::vector<int>& chain) const {
+        std::vector<int> all = chain;
+        for (const int parent : parentFeatures(forest_.components[chain.front()]))
+            all.insert(all.end(), removed_[parent].begin(), removed_[parent].end());
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+        return all;
+    }
+
+    bool nothingBelow(const RemovalComponent& floor) const {
+        const auto meets = [&](const Region& region) {
+            return area(intersect(floor.region, region, tol_)) > tol_.area_mm2;
+        };
+        return std::none_of(layers_.layers.begin() + floor.layer + 1, layers_.layers.end(),
+                            [&](const Layer& layer) { return meets(layer.stock) || meets(layer.part); });
+    }
+
+    const LayerStack& layers_;
+    const Tolerances& tol_;
+    RemovalForest forest_;
+    feature::StandingMaterial standing_;
+    std::vector<int> owner_;                 ///< feature number of each component
+    std::vector<std::vector<int>> removed_;  ///< by feature number: components gone once it is done
+};
+
+}  // namespace
+
+FeatureSet recogniseFeatures(const LayerStack& layers, const Tolerances& tol) {
+    return Recogniser(layers, tol).run();
+}
+
+}  // namespace stepmill

@@ -1,0 +1,125 @@
+#include "feature/removal_forest.h"
+
+#include <algorithm>
+
+#include "feature/region_compare.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::feature {
+namespace {
+
+/// Does an edge of the component run along the stock's boundary? Where it does the setup's stock ends, so
+/// nothing stands on the other side.
+bool touchesStockBoundary(const Region& component, const Region& stock, const Tolerances& tol) {
+    for (const Loop& loop : component.loops) {
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            if (distanceToBoundary(stock, pointAt(from, segment, 0.5)) <= tol.sliver_mm) return true;
+            from = segment.to;
+        }
+    }
+    return false;
+}
+
+void addLayer(RemovalForest& forest, const Layer& layer, int index, const Tolerances& tol) {
+    forest.of_layer.emplace_back();
+    forest.sliver_area_mm2.push_back(0);
+    for (Region& region : components(subtract(layer.stock, layer.shadow, tol))) {
+        const double area_mm2 = area(region);
+        if (area_mm2 <= tol.area_mm2 || isSliver(region, tol)) {
+            forest.sliver_area_mm2.back() += area_mm2;
+            continue;
+        }
+        const bool open = touchesStockBoundary(region, layer.stock, tol);
+        forest.of_layer.back().push_back(static_cast<int>(forest.components.size()));
+        forest.components.push_back({index, std::move(region), area_mm2, open, false, {}, {}});
+    }
+}
+
+/// A layer with the same stock and shadow as the one above removes the same components.
+void repeatLayer(RemovalForest& forest, int index) {
+    const std::vector<int> above = forest.of_layer.back();
+    forest.of_layer.emplace_back();
+    forest.sliver_area_mm2.push_back(forest.sliver_area_mm2.back());
+    for (const int parent : above) {
+        RemovalComponent component = forest.components[parent];
+        component.layer = index;
+        component.parents.clear();
+        component.children.clear();
+        forest.of_layer.back().push_back(static_cast<int>(forest.components.size()));
+        forest.components.push_back(std::move(component));
+    }
+}
+
+void link(RemovalForest& forest, int parent, int child) {
+    forest.components[parent].children.push_back(child);
+    forest.components[child].parents.push_back(parent);
+}
+
+void linkToParents(RemovalForest& forest, int child, const std::vector<int>& above, const Tolerances& tol) {
+    RemovalComponent& component = forest.components[child];
+    const auto twin = std::find_if(above.begin(), above.end(), [&](int parent) {
+        return identical(forest.components[parent].region, component.region);
+    });
+    if (twin != above.end()) {
+        component.inside_parent = true;
+        return link(forest, *twin, child);
+    }
+    const Box2 box = boundingBox(component.region);
+    double overlap_mm2 = 0;
+    for (const int parent : above) {
+        const Region& region = forest.components[parent].region;
+        if (!box.overlaps(boundingBox(region))) continue;
+        const Region common = intersect(component.region, region, tol);
+        if (area(common) <= tol.area_mm2 || isSliver(common, tol)) continue;
+        overlap_mm2 += area(common);
+        link(forest, parent, child);
+    }
+    component.inside_parent =
+        component.parents.size() == 1 && component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol);
+}
+
+/// The component below that merely deepens this one, or -1.
+int deepening(const RemovalForest& forest, int index, const Tolerances& tol) {
+    const RemovalComponent& component = forest.components[index];
+    if (component.children.size() != 1) return -1;
+    const int child = component.children.front();
+    if (forest.components[child].parents.size() != 1) return -1;
+    return sameRegion(component.region, forest.components[child].region, tol) ? child : -1;
+}
+
+}  // namespace
+
+RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol) {
+    RemovalForest forest;
+    for (std::size_t i = 0; i < layers.layers.size(); ++i) {
+        const Layer& layer = layers.layers[i];
+        const bool repeats = i > 0 && identical(layer.stock, layers.layers[i - 1].stock) &&
+                             identical(layer.shadow, layers.layers[i - 1].shadow);
+        if (repeats)
+            repeatLayer(forest, static_cast<int>(i));
+        else
+            addLayer(forest, layer, static_cast<int>(i), tol);
+        if (i == 0) continue;
+        for (const int child : forest.of_layer[i])
+            linkToParents(forest, child, forest.of_layer[i - 1], tol);
+    }
+    return forest;
+}
+
+std::vector<std::vector<int>> featureChains(const RemovalForest& forest, const Tolerances& tol) {
+    std::vector<std::vector<int>> chains;
+    std::vector<bool> taken(forest.components.size(), false);
+    for (int first = 0; first < static_cast<int>(forest.components.size()); ++first) {
+        if (taken[first]) continue;
+        std::vector<int> chain;
+        for (int next = first; next >= 0; next = deepening(forest, next, tol)) {
+            taken[next] = true;
+            chain.push_back(next);
+        }
+        chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
+}  // namespace stepmill::feature

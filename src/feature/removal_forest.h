@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/core/tolerances.h"
+#include "stepmill/layers/layer_stack.h"
+#include "stepmill/planar/region.h"
+
+namespace stepmill::feature {
+
+/// A connected piece of stock - shadow in one layer.
+struct RemovalComponent {
+    int layer = 0;
+    Region region;
+    double area_mm2 = 0;
+    bool open = false;           ///< part of its boundary is the stock's own: a cutter can come in there
+    bool inside_parent = false;  ///< lies within its only parent, as it always does in a box of stock
+    std::vector<int> parents;    ///< components of the layer above that it overlaps
+    std::vector<int> children;
+};
+
+/// What a setup removes, layer by layer from the top, in the order of components() within a layer.
+struct RemovalForest {
+    std::vector<RemovalComponent> components;
+    std::vector<std::vector<int>> of_layer;
+    std::vector<double> sliver_area_mm2;  ///< per layer: dropped, nowhere as wide as tol.sliver_mm
+};
+
+RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol);
+
+/// Components that one feature clears: a run of components from above to below, each but the first equal
+/// to its parent [algorithms.md, section 2]. In the order in which they start.
+std::vector<std::vector<int>> featureChains(const RemovalForest& forest, const Tolerances& tol);
+
+}  // namespace stepmill::feature

@@ -1,0 +1,69 @@
+#include "feature/standing_material.h"
+
+#include <algorithm>
+
+#include "feature/region_compare.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::feature {
+
+StandingMaterial::StandingMaterial(const LayerStack& layers, const RemovalForest& forest,
+                                   const Tolerances& tol)
+    : layers_(layers), forest_(forest), tol_(tol) {}
+
+bool StandingMaterial::walledIn(int layer, const std::vector<int>& removed) const {
+    bool any = false;
+    for (const int index : forest_.of_layer[layer]) {
+        if (!std::binary_search(removed.begin(), removed.end(), index)) continue;
+        if (forest_.components[index].open) return false;
+        any = true;
+    }
+    return any;
+}
+
+std::vector<int> StandingMaterial::inTheWay(int layer, const std::vector<int>& removed) const {
+    std::vector<int> found;
+    std::vector<bool> covered(forest_.components.size(), false);
+    for (int above = 0; above <= layer; ++above) {
+        if (walledIn(above, removed)) continue;
+        for (const int index : forest_.of_layer[above]) {
+            const RemovalComponent& component = forest_.components[index];
+            if (!component.open || std::binary_search(removed.begin(), removed.end(), index)) continue;
+            covered[index] = true;
+            // Seen from above, what lies under a component already found adds nothing.
+            if (component.inside_parent && covered[component.parents.front()]) continue;
+            found.push_back(index);
+        }
+    }
+    return found;
+}
+
+const Region& StandingMaterial::above(int layer, const std::vector<int>& removed) {
+    const Region& shadow = layers_.layers[layer].shadow;
+    std::vector<int> standing = inTheWay(layer, removed);
+    if (standing.empty()) return shadow;
+    const auto [entry, is_new] = known_.try_emplace({layer, standing});
+    if (is_new) {
+        std::vector<Region> regions{shadow};
+        for (const int index : standing)
+            regions.push_back(forest_.components[index].region);
+        entry->second = unite(regions, tol_);
+    }
+    return entry->second;
+}
+
+std::vector<Obstacle> StandingMaterial::obstacles(int layer, const std::vector<int>& removed) {
+    std::vector<Obstacle> found;
+    for (int i = layer; i >= 0; --i) {
+        const Region& section = above(i, removed);
+        if (section.empty()) continue;
+        const Layer& slab = layers_.layers[i];
+        if (!found.empty() && identical(found.back().section, section))
+            found.back().top_z_mm = slab.top_z_mm;
+        else
+            found.push_back({slab.bottom_z_mm, slab.top_z_mm, section});
+    }
+    return found;
+}
+
+}  // namespace stepmill::feature

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "feature/removal_forest.h"
+#include "stepmill/feature/feature.h"
+
+namespace stepmill::feature {
+
+/// What stands in a setup while a feature is machined: the finished part and the stock that features
+/// other than it and its ancestors own, each seen from above.
+///
+/// A removal component that nothing of the stock's boundary bounds is walled in by the shadow, so no disc
+/// outside can reach into it without meeting the shadow first, and none inside can leave it. Only open
+/// components can be in each other's way; all others are left out, which keeps the regions simple.
+class StandingMaterial {
+  public:
+    StandingMaterial(const LayerStack& layers, const RemovalForest& forest, const Tolerances& tol);
+
+    /// Everything standing at or above the bottom of `layer`, once the components in `removed` (ascending)
+    /// are gone.
+    const Region& above(int layer, const std::vector<int>& removed);
+
+    /// The same for `layer` and all above it, from below to above, equal neighbours merged.
+    std::vector<Obstacle> obstacles(int layer, const std::vector<int>& removed);
+
+  private:
+    /// Are the removed components of the layer bounded by the shadow alone?
+    bool walledIn(int layer, const std::vector<int>& removed) const;
+    std::vector<int> inTheWay(int layer, const std::vector<int>& removed) const;
+
+    const LayerStack& layers_;
+    const RemovalForest& forest_;
+    const Tolerances& tol_;
+    std::map<std::pair<int, std::vector<int>>, Region> known_;
+};
+
+}  // namespace stepmill::feature

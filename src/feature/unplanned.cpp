@@ -1,0 +1,71 @@
+#include "feature/unplanned.h"
+
+#include "feature/region_compare.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::feature {
+namespace {
+
+constexpr const char* kUndercut = "undercut";
+constexpr const char* kSloped = "wall not vertical";
+constexpr const char* kSliver = "sliver";
+
+/// Volumes below this are rounding [mm3].
+constexpr double kNoVolumeMm3 = 1e-9;
+
+/// Stock of the layer that the part above hides from the tool.
+Region undercut(const Layer& layer, const Tolerances& tol) {
+    if (identical(layer.shadow, layer.part)) return {};
+    return intersect(subtract(layer.shadow, layer.part, tol), layer.stock, tol);
+}
+
+/// Entries of one reason, from above to below.
+class Tally {
+  public:
+    Tally(const char* reason, const Tolerances& tol) : reason_(reason), tol_(tol) {}
+
+    void add(const Layer& layer, double volume_mm3, Region region) {
+        if (volume_mm3 <= kNoVolumeMm3) return;
+        if (!entries_.empty() && entries_.back().bottom_z_mm == layer.top_z_mm &&
+            sameRegion(entries_.back().region, region, tol_)) {
+            entries_.back().bottom_z_mm = layer.bottom_z_mm;
+            entries_.back().volume_mm3 += volume_mm3;
+            return;
+        }
+        entries_.push_back({reason_, volume_mm3, layer.top_z_mm, layer.bottom_z_mm, std::move(region)});
+    }
+    const std::vector<Unplanned>& entries() const { return entries_; }
+
+  private:
+    const char* reason_;
+    const Tolerances& tol_;
+    std::vector<Unplanned> entries_;
+};
+
+}  // namespace
+
+std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalForest& forest,
+                                     const Tolerances& tol) {
+    Tally undercuts(kUndercut, tol);
+    Tally slopes(kSloped, tol);
+    Tally slivers(kSliver, tol);
+    for (std::size_t i = 0; i < layers.layers.size(); ++i) {
+        const Layer& layer = layers.layers[i];
+        Region hidden = undercut(layer, tol);
+        double sliver_mm2 = forest.sliver_area_mm2[i];
+        if (isSliver(hidden, tol)) {
+            sliver_mm2 += area(hidden);
+        } else {
+            const double volume_mm3 = area(hidden) * layer.height_mm();
+            undercuts.add(layer, volume_mm3, std::move(hidden));
+        }
+        slopes.add(layer, layer.sloped_volume_mm3, {});
+        slivers.add(layer, sliver_mm2 * layer.height_mm(), {});
+    }
+    std::vector<Unplanned> all;
+    for (const Tally* tally : {&undercuts, &slopes, &slivers})
+        all.insert(all.end(), tally->entries().begin(), tally->entries().end());
+    return all;
+}
+
+}  // namespace stepmill::feature
