@@ -64,6 +64,11 @@ MeshFace describeFace(const TopoDS_Face& topo_face, const Tolerances& tol) {
     } else if (const auto cyl = Handle(Geom_CylindricalSurface)::DownCast(face.surface); !cyl.IsNull()) {
         describeTurned(cyl->Position(), tol, face);
         face.vertical = face.kind == FaceKind::Turned;
+        const gp_Dir axis = cyl->Position().Direction();
+        if (isHorizontal(axis, tol)) {
+            face.kind = FaceKind::Lying;
+            face.axis = Vec2(axis.X(), axis.Y()).normalized();
+        }
     } else if (const auto cone = Handle(Geom_ConicalSurface)::DownCast(face.surface); !cone.IsNull()) {
         describeTurned(cone->Position(), tol, face);
     } else if (const auto ball = Handle(Geom_SphericalSurface)::DownCast(face.surface); !ball.IsNull()) {

@@ -2,6 +2,8 @@
 
 #include "layers/section_path.h"
 
+#include <Geom_CylindricalSurface.hxx>
+
 #include "layers/curve_fit.h"
 #include "layers/section_points.h"
 #include "stepmill/core/units.h"
@@ -48,6 +50,23 @@ Curve lineOf(const MeshFace& face, double z_mm) {
     return curve;
 }
 
+/// A lying cylinder shows a line on either side of its axis; the facets tell which.
+Curve lineOfLying(const FaceRun& run, double z_mm) {
+    const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(run.face->surface);
+    const gp_Pnt centre = cylinder->Location();
+    const double dz = z_mm - centre.Z();
+    const double half = std::sqrt(std::max(0.0, cylinder->Radius() * cylinder->Radius() - dz * dz));
+    Curve curve;
+    curve.kind = Curve::Kind::Line;
+    curve.normal = Vec2(-run.face->axis.y(), run.face->axis.x());
+    const double middle = curve.normal.dot(Vec2(centre.X(), centre.Y()));
+    double side = 0;
+    for (const Crossing& c : run.crossings)
+        side += curve.normal.dot(c.from + c.to) / 2 - middle;
+    curve.offset = middle + (side < 0 ? -half : half);
+    return curve;
+}
+
 Curve circleOf(const FaceRun& run, double z_mm) {
     Curve curve;
     curve.kind = Curve::Kind::Circle;
@@ -66,6 +85,7 @@ Curve circleOf(const FaceRun& run, double z_mm) {
 Curve curveOf(const SolidMesh& mesh, const FaceRun& run, double z_mm) {
     if (run.face->kind == FaceKind::Plane) return lineOf(*run.face, z_mm);
     if (run.face->kind == FaceKind::Turned) return circleOf(run, z_mm);
+    if (run.face->kind == FaceKind::Lying) return lineOfLying(run, z_mm);
     Curve curve;
     curve.points = pointsOnSurface(mesh, run.crossings, z_mm);
     return curve;

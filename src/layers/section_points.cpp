@@ -53,22 +53,26 @@ gp_Pnt2d crossingOnSurface(const SolidMesh& mesh, const MeshTriangle& triangle, 
 }
 
 /// Moves surface parameters onto the height, straight up or down the surface's slope.
-gp_Pnt pullToHeight(const Geom_Surface& surface, gp_Pnt2d uv, double z_mm) {
-    gp_Pnt p;
+///
+/// Where the surface is nearly level (close to its top) the slope says little: a point that would move
+/// farther than `reach_mm` stays, a little off the height but on the surface.
+gp_Pnt pullToHeight(const Geom_Surface& surface, gp_Pnt2d uv, double z_mm, double reach_mm) {
+    const gp_Pnt start = surface.Value(uv.X(), uv.Y());
+    gp_Pnt p = start;
     gp_Vec du;
     gp_Vec dv;
     for (int i = 0; i < 6; ++i) {
         surface.D1(uv.X(), uv.Y(), p, du, dv);
         const double dz = p.Z() - z_mm;
-        if (std::abs(dz) < 1e-10) break;
+        if (std::abs(dz) < 1e-9) break;
         // Scaled by the lengths of the derivatives: u and v may have quite different units.
         const double gu = du.Z() / std::max(1e-12, du.SquareMagnitude());
         const double gv = dv.Z() / std::max(1e-12, dv.SquareMagnitude());
         const double slope = du.Z() * gu + dv.Z() * gv;
-        if (slope < 1e-9) break;
+        if (slope < 1e-9) return start;
         uv.SetCoord(uv.X() - dz * gu / slope, uv.Y() - dz * gv / slope);
     }
-    return p;
+    return p.Distance(start) <= reach_mm ? p : start;
 }
 
 }  // namespace
@@ -101,7 +105,7 @@ std::vector<Vec2> pointsOnSurface(const SolidMesh& mesh, const std::vector<Cross
         const double facet_length = (crossing.to - crossing.from).norm();
         for (int i = points.empty() ? 0 : 1; i <= kPiecesPerFacet; ++i) {
             const double share = static_cast<double>(i) / kPiecesPerFacet;
-            const gp_Pnt p = pullToHeight(surface, between(in, out, share), z_mm);
+            const gp_Pnt p = pullToHeight(surface, between(in, out, share), z_mm, 0.2 * facet_length);
             const Vec2 flat = crossing.from + share * (crossing.to - crossing.from);
             const Vec2 exact(p.X(), p.Y());
             const bool trusted = (exact - flat).norm() <= 4 * mesh.chord_mm() + facet_length / 2;

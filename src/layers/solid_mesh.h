@@ -19,6 +19,7 @@ namespace stepmill::layers {
 enum class FaceKind {
     Plane,   ///< a straight line
     Turned,  ///< a circle about a vertical axis: cylinder, cone, sphere, torus
+    Lying,   ///< one or two parallel lines: a cylinder with horizontal axis
     Free     ///< any other curve
 };
 
@@ -32,7 +33,7 @@ struct MeshFace {
     double z_max_mm = 0;
     Vec3 normal = Vec3::Zero();  ///< outward, of a Plane
     double offset_mm = 0;        ///< normal . p = offset on a Plane
-    Vec2 axis = Vec2::Zero();    ///< of a Turned face, on the grid
+    Vec2 axis = Vec2::Zero();    ///< of a Turned face, on the grid; direction of a Lying one
 
     /// Radius of the section circle of a Turned face, of a torus' two circles the one nearer `hint_mm`.
     double radiusAt(double z_mm, double hint_mm) const;
