@@ -176,7 +176,9 @@ void Arrangement::cutCurves() {
 }
 
 Segment Arrangement::segment(const Piece& piece) const {
-    Segment result{node(piece.end), curves_[at(piece.curve)].segment.arc};
+    Segment result{node(piece.end), std::nullopt};
+    if (piece.straight) return result;
+    result.arc = curves_[at(piece.curve)].segment.arc;
     if (result.arc && !piece.along) result.arc->ccw = !result.arc->ccw;
     return result;
 }
@@ -184,7 +186,10 @@ Segment Arrangement::segment(const Piece& piece) const {
 void Arrangement::addPiece(int begin, int end, int curve) {
     // Shorter than the snapping distance: a point.
     if (begin == end) return;
-    Piece piece{begin, end, curve, true, {}};
+    Piece piece{begin, end, curve, true, false, {}};
+    const std::optional<Arc>& arc = curves_[at(curve)].segment.arc;
+    // Snapping can turn the ends of a short arc about its centre until the arc seems to go all the way round.
+    piece.straight = arc && std::abs(sweepAngle(node(begin), node(end), *arc)) > 1.5 * kPi;
     const Vec2 middle = pointAt(node(begin), segment(piece), 0.5);
     const int operand = curves_[at(curve)].operand;
     for (const int other_index : pieces_at_[at(std::min(begin, end))]) {
@@ -286,14 +291,55 @@ std::vector<LabelledPiece> Arrangement::labelled() const {
     return result;
 }
 
-std::vector<Piece> Arrangement::boundary(const std::function<bool(int, int)>& inside) const {
+bool Arrangement::consistent(const std::vector<LabelledPiece>& labels) const {
+    struct Ray {
+        const LabelledPiece* label;
+        bool leaves;
+        double angle_rad = 0;
+    };
+    std::vector<std::vector<Ray>> rays(nodes_.size());
+    for (const LabelledPiece& label : labels) {
+        rays[at(label.piece.begin)].push_back({&label, true});
+        rays[at(label.piece.end)].push_back({&label, false});
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (rays[i].size() < 3) continue;
+        double reach_mm = std::numeric_limits<double>::infinity();
+        for (const Ray& ray : rays[i])
+            reach_mm = std::min(reach_mm, lengthOf(ray.label->piece) / 2);
+        for (Ray& ray : rays[i]) {
+            const Vec2 seen = pointAlong(ray.label->piece, ray.leaves, reach_mm) - nodes_[i];
+            ray.angle_rad = std::atan2(seen.y(), seen.x());
+        }
+        std::sort(rays[i].begin(), rays[i].end(),
+                  [](const Ray& a, const Ray& b) { return a.angle_rad < b.angle_rad; });
+        for (std::size_t k = 0; k < rays[i].size(); ++k) {
+            const Ray& ray = rays[i][k];
+            const Ray& next = rays[i][(k + 1) % rays[i].size()];
+            const auto& after = ray.leaves ? ray.label->left : ray.label->right;
+            const auto& before = next.leaves ? next.label->right : next.label->left;
+            if (after != before) return false;
+        }
+    }
+    return true;
+}
+
+double Arrangement::lengthOf(const Piece& piece) const {
+    return length(node(piece.begin), segment(piece));
+}
+
+Vec2 Arrangement::pointAlong(const Piece& piece, bool from_begin, double reach_mm) const {
+    const double share = reach_mm / lengthOf(piece);
+    return pointAt(node(piece.begin), segment(piece), from_begin ? share : 1 - share);
+}
+
+std::vector<Piece> Arrangement::boundary(const std::vector<LabelledPiece>& labels,
+                                         const std::function<bool(int, int)>& inside) {
     std::vector<Piece> result;
-    for (LabelledPiece& labelled_piece : labelled()) {
-        const std::array<int, 2>& left = labelled_piece.left;
-        const std::array<int, 2>& right = labelled_piece.right;
-        const bool in_left = inside(left[0], left[1]);
-        if (in_left == inside(right[0], right[1])) continue;
-        Piece& piece = labelled_piece.piece;
+    for (const LabelledPiece& label : labels) {
+        const bool in_left = inside(label.left[0], label.left[1]);
+        if (in_left == inside(label.right[0], label.right[1])) continue;
+        Piece piece = label.piece;
         if (!in_left) {
             std::swap(piece.begin, piece.end);
             piece.along = !piece.along;

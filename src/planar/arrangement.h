@@ -25,7 +25,8 @@ struct Piece {
     int begin = 0;  ///< node
     int end = 0;    ///< node
     int curve = 0;
-    bool along = true;  ///< runs in the direction of the curve
+    bool along = true;      ///< runs in the direction of the curve
+    bool straight = false;  ///< so short a part of an arc that it counts as a line
     /// How many more windings operand k has on the left of the piece than on its right.
     std::array<int, 2> step{};
 };
@@ -45,11 +46,16 @@ class Arrangement {
   public:
     Arrangement(const std::vector<Curve>& curves, double snap_mm);
 
+    /// All pieces with what lies on their sides. O(pieces times chains between junctions).
+    std::vector<LabelledPiece> labelled() const;
+
+    /// Do the windings agree all around every junction? If not, snapping has pushed a piece across a node.
+    bool consistent(const std::vector<LabelledPiece>& labels) const;
+
     /// The pieces between inside and outside, turned so that the inside is on their left.
     /// `inside(windings of operand 0, of operand 1)` says which points belong to the result.
-    std::vector<Piece> boundary(const std::function<bool(int, int)>& inside) const;
-
-    std::vector<LabelledPiece> labelled() const;
+    static std::vector<Piece> boundary(const std::vector<LabelledPiece>& labels,
+                                       const std::function<bool(int, int)>& inside);
 
     const std::vector<Curve>& curves() const { return curves_; }
     /// A place where two stretches run along each other in opposite directions and so are no boundary.
@@ -57,6 +63,9 @@ class Arrangement {
     const Vec2& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
     /// The piece as a segment from node(piece.begin).
     Segment segment(const Piece& piece) const;
+    double lengthOf(const Piece& piece) const;
+    /// The point so far along the piece from its begin, or back from its end.
+    Vec2 pointAlong(const Piece& piece, bool from_begin, double reach_mm) const;
 
   private:
     struct NodeIndex;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "planar/arrangement.h"
 #include "planar/loop_builder.h"
@@ -18,13 +19,20 @@ using Rule = std::function<bool(int, int)>;
 
 /// Points `inside` the rule, from all boundaries cut at each other.
 Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, const Tolerances& tol) {
-    // Where several points crowd within the snapping distance, their order can leave a knot that does not
-    // close up. Another distance puts them in other clusters.
+    // Where several points crowd within the snapping distance, pieces may be pushed across nodes. Another
+    // distance puts the points in other clusters; the first that contradicts itself nowhere is taken.
+    std::optional<Region> fallback;
     for (const double factor : {1.0, 0.3, 0.05, 2.5, 0.02, 6.0}) {
         const planar::Arrangement arrangement(curves, factor * tol.linear_mm);
-        const auto region = planar::buildLoops(arrangement, arrangement.boundary(inside), tol.linear_mm);
-        if (region) return *region;
+        const std::vector<planar::LabelledPiece> labels = arrangement.labelled();
+        const bool consistent = arrangement.consistent(labels);
+        if (!consistent && fallback) continue;
+        auto region =
+            planar::buildLoops(arrangement, planar::Arrangement::boundary(labels, inside), tol.linear_mm);
+        if (consistent && region) return *region;
+        if (region) fallback = std::move(region);
     }
+    if (fallback) return *fallback;
     throw Error(ErrorCode::GeometryKernel, "planar boolean", "the pieces of the result do not close up");
 }
 

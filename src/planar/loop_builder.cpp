@@ -95,26 +95,19 @@ class Walker {
         return best;
     }
 
-    double lengthOf(int piece) const {
-        const Piece& p = pieces_[at(piece)];
-        return length(arrangement_.node(p.begin), arrangement_.segment(p));
-    }
-
     /// How far to look along the pieces at a node to tell tangent ones apart by their curvature.
     double reachAround(int node) const {
         double reach = std::numeric_limits<double>::infinity();
         for (const int piece : leaving_[at(node)])
-            reach = std::min(reach, lengthOf(piece));
+            reach = std::min(reach, arrangement_.lengthOf(pieces_[at(piece)]));
         for (const int piece : arriving_[at(node)])
-            reach = std::min(reach, lengthOf(piece));
+            reach = std::min(reach, arrangement_.lengthOf(pieces_[at(piece)]));
         return reach / 2;
     }
 
     Vec2 direction(int piece, bool from_begin, double reach) const {
         const Piece& p = pieces_[at(piece)];
-        const double share = reach / lengthOf(piece);
-        const Vec2 begin = arrangement_.node(p.begin);
-        const Vec2 seen = pointAt(begin, arrangement_.segment(p), from_begin ? share : 1 - share);
+        const Vec2 seen = arrangement_.pointAlong(p, from_begin, reach);
         return seen - arrangement_.node(from_begin ? p.begin : p.end);
     }
 
@@ -135,6 +128,7 @@ struct Edge {
     Vec2 carrier_to;
     int curve = 0;
     double piece_mm = 0;       ///< length of the longest piece in it
+    double sweep_rad = 0;      ///< of all its arcs, without sign
     std::vector<Vec2> passed;  ///< joints merged away
 
     Segment carrier() const { return {carrier_to, segment.arc}; }
@@ -164,6 +158,7 @@ void absorb(Edge& a, const Edge& b) {
     a.passed.push_back(b.from);
     a.passed.insert(a.passed.end(), b.passed.begin(), b.passed.end());
     a.segment.to = b.segment.to;
+    a.sweep_rad += b.sweep_rad;
     // The longer piece knows the direction better; a short one may have been bent to a node.
     if (b.piece_mm <= a.piece_mm) return;
     a.piece_mm = b.piece_mm;
@@ -230,9 +225,13 @@ void append(Loop& loop, const Edge& edge, const Vec2& to) {
     const Vec2 begin = onCircle(loop.end());
     const Vec2 end = onCircle(to);
     if (begin != loop.end()) loop.segments.push_back({begin, std::nullopt});
-    // Ends that fall together close the arc to a full circle, or leave nothing of it.
-    const bool long_way = std::abs(sweepAngle(edge.from, edge.segment.to, *edge.segment.arc)) > kPi;
-    if (begin != end || long_way) loop.segments.push_back({end, edge.segment.arc});
+    // Ends moved past each other turn next to nothing into a full turn or the other way round.
+    const double sweep = std::abs(sweepAngle(begin, end, *edge.segment.arc));
+    if (std::abs(sweep - edge.sweep_rad) < kPi)
+        loop.segments.push_back({end, edge.segment.arc});
+    else if (edge.sweep_rad > kPi)
+        loop.segments.push_back({begin, edge.segment.arc});
+    if (loop.end() != end) loop.segments.push_back({end, std::nullopt});
     if (end != to) loop.segments.push_back({to, std::nullopt});
 }
 
@@ -269,7 +268,8 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
             const Vec2& from = arrangement.node(piece.begin);
             const Segment segment = arrangement.segment(piece);
             const double piece_mm = (segment.to - from).norm();
-            edges.push_back({from, segment, curve.from, curve.segment.to, piece.curve, piece_mm, {}});
+            edges.push_back({from, segment, curve.from, curve.segment.to, piece.curve, piece_mm, 0, {}});
+            if (segment.arc) edges.back().sweep_rad = std::abs(sweepAngle(from, segment.to, *segment.arc));
         }
         Loop loop = loopOf(mergedEdges(std::move(edges)), 100 * thin_mm);
         if (loop.segments.size() < 2) continue;

@@ -9,11 +9,17 @@ namespace stepmill {
 
 /// Booleans between regions of lines and arcs.
 ///
-/// Carried out by GEOS OverlayNG on tessellations in which equal circles have equal vertices; afterwards
-/// every piece gets back the line or arc it came from, and joints are recomputed from these. Boundaries
-/// that coincide within `tol.linear_mm` are treated as one. Pieces thinner than that vanish.
-/// O((n + k) log n) for n tessellated edges and k crossings.
-/// \throws Error(GeometryKernel) when GEOS fails on valid input.
+/// Carried out on the lines and arcs themselves: all boundaries are cut where they meet, coinciding pieces
+/// become one piece, winding numbers tell what lies on both sides of each, and the pieces between inside
+/// and outside are joined to loops again. Every edge of the result lies on a line or circle of an operand;
+/// neighbours on one carrier are merged, so arcs stay arcs. Boundaries that coincide within `tol.linear_mm`
+/// are treated as one (the one of `a` stays). Loops thinner than that vanish.
+///
+/// Loops come ordered by their lowest, then leftmost vertex and start there. The order of operands of
+/// `unite` and `intersect` changes the result by no more than the tolerance.
+/// O(n log n + k + (n + k) j) for n edges, k crossings and j stretches of boundary between crossings.
+/// \throws Error(GeometryKernel) when the pieces do not close up on valid input.
+/// \see docs/adr/0001-planar-kernel.md
 Region unite(const Region& a, const Region& b, const Tolerances& tol);
 Region unite(std::span<const Region> regions, const Tolerances& tol);
 Region intersect(const Region& a, const Region& b, const Tolerances& tol);
