@@ -139,7 +139,7 @@ TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, Fa
         TopoDS_Solid turned = TopoDS::Solid(healed);
         BRepLib::OrientClosedSolid(turned);
         healed = turned;
-        remarks.push_back("healed: the solid was inside out and has been turned");
+        remarks.emplace_back("healed: the solid was inside out and has been turned");
     }
     requireValid(healed, subject);
     return healed;

@@ -121,9 +121,9 @@ std::vector<std::string> fileRemarks(const StepText& text, const StepImport& imp
         remarks.push_back(
             "the file names no length unit; millimetre assumed, --unit inch if inches were meant");
     if (import.units.size() > 1)
-        remarks.push_back("the file mixes length units; each shape is converted by its own");
+        remarks.emplace_back("the file mixes length units; each shape is converted by its own");
     if (const std::string schema = schemaName(text.schemas); !schema.starts_with("AP"))
-        remarks.push_back("unknown schema " + schema + "; read as AP214");
+        remarks.push_back(fmt::format("unknown schema {}; read as AP214", schema));
     const int distinct = static_cast<int>(import.solids.size());
     if (text.solid_bodies > distinct)
         remarks.push_back(fmt::format("the file names {} but {} of them {} closed",

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include <fmt/format.h>
+
 #include "step_lexer.h"
 
 namespace stepmill {
@@ -170,8 +172,8 @@ std::uint64_t Screen::idOf(const StepToken& token) {
 void Screen::define(std::uint64_t id, int line, std::string_view keyword) {
     const auto [it, fresh] = index_of_id_.emplace(id, entities_.size());
     if (!fresh)
-        damaged(line, "#" + std::to_string(id) + " is defined a second time; the first is in line " +
-                          std::to_string(entities_[it->second].line));
+        damaged(line, fmt::format("#{} is defined a second time; the first is in line {}", id,
+                                  entities_[it->second].line));
     entities_.push_back({id, line, keyword});
 }
 
@@ -227,7 +229,7 @@ void Screen::data() {
 
 void Screen::entity(const StepToken& id_token) {
     const std::uint64_t id = idOf(id_token);
-    const std::string name = "#" + std::to_string(id);
+    const std::string name = fmt::format("#{}", id);
     expect('=', name);
     const std::size_t self = entities_.size();
     define(id, id_token.line, lexer_.peek().kind == Kind::Word ? lexer_.peek().text : "");
@@ -317,19 +319,18 @@ void Screen::checkReferences() {
     for (const Reference& reference : references_) {
         const Entity& from = entities_[reference.entity];
         if (reference.target == from.id)
-            damaged(reference.line, "#" + std::to_string(from.id) + " " + std::string(from.keyword) +
-                                        " contains itself; another entity expected");
+            damaged(reference.line,
+                    fmt::format("#{} {} contains itself; another entity expected", from.id, from.keyword));
         if (index_of_id_.contains(reference.target)) continue;
         if (isShapeEntity(from.keyword))
-            damaged(reference.line, "#" + std::to_string(from.id) + " " + std::string(from.keyword) +
-                                        " refers to #" + std::to_string(reference.target) +
-                                        ", which the file does not define");
+            damaged(reference.line, fmt::format("#{} {} refers to #{}, which the file does not define",
+                                                from.id, from.keyword, reference.target));
         if (dangling++ == 0) first = reference;
     }
     if (dangling > 0)
-        result_.remarks.push_back(std::to_string(dangling) +
-                                  " references outside the shape lead nowhere, the first in line " +
-                                  std::to_string(first.line) + " to #" + std::to_string(first.target));
+        result_.remarks.push_back(
+            fmt::format("{} references outside the shape lead nowhere, the first in line {} to #{}", dangling,
+                        first.line, first.target));
 }
 
 /// A shape is a tree with shared leaves; a path that comes back to where it began would send the reader
@@ -361,10 +362,9 @@ void Screen::checkCycles() {
             const auto target = index_of_id_.find(reference.target);
             if (target == index_of_id_.end() || !isShapeEntity(entities_[target->second].keyword)) continue;
             if (state[target->second] == State::Open)
-                damaged(reference.line, "#" + std::to_string(reference.target) + " " +
-                                            std::string(entities_[target->second].keyword) +
-                                            " contains itself by way of #" +
-                                            std::to_string(entities_[at].id) + "; another entity expected");
+                damaged(reference.line,
+                        fmt::format("#{} {} contains itself by way of #{}; another entity expected",
+                                    reference.target, entities_[target->second].keyword, entities_[at].id));
             if (state[target->second] == State::Done) continue;
             state[target->second] = State::Open;
             path.push_back(target->second);
@@ -400,49 +400,7 @@ StepText Screen::run() {
     return std::move(result_);
 }
 
-/// Text without what may stand before the first token: byte order mark, blanks, comments.
-std::string_view skipPreamble(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    while (true) {
-        const std::size_t start = text.find_first_not_of(" \t\r\n");
-        text.remove_prefix(start == std::string_view::npos ? text.size() : start);
-        if (!text.starts_with("/*")) return text;
-        const std::size_t end = text.find("*/");
-        if (end == std::string_view::npos) return text;
-        text.remove_prefix(end + 2);
-    }
-}
-
 }  // namespace
-
-std::string guessFormat(std::string_view bytes) {
-    const std::string_view text = skipPreamble(bytes);
-    const auto contains = [&](std::string_view what) {
-        return bytes.substr(0, 4096).find(what) != std::string_view::npos;
-    };
-    if (bytes.starts_with("\x1f\x8b")) return "a gzip archive; unpack it first";
-    if (bytes.starts_with("PK\x03\x04")) return "a ZIP archive; unpack it first";
-    if (bytes.starts_with("%PDF")) return "a PDF document";
-    if (text.starts_with("solid") && contains("facet"))
-        return "an ASCII STL mesh; export a STEP solid instead";
-    if (text.starts_with("<?xml") || text.starts_with("<")) return "XML or HTML";
-    if (text.starts_with("{") || text.starts_with("[")) return "JSON";
-    if (bytes.size() > 80 &&
-        bytes.substr(72, 8).find_first_not_of(" 0123456789SG") == std::string_view::npos && bytes[72] == 'S')
-        return "an IGES file; export STEP instead";
-    if (text.starts_with("DBRep_DrawableShape") || contains("CASCADE Topology"))
-        return "an OpenCASCADE BREP file; export STEP instead";
-    int control = 0;
-    int high = 0;
-    for (const char c : bytes.substr(0, 4096)) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f') ++control;
-        if (byte >= 0x80) ++high;
-    }
-    // A quarter of bytes beyond ASCII is more than any language's letters in Latin-1 text.
-    const bool binary = control > 0 || 4 * high > static_cast<int>(std::min<std::size_t>(bytes.size(), 4096));
-    return binary ? "binary data" : "plain text";
-}
 
 StepText screenStep(std::string_view text, const std::string& file) {
     if (text.empty()) throw Error(ErrorCode::NotStep, file, "the file is empty");

@@ -33,6 +33,9 @@ StepText screenStep(std::string_view text, const std::string& file);
 /// Coordinates, radii and the like beyond this [file units] are damage: a kilometre in nanometres.
 inline constexpr double kLargestGeometricNumber = 1e12;
 
+/// Text without what may stand before the first token: byte order mark, blanks, comments.
+std::string_view skipPreamble(std::string_view text);
+
 /// What bytes that are no STEP file seem to be: "a gzip archive", "an ASCII STL mesh", "plain text", ...
 std::string guessFormat(std::string_view bytes);
 
