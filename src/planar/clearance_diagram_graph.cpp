@@ -2,7 +2,6 @@
 
 #include <boost/polygon/voronoi_builder.hpp>
 #include <boost/polygon/voronoi_diagram.hpp>
-#include <Eigen/Dense>
 
 #include "stepmill/core/error.h"
 
@@ -45,10 +44,8 @@ class Builder {
     void findSides();
     void findNodes();
     int makeNode(const VVertex* v);
-    void refine(Node& node, const VVertex* v) const;
     void followChains();
-    void splitAtExtrema(std::vector<int>& chain_nodes, const std::vector<const VEdge*>& chain, Side side);
-    void linkPrevious();
+    void linkCells();
     const VEdge* nextKept(const VEdge* e) const;
     const VEdge* previousKept(const VEdge* e) const;
 
@@ -61,7 +58,8 @@ class Builder {
     std::vector<double> sidedness_;       // per Voronoi vertex: > 0 inside
     std::vector<int> node_of_;            // per Voronoi vertex, -1 where none
     std::vector<int> edge_ending_;        // per Voronoi half-edge: graph half-edge whose chain ends with it
-    std::vector<const VEdge*> first_of_;  // per graph half-edge: its first Voronoi half-edge, or null
+    std::vector<const VEdge*> first_of_;  // per graph half-edge: its first Voronoi half-edge
+    std::vector<std::vector<Vec2>> courses_;  // per pair of graph half-edges: points between its ends
 };
 
 int Builder::siteOf(const Cell& cell) const {
@@ -143,109 +141,11 @@ void Builder::findNodes() {
 
 int Builder::makeNode(const VVertex* v) {
     Node node;
-    if (on_boundary_[indexOf(v)]) {
-        node.point = set().toMm(std::round(v->x()), std::round(v->y()));
-    } else {
-        node.point = toMm(v);
-        refine(node, v);
-    }
+    node.on_boundary = on_boundary_[indexOf(v)] != 0;
+    node.point = node.on_boundary ? set().toMm(std::round(v->x()), std::round(v->y())) : toMm(v);
     node_of_[indexOf(v)] = static_cast<int>(graph_.nodes.size());
     graph_.nodes.push_back(node);
     return node_of_[indexOf(v)];
-}
-
-/// Gauss-Newton on the true bisectors that meet at the node.
-void Builder::refine(Node& node, const VVertex* v) const {
-    const Side side = sidedness_[indexOf(v)] > 0 ? Side::Inside : Side::Outside;
-    struct Pair {
-        int p, q;
-        std::optional<Ray> ray;
-    };
-    std::vector<Pair> pairs;
-    bool at_frame = false;
-    double largest_radius = 0;
-    const VEdge* e = v->incident_edge();
-    do {
-        if (kept(e)) {
-            const int p = cellSite(e), q = cellSite(e->twin());
-            at_frame = at_frame || p == set().frame_site || q == set().frame_site;
-            largest_radius = std::max(largest_radius, site(p).radius);
-            pairs.push_back({p, q, sharedNormal(set(), p, q, side, node.point)});
-        }
-        e = e->rot_next();
-    } while (e != v->incident_edge());
-    const auto trueClearance = [&](const Vec2& at) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Pair& pair : pairs)
-            least = std::min(least, signedDistance(site(pair.p), side, at));
-        return std::max(0.0, least);
-    };
-    if (at_frame) {
-        // Nobody asks for offsets that reach the frame.
-        node.clearance = std::numeric_limits<double>::infinity();
-        return;
-    }
-    const Vec2 start = node.point;
-    const double rough = trueClearance(start);
-    Vec2 at = start;
-    double residual = 0;
-    constexpr int kMaxSteps = 50;
-    constexpr double kConverged_mm = 1e-11;
-    for (int step = 0; step < kMaxSteps; ++step) {
-        Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
-        Vec2 rhs = Vec2::Zero();
-        residual = 0;
-        const auto add = [&](const Vec2& gradient, double value) {
-            normal += gradient * gradient.transpose();
-            rhs -= gradient * value;
-            residual = std::max(residual, std::abs(value));
-        };
-        const auto gradient = [&](const Site& s) -> Vec2 {
-            if (s.kind == SiteKind::Line)
-                return side == Side::Inside ? leftNormal(s.dir) : Vec2(-leftNormal(s.dir));
-            const Vec2 r = at - s.centre;
-            const double n = r.norm();
-            if (n < 1e-12) return Vec2::Zero();
-            return s.concaveOn(side) ? Vec2(-r / n) : Vec2(r / n);
-        };
-        for (const Pair& pair : pairs) {
-            const Site &p = site(pair.p), &q = site(pair.q);
-            if (pair.ray) {
-                const Vec2 tangent = leftNormal(pair.ray->normal);
-                add(tangent, tangent.dot(at - pair.ray->from));
-            } else if (p.kind == SiteKind::Arc && q.kind == SiteKind::Arc && p.concaveOn(side) &&
-                       q.concaveOn(side) && p.centre == q.centre && p.radius == q.radius) {
-                add(Vec2::UnitX(), at.x() - p.centre.x());
-                add(Vec2::UnitY(), at.y() - p.centre.y());
-            } else {
-                add(gradient(p) - gradient(q), signedDistance(p, side, at) - signedDistance(q, side, at));
-            }
-        }
-        const double trace = normal.trace();
-        if (trace <= 0) break;
-        normal.diagonal().array() += 1e-13 * trace;
-        const Vec2 move = normal.ldlt().solve(rhs);
-        at += move;
-        if (residual < kConverged_mm || move.norm() < kConverged_mm) break;
-    }
-    // Where a circle's centre is near, chords of one sagitta s shift a vertex by up to sqrt(2 R s).
-    constexpr double kResidual_mm = 1e-8;
-    const double slack = 4 * std::max(chord_mm_, set().unit_mm);
-    const double reach = 4 * std::sqrt(2 * slack * std::max(largest_radius, rough)) + slack;
-    double clearance = trueClearance(at);
-    double farthest = 0;
-    for (const Pair& pair : pairs)
-        farthest = std::max(farthest, distanceToSite(site(pair.p), at));
-    const bool equidistant = residual < kResidual_mm && farthest - clearance < slack;
-    for (const Pair& pair : pairs)
-        if (pair.ray) clearance = pair.ray->normal.dot(at - pair.ray->from);
-    if (equidistant && (at - start).norm() < reach && clearance >= 0) {
-        node.point = at;
-        node.clearance = clearance;
-    } else {
-        node.clearance = rough;
-        node.exact = false;
-    }
 }
 
 const VEdge* Builder::nextKept(const VEdge* e) const {
@@ -277,21 +177,18 @@ void Builder::followChains() {
             for (const VVertex* v : {e->vertex0(), e->vertex1()})
                 if (!on_boundary_[indexOf(v)]) vote = sidedness_[indexOf(v)];
         const Side side = vote > 0 ? Side::Inside : Side::Outside;
-        std::vector<int> nodes{node_of_[indexOf(chain.front()->vertex0())],
-                               node_of_[indexOf(chain.back()->vertex1())]};
-        splitAtExtrema(nodes, chain, side);
-        const int base = static_cast<int>(graph_.edges.size());
-        const int pieces = static_cast<int>(nodes.size()) - 1;
-        for (int k = 0; k < pieces; ++k) {
-            const int a = nodes[static_cast<std::size_t>(k)], b = nodes[static_cast<std::size_t>(k) + 1];
-            const int forward = base + 2 * k, backward = forward + 1;
-            graph_.edges.push_back({a, b, p, backward, k > 0 ? forward - 2 : -1, side});
-            graph_.edges.push_back({b, a, q, forward, k + 1 < pieces ? backward + 2 : -1, side});
-            first_of_.push_back(k > 0 ? nullptr : first);
-            first_of_.push_back(k + 1 < pieces ? nullptr : chain.back()->twin());
-        }
-        edge_ending_[indexOf(chain.back())] = base + 2 * (pieces - 1);
-        edge_ending_[indexOf(first->twin())] = base + 1;
+        const int a = node_of_[indexOf(chain.front()->vertex0())];
+        const int b = node_of_[indexOf(chain.back()->vertex1())];
+        const int forward = static_cast<int>(graph_.edges.size());
+        graph_.edges.push_back({a, b, p, forward + 1, -1, -1, side});
+        graph_.edges.push_back({b, a, q, forward, -1, -1, side});
+        first_of_.push_back(first);
+        first_of_.push_back(chain.back()->twin());
+        edge_ending_[indexOf(chain.back())] = forward;
+        edge_ending_[indexOf(first->twin())] = forward + 1;
+        std::vector<Vec2>& course = courses_.emplace_back();
+        for (std::size_t k = 1; k < chain.size(); ++k)
+            course.push_back(toMm(chain[k]->vertex0()));
     };
     for (const VEdge& e : diagram_.edges())
         if (kept(&e) && !done[indexOf(&e)] && node_of_[indexOf(e.vertex0())] >= 0) follow(&e);
@@ -303,43 +200,12 @@ void Builder::followChains() {
     }
 }
 
-void Builder::splitAtExtrema(std::vector<int>& nodes, const std::vector<const VEdge*>& chain, Side side) {
-    const int ip = cellSite(chain.front()), iq = cellSite(chain.front()->twin());
-    if (ip == set().frame_site || iq == set().frame_site) return;
-    const Site &p = site(ip), &q = site(iq);
-    if (!p.round() && !q.round()) return;
-    const Vec2 from = graph_.nodes[static_cast<std::size_t>(nodes.front())].point;
-    const Vec2 to = graph_.nodes[static_cast<std::size_t>(nodes.back())].point;
-    if (sharedNormal(set(), ip, iq, side, (from + to) / 2)) return;
-    struct Split {
-        std::size_t link;
-        double along;
-        Vec2 point;
-    };
-    std::vector<Split> splits;
-    for (const Vec2& m : criticalPoints(p, q, side)) {
-        for (std::size_t k = 0; k < chain.size(); ++k) {
-            const Vec2 a = k == 0 ? from : toMm(chain[k]->vertex0());
-            const Vec2 b = k + 1 == chain.size() ? to : toMm(chain[k]->vertex1());
-            if (!footBetween(p, a, b, m) || !footBetween(q, a, b, m)) continue;
-            splits.push_back({k, (m - a).dot(b - a), m});
-            break;
-        }
-    }
-    std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
-        return a.link != b.link ? a.link < b.link : a.along < b.along;
-    });
-    for (const Split& s : splits) {
-        nodes.insert(nodes.end() - 1, static_cast<int>(graph_.nodes.size()));
-        graph_.nodes.push_back({s.point, std::max(0.0, signedDistance(p, side, s.point)), true});
-    }
-}
-
-void Builder::linkPrevious() {
+void Builder::linkCells() {
     for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
-        if (!first_of_[k]) continue;
-        graph_.edges[k].prev = edge_ending_[indexOf(previousKept(first_of_[k]))];
-        STEPMILL_CHECK(graph_.edges[k].prev >= 0, "cell boundaries close");
+        const int prev = edge_ending_[indexOf(previousKept(first_of_[k]))];
+        STEPMILL_CHECK(prev >= 0, "cell boundaries close");
+        graph_.edges[k].prev = prev;
+        graph_.edges[static_cast<std::size_t>(prev)].next = static_cast<int>(k);
     }
 }
 
@@ -349,7 +215,8 @@ Graph Builder::build() {
     findSides();
     findNodes();
     followChains();
-    linkPrevious();
+    linkCells();
+    refineGraph(graph_, courses_, chord_mm_);
     return std::move(graph_);
 }
 

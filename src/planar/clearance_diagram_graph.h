@@ -11,7 +11,9 @@ namespace stepmill::clearance {
 struct Node {
     Vec2 point = Vec2::Zero();
     double clearance = 0;  ///< from the true lines and arcs
-    bool exact = true;     ///< false: taken from the chords, right to about a sagitta
+    bool neck = false;     ///< clearance rises on two sides, or stays level along a passage
+    bool on_boundary = false;
+    bool exact = true;  ///< false: taken from the chords, right to about a sagitta
 };
 
 /// One direction of a bisector along which clearance is monotone. `site`'s cell is on its left.
@@ -20,7 +22,8 @@ struct HalfEdge {
     int to = -1;
     int site = -1;
     int twin = -1;
-    int prev = -1;  ///< the half-edge before it around its site's cell
+    int prev = -1;  ///< the half-edges before and after it around its site's cell
+    int next = -1;
     Side side = Side::Inside;
 };
 
@@ -34,5 +37,10 @@ struct Graph {
 
 /// \throws Error(GeometryKernel)
 Graph buildGraph(SiteSet set, double chord_mm);
+
+/// Makes a graph of the chords' diagram one of the true sites: moves nodes to where the true sites are
+/// equally near, exchanges edges whose order the chords got wrong, and splits bisectors where clearance
+/// turns. `courses` holds for each pair of half-edges the points between its ends, along the even one.
+void refineGraph(Graph& graph, const std::vector<std::vector<Vec2>>& courses, double chord_mm);
 
 }  // namespace stepmill::clearance

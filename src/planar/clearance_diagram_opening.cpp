@@ -12,6 +12,8 @@ struct Cap {
     Vec2 centre;
     Vec2 from;
     Vec2 to;
+    std::size_t piece_before;  ///< pieces of the traced loops, numbered through, that the arc joins
+    std::size_t piece_after;
 };
 
 Vec2 contact(const Site& site, const Vec2& centre) {
@@ -25,18 +27,21 @@ bool insideCap(const Cap& cap, const Vec2& direction, double margin) {
     const Vec2 a = (cap.from - cap.centre).normalized(), b = (cap.to - cap.centre).normalized();
     const Vec2 u = direction.normalized();
     const bool wide = cross(a, b) < 0;
+    if (margin < 0 && ((u - a).norm() < -margin || (u - b).norm() < -margin)) return true;
     const bool after = cross(a, u) > margin, before = cross(u, b) > margin;
     return wide ? after || before : after && before;
 }
 
-/// Do the two arcs of equal radius cross, or lie on the same circle?
+/// Do the two arcs of equal radius cross, or lie on the same circle? Arcs on both sides of one reflex corner
+/// meet there and nowhere else.
 bool capsCross(const Cap& a, const Cap& b, double radius) {
     const Vec2 d = b.centre - a.centre;
     const double distance = d.norm();
     if (distance > 2 * radius + kWeld_mm) return false;
     if (distance < kWeld_mm) return true;
+    const bool neighbours = a.piece_after == b.piece_before || b.piece_after == a.piece_before;
     const double h = std::sqrt(std::max(0.0, radius * radius - distance * distance / 4));
-    const double margin = kWeld_mm / radius;
+    const double margin = (neighbours ? kWeld_mm : -kWeld_mm) / radius;
     for (double sign : {1.0, -1.0}) {
         const Vec2 x = d / 2 + sign * h / distance * leftNormal(d);
         if (insideCap(a, x, margin) && insideCap(b, x - d, margin)) return true;
@@ -56,12 +61,13 @@ class Contacts {
     const Site& site(const Piece& p) const { return set_.sites[static_cast<std::size_t>(p.site)]; }
     void addCircle(const Site& circle);
     void addWall(Loop& loop, const Piece& piece, const Vec2& to) const;
-    void addCap(Loop& loop, const Vec2& centre, const Vec2& to);
+    void addCap(Loop& loop, const Vec2& joint, const Vec2& to, std::size_t before, std::size_t after);
 
     const SiteSet& set_;
     double radius_;
     Region region_;
     std::vector<Cap> caps_;
+    std::size_t pieces_ = 0;  // of the loops added so far
 };
 
 void Contacts::addCircle(const Site& circle) {
@@ -79,14 +85,14 @@ void Contacts::addWall(Loop& loop, const Piece& piece, const Vec2& to) const {
     loop.segments.push_back({to, arc});
 }
 
-void Contacts::addCap(Loop& loop, const Vec2& joint, const Vec2& to) {
+void Contacts::addCap(Loop& loop, const Vec2& joint, const Vec2& to, std::size_t before, std::size_t after) {
     if (to == loop.end()) return;
     const Vec2 centre = snapToGrid(joint);
     if ((to - loop.end()).norm() < kWeld_mm) {
         loop.segments.push_back({to, std::nullopt});
         return;
     }
-    caps_.push_back({centre, loop.end(), to});
+    caps_.push_back({centre, loop.end(), to, before, after});
     loop.segments.push_back({to, Arc{centre, radius_, true}});
 }
 
@@ -101,8 +107,10 @@ void Contacts::add(const TracedLoop& traced) {
         const Piece& piece = traced.pieces[k];
         const Piece& next = traced.pieces[(k + 1) % traced.pieces.size()];
         addWall(loop, piece, contact(site(piece), piece.to));
-        addCap(loop, piece.to, contact(site(next), next.from));
+        addCap(loop, piece.to, contact(site(next), next.from), pieces_ + k,
+               pieces_ + (k + 1) % traced.pieces.size());
     }
+    pieces_ += traced.pieces.size();
     constexpr double kNothing_mm2 = 1e-9;
     if (loop.segments.size() > 1 && std::abs(signedArea(loop)) > kNothing_mm2) region_.loops.push_back(loop);
 }

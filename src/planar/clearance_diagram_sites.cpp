@@ -12,6 +12,8 @@ constexpr double kRegionLimit = 0.9e9;
 constexpr double kFrameHalf = 1.9e9;
 constexpr int kMinChordsPerCircle = 16;
 constexpr double kMinChordUnits = 8;
+// Shorter edges are rounding; what follows starts where they start.
+constexpr double kNoEdge_mm = 4e-6;
 // Graded chords at a slight kink must be long enough for the grid to keep their direction.
 constexpr double kMinGradedChordMm = 1e-3;
 constexpr double kLargestGradedKinkRad = 0.2;
@@ -35,6 +37,10 @@ double ccwAngle(double from, double to) {
     return sweep < 0 ? sweep + 2 * kPi : sweep;
 }
 
+bool nearlyFull(const Vec2& from, const Segment& s) {
+    return s.arc && std::abs(sweepAngle(from, s.to, *s.arc)) > kPi;
+}
+
 double angleOf(const Vec2& v) {
     return std::atan2(v.y(), v.x());
 }
@@ -45,9 +51,11 @@ std::vector<Edge> mergedEdges(const Loop& loop) {
     Vec2 at = loop.start;
     for (const Segment& s : loop.segments) {
         const bool full = s.arc && s.to == at;
-        if (full || s.to != at) raw.push_back({at, s.to, s.arc, full});
+        if (!full && (s.to - at).norm() <= kNoEdge_mm && !nearlyFull(at, s)) continue;
+        raw.push_back({at, s.to, s.arc, full});
         at = s.to;
     }
+    if (!raw.empty() && at != loop.start) raw.back().to = raw.front().from;
     const std::size_t n = raw.size();
     if (n == 0) return {};
     std::size_t first = 0;

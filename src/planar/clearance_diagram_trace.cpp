@@ -29,35 +29,71 @@ double sweepOf(const Piece& p) {
     return p.forward ? ccwSweep(a, b) : ccwSweep(b, a);
 }
 
-std::optional<Vec2> intersectionNear(const OffsetCurve& a, const OffsetCurve& b, const Vec2& near) {
+Vec2 travelDirection(const Piece& piece, const Vec2& at) {
+    const Vec2 ahead = piece.curve.round ? leftNormal(at - piece.curve.point).normalized() : piece.curve.dir;
+    return piece.forward ? ahead : Vec2(-ahead);
+}
+
+/// Points common to two offset curves; of curves that just miss each other, the point nearest to both.
+std::vector<Vec2> commonPoints(const OffsetCurve& a, const OffsetCurve& b) {
     if (!a.round && !b.round) {
         const double det = cross(a.dir, b.dir);
-        if (std::abs(det) < kSmoothKinkRad) return std::nullopt;
-        return Vec2(a.point + a.dir * (cross(b.point - a.point, b.dir) / det));
+        if (std::abs(det) < kSmoothKinkRad) return {};
+        return {a.point + a.dir * (cross(b.point - a.point, b.dir) / det)};
     }
-    Vec2 at = near;
-    // Alternating projections converge fast where the curves cross at an angle; elsewhere either will do.
-    constexpr int kSteps = 30;
-    for (int k = 0; k < kSteps; ++k) {
-        const Vec2 next = project(b, project(a, at));
-        const bool still = (next - at).norm() < 1e-12;
-        at = next;
-        if (still) break;
+    Vec2 foot, along;
+    double h2 = 0;
+    if (a.round && b.round) {
+        const Vec2 between = b.point - a.point;
+        const double d = between.norm();
+        if (d < kShort_mm) return {};
+        const double x = (d * d + (a.radius - b.radius) * (a.radius + b.radius)) / (2 * d);
+        foot = a.point + x / d * between;
+        along = leftNormal(between) / d;
+        h2 = (a.radius - x) * (a.radius + x);
+    } else {
+        const OffsetCurve &line = a.round ? b : a, &circle = a.round ? a : b;
+        foot = project(line, circle.point);
+        along = line.dir;
+        h2 = circle.radius * circle.radius - (foot - circle.point).squaredNorm();
     }
-    return at;
+    const Vec2 step = std::sqrt(std::max(0.0, h2)) * along;
+    return {foot - step, foot + step};
+}
+
+/// Where the offset goes over from one piece to the next: points of large clearance form convex corners
+/// there, so of two common points it is the one where the way turns left.
+std::optional<Vec2> convexCorner(const Piece& before, const Piece& after, const Vec2& near) {
+    std::optional<Vec2> best;
+    double best_turn = 0;
+    for (const Vec2& p : commonPoints(before.curve, after.curve)) {
+        const double turn = cross(travelDirection(before, p), travelDirection(after, p));
+        const bool better = std::abs(turn - best_turn) < 1e-9
+                                ? best && (p - near).norm() < (*best - near).norm()
+                                : turn > best_turn;
+        if (best && !better) continue;
+        best = p;
+        best_turn = turn;
+    }
+    return best;
 }
 
 class Tracer {
   public:
     Tracer(const Graph& graph, Side side, double distance, double tie, double chord)
-        : graph_(graph), side_(side), distance_(distance), level_(distance + tie), tie_(tie), chord_(chord) {}
+        : graph_(graph),
+          side_(side),
+          distance_(distance),
+          level_(distance + kShort_mm),
+          tie_(tie),
+          chord_(chord) {}
 
     std::vector<TracedLoop> run();
 
   private:
     const HalfEdge& edge(int h) const { return graph_.edges[static_cast<std::size_t>(h)]; }
     const Node& node(int n) const { return graph_.nodes[static_cast<std::size_t>(n)]; }
-    bool above(int n) const { return node(n).clearance > level_; }
+    bool above(int n) const { return node(n).clearance > (node(n).neck ? distance_ + tie_ : level_); }
     bool goesDown(int h) const { return above(edge(h).from) && !above(edge(h).to); }
     bool goesUp(int h) const { return !above(edge(h).from) && above(edge(h).to); }
 
@@ -188,8 +224,7 @@ void Tracer::dropShortPieces(TracedLoop& loop) const {
         const Vec2 mid = (pieces[k].from + pieces[k].to) / 2;
         const double reach = 4 * (pieces[k].to - pieces[k].from).norm() + kShort_mm;
         Vec2 at = mid;
-        if (const auto x = intersectionNear(before.curve, after.curve, mid); x && (*x - mid).norm() < reach)
-            at = *x;
+        if (const auto x = convexCorner(before, after, mid); x && (*x - mid).norm() < reach) at = *x;
         before.to = at;
         after.from = at;
         pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k));

@@ -23,7 +23,7 @@ struct TracedLoop {
 
 /// Boundary of the set whose clearance exceeds the distance, on one side of the region's boundary.
 ///
-/// \param tie_mm  clearances up to distance + tie_mm count as not above: a neck that tight is closed
+/// \param tie_mm  a neck whose clearance is at most distance + tie_mm is closed
 std::vector<TracedLoop> trace(const Graph& graph, Side side, double distance_mm, double tie_mm,
                               double chord_mm);
 
