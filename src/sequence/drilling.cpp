@@ -35,8 +35,9 @@ bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm,
 }
 
 std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const ToolAssembly& drill) {
-    std::vector<HolderCylinder> cylinders = drill.holder;
-    if (drill.shank.diameter_mm > drill.diameter_mm) cylinders.insert(cylinders.begin(), drill.shank);
+    std::vector<HolderCylinder> cylinders;
+    if (drill.shank.diameter_mm > drill.diameter_mm) cylinders.push_back(drill.shank);
+    cylinders.insert(cylinders.end(), drill.holder.begin(), drill.holder.end());
     const Vec2 axis = centroid(feature.target);
     const double tip_z = drillTipZ(feature, drill);
     for (const HolderCylinder& cylinder : cylinders) {

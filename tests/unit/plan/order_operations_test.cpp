@@ -1,0 +1,115 @@
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+namespace {
+
+Feature feature(const std::string& id, std::vector<std::string> parents = {}) {
+    Feature result;
+    result.id = id;
+    result.parents = std::move(parents);
+    return result;
+}
+
+Operation operation(const std::string& feature_id, const std::string& tool_id, double x_mm = 0) {
+    Operation result;
+    result.feature_id = feature_id;
+    result.tool_id = tool_id;
+    result.path.start = Vec3(x_mm, 0, 5);
+    return result;
+}
+
+std::vector<std::string> toolsInOrder(const std::vector<Operation>& operations,
+                                      const std::vector<int>& order) {
+    std::vector<std::string> tools;
+    for (const int index : order)
+        tools.push_back(operations[index].tool_id);
+    return tools;
+}
+
+int changes(const std::vector<std::string>& tools) {
+    int count = 0;
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        count += i == 0 || tools[i] != tools[i - 1] ? 1 : 0;
+    return count;
+}
+
+TEST(OrderOperations, IsEmptyWithoutOperations) {
+    EXPECT_TRUE(orderOperations({}, {feature("F1")}).empty());
+}
+
+TEST(OrderOperations, MergesTwoPocketsToolByTool) {
+    const std::vector<Operation> operations{operation("F1", "20"), operation("F1", "6"),
+                                            operation("F2", "20"), operation("F2", "6")};
+    const std::vector<int> order = orderOperations(operations, {feature("F1"), feature("F2")});
+    EXPECT_EQ(toolsInOrder(operations, order), (std::vector<std::string>{"20", "20", "6", "6"}));
+}
+
+TEST(OrderOperations, FinishesTheParentBeforeTheChild) {
+    const std::vector<Operation> operations{operation("F1", "20"), operation("F1", "6"),
+                                            operation("F2", "20")};
+    EXPECT_EQ(orderOperations(operations, {feature("F1"), feature("F2", {"F1"})}),
+              (std::vector<int>{0, 1, 2}));
+}
+
+TEST(OrderOperations, AParentWithoutOperationsStillWaitsForItsOwnParent) {
+    const std::vector<Operation> operations{operation("F3", "20"), operation("F1", "20")};
+    const std::vector<Feature> features{feature("F1"), feature("F2", {"F1"}), feature("F3", {"F2"})};
+    EXPECT_EQ(orderOperations(operations, features), (std::vector<int>{1, 0}));
+}
+
+TEST(OrderOperations, LooksAheadToSaveAChange) {
+    // Starting with the tool of the most operations at hand (A) would call A twice.
+    const std::vector<Operation> operations{operation("F1", "A"), operation("F2", "A"), operation("F3", "B"),
+                                            operation("F4", "A")};
+    const std::vector<Feature> features{feature("F1"), feature("F2"), feature("F3"), feature("F4", {"F3"})};
+    EXPECT_EQ(changes(toolsInOrder(operations, orderOperations(operations, features))), 2);
+}
+
+TEST(OrderOperations, TakesTheNearestNextWithinAVisit) {
+    const std::vector<Operation> operations{operation("F1", "A", 0), operation("F2", "A", 90),
+                                            operation("F3", "A", 10)};
+    EXPECT_EQ(orderOperations(operations, {feature("F1"), feature("F2"), feature("F3")}),
+              (std::vector<int>{0, 2, 1}));
+}
+
+TEST(OrderOperations, KeepsPrecedenceOnRandomForests) {
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        std::mt19937 random(seed);
+        std::vector<Feature> features;
+        std::vector<Operation> operations;
+        const int count = std::uniform_int_distribution(1, 12)(random);
+        for (int f = 0; f < count; ++f) {
+            const int parent = std::uniform_int_distribution(-1, f - 1)(random);
+            features.push_back(feature("F" + std::to_string(f)));
+            if (parent >= 0) features.back().parents.push_back("F" + std::to_string(parent));
+            const int steps = std::uniform_int_distribution(0, 3)(random);
+            for (int s = 0; s < steps; ++s)
+                operations.push_back(operation(features.back().id,
+                                               std::to_string(std::uniform_int_distribution(0, 4)(random))));
+        }
+        const std::vector<int> order = orderOperations(operations, features);
+        std::vector<int> place(operations.size(), -1);
+        for (std::size_t i = 0; i < order.size(); ++i)
+            place[order[i]] = static_cast<int>(i);
+        ASSERT_EQ(order.size(), operations.size()) << "seed " << seed;
+        for (std::size_t i = 0; i < operations.size(); ++i) {
+            for (std::size_t k = 0; k < operations.size(); ++k) {
+                const bool same = operations[i].feature_id == operations[k].feature_id;
+                const Feature& later = *std::find_if(features.begin(), features.end(), [&](const Feature& f) {
+                    return f.id == operations[k].feature_id;
+                });
+                const bool parent = !later.parents.empty() && later.parents[0] == operations[i].feature_id;
+                if ((same && i < k) || parent) {
+                    ASSERT_LT(place[i], place[k]) << "seed " << seed;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace stepmill
