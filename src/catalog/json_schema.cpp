@@ -125,6 +125,7 @@ std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_tex
         findings.insert(findings.end(), breaches.begin(), breaches.end());
     }
     std::vector<std::string> lines;
+    lines.reserve(findings.size());
     for (const CatalogFinding& finding : findings)
         lines.push_back(finding.pointer + ": " + finding.text);
     return lines;

@@ -11,6 +11,7 @@
 namespace stepmill {
 
 /// A JSON text and what is wrong with it before any schema is looked at.
+// NOLINTNEXTLINE(bugprone-exception-escape): json's own destructor is noexcept, though it allocates.
 struct ParsedJson {
     nlohmann::json value;                  ///< discarded when the text is not JSON
     std::vector<CatalogFinding> findings;  ///< one syntax error with line and column, or fields given twice

@@ -101,6 +101,7 @@ class ToolReader {
 
 std::vector<CatalogFinding> unknownFieldDoubts(const std::vector<std::string>& pointers) {
     std::vector<CatalogFinding> findings;
+    findings.reserve(pointers.size());
     for (const std::string& pointer : pointers)
         findings.push_back({pointer, "a field Stepmill does not know; kept aside, not used", true});
     return findings;
