@@ -9,6 +9,7 @@
 #include "toolpath/emit.h"
 #include "toolpath/layer_script.h"
 #include "toolpath/passes.h"
+#include "toolpath/ring_family.h"
 
 namespace stepmill {
 
@@ -28,7 +29,7 @@ Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData
                    const Machine& machine) {
     Toolpath path;
     path.pattern = "contour-parallel";
-    path.step_over_mm = cutting.step_over_mm > 0 ? std::min(cutting.step_over_mm, radius_mm) : radius_mm;
+    path.step_over_mm = toolpath::usedStepOver(cutting, radius_mm);
     const double depth_mm = task.top_z_mm - task.floor_z_mm;
     path.layers = layersFor(depth_mm, cutting.step_down_mm);
     path.step_down_mm = depth_mm / path.layers;
@@ -51,7 +52,11 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
     if (task.centres.empty() || task.free_centres.empty() || task.top_z_mm <= task.floor_z_mm) return path;
 
     using namespace toolpath;
-    const PassSet set = contourParallel(task, tool.radius_mm(), path.step_over_mm, tol);
+    const std::shared_ptr<const RingFamily> rings =
+        task.rings ? task.rings : makeRings(task, tool, cutting, tol);
+    STEPMILL_CHECK(rings->radiusMm() == tool.radius_mm() && rings->stepOverMm() == path.step_over_mm,
+                   "rings of another tool or step-over");
+    const PassSet set = contourParallel(task, *rings, tol);
     if (set.passes.empty()) return path;
     const LinkRates rates{path.feed_mm_per_min, path.plunge_feed_mm_per_min, machine.rapid_mm_per_min,
                           task.retract_z_mm - (task.top_z_mm + task.floor_z_mm) / 2};

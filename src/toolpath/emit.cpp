@@ -69,21 +69,24 @@ void MoveWriter::write(const PlungeDown& step) {
 }
 
 void MoveWriter::write(const RampAlong& step) {
-    descendTo(step.pass.start);
-    const double from_z = at_.z();
+    const double needed =
+        (heights_.above_mm + kDescentStartMm - heights_.floor_mm) / std::tan(heights_.ramp_angle_rad);
     const double whole = length(step.pass);
+    // A closed pass is gone along so that its start is reached at depth; an open one to and fro.
+    const double share = step.closed ? needed : needed / 2;
+    const Path leg = share >= whole ? step.pass
+                     : step.closed  ? reversed(firstPart(reversed(step.pass), share))
+                                    : firstPart(step.pass, share);
+    descendTo(leg.start);
+    const double from_z = at_.z();
     const double drop = from_z - heights_.floor_mm;
-    const double needed = drop / std::tan(heights_.ramp_angle_rad);
-    if (step.closed) {
-        const int turns = timesAlong(whole, heights_);
-        for (int i = 1; i <= turns; ++i)
-            along(step.pass, MoveKind::Plunge, from_z - drop * i / turns);
-    } else {
-        const Path leg = needed / 2 < whole ? firstPart(step.pass, needed / 2) : step.pass;
-        const int pairs = timesAlong(2 * length(leg), heights_);
-        for (int i = 1; i <= pairs; ++i) {
-            along(leg, MoveKind::Plunge, from_z - drop * (i - 0.5) / pairs);
-            along(reversed(leg), MoveKind::Plunge, from_z - drop * i / pairs);
+    const int times = timesAlong(step.closed ? length(leg) : 2 * length(leg), heights_);
+    for (int i = 1; i <= times; ++i) {
+        if (!step.closed) {
+            along(leg, MoveKind::Plunge, from_z - drop * (i - 0.5) / times);
+            along(reversed(leg), MoveKind::Plunge, from_z - drop * i / times);
+        } else {
+            along(leg, MoveKind::Plunge, from_z - drop * i / times);
         }
     }
     along(step.pass, MoveKind::Feed, heights_.floor_mm);

@@ -28,10 +28,11 @@ struct PassSet {
     std::vector<Pass> passes;
 };
 
+/// The step-over as used: no wider than the radius, so that rings leave nothing between them.
+double usedStepOver(const CuttingData& cutting, double radius_mm);
+
 /// Contour-parallel passes [docs/algorithms/contour-parallel.md]. Every point of the target that a disc of
 /// radius r reaches from task.centres lies within r of a pass, or has been cleared before.
-/// \pre 0 < step_over_mm <= radius_mm
-PassSet contourParallel(const ClearingTask& task, double radius_mm, double step_over_mm,
-                        const Tolerances& tol);
+PassSet contourParallel(const ClearingTask& task, const RingFamily& family, const Tolerances& tol);
 
 }  // namespace stepmill::toolpath

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ struct PathTotals {
 /// What checking the emitted moves against the obstruction gave.
 struct PathProof {
     /// Least distance between the cutter's edge and the obstruction over all moves below the feature's
-    /// top; negative would be a gouge [mm].
+    /// top; negative would be a gouge. Not searched beyond three radii, infinite without such moves [mm].
     double least_clearance_mm = 0;
     /// Rapids stay above the material or over ground already cleared.
     bool rapids_clear = true;
@@ -62,6 +63,10 @@ struct Toolpath {
     PathTotals totals;
 };
 
+/// The rings of one tool's free centres before clipping: the costly part of clearArea(), the same for all
+/// tasks of that tool in that feature. Immutable; share it between threads.
+class RingFamily;
+
 /// What one tool has to clear in one feature.
 struct ClearingTask {
     Region free_centres;         ///< where the axis may go at every depth of the feature
@@ -73,7 +78,15 @@ struct ClearingTask {
     double top_z_mm = 0;
     double floor_z_mm = 0;
     double retract_z_mm = 0;  ///< rapids between entries go here
+    /// makeRings() of a task with the same free centres, target, obstruction, tool and cutting data; null:
+    /// clearArea() makes its own.
+    std::shared_ptr<const RingFamily> rings;
 };
+
+/// Builds what clearArea() can share between the tasks of one tool in one feature. Looks at the task's
+/// free centres, target and obstruction only.
+std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const ToolAssembly& tool,
+                                            const CuttingData& cutting, const Tolerances& tol);
 
 /// Contour-parallel clearing at every depth of cut: rings of the centre region at the step-over, entered
 /// from an open edge, cleared ground, helix, ramp or plunge, linked at depth where the straight way is

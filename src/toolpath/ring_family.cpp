@@ -1,0 +1,178 @@
+// Contour-parallel rings of free centres.
+
+#include "toolpath/ring_family.h"
+
+#include <algorithm>
+
+#include "stepmill/core/error.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "toolpath/passes.h"
+
+namespace stepmill {
+
+namespace toolpath {
+
+namespace {
+
+/// Four guards tell "on the boundary" from "beside it" with rounding to spare.
+constexpr double kGuardsOnBoundary = 4;
+/// Rings of neighbouring levels are one step-over apart, but for rounding.
+constexpr double kNeighbourSlack = 1.01;
+
+Box2 boxOf(const std::vector<Edge>& edges) {
+    Box2 box;
+    for (const Edge& edge : edges) {
+        box.add(edge.box.min);
+        box.add(edge.box.max);
+    }
+    return box;
+}
+
+}  // namespace
+
+double onBoundaryMm(const Tolerances& tol) {
+    return kGuardsOnBoundary * tol.guard_mm;
+}
+
+bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const Tolerances& tol) {
+    return distanceToRegion(target, p) >= radius_mm - onBoundaryMm(tol);
+}
+
+bool adjacent(const std::vector<Edge>& a, const std::vector<Edge>& b, double step_over_mm) {
+    const double reach = kNeighbourSlack * step_over_mm;
+    if (!boxOf(a).grown(reach).overlaps(boxOf(b))) return false;
+    return std::any_of(b.begin(), b.end(), [&](const Edge& edge) { return anyNearer(a, edge, reach); });
+}
+
+double usedStepOver(const CuttingData& cutting, double radius_mm) {
+    return cutting.step_over_mm > 0 ? std::min(cutting.step_over_mm, radius_mm) : radius_mm;
+}
+
+}  // namespace toolpath
+
+namespace {
+
+using namespace toolpath;
+
+enum class Openness { Walled, Mixed, Open };
+
+/// A ring, and whether the disc along it does no more than touch the target.
+struct Inset {
+    Loop loop;
+    int level = 0;
+    Openness openness = Openness::Walled;
+    bool outside_in = false;
+};
+
+class FamilyMaker {
+  public:
+    FamilyMaker(const ClearingTask& task, double radius_mm, double step_over_mm, const Tolerances& tol)
+        : task_(task), radius_mm_(radius_mm), step_over_mm_(step_over_mm), tol_(tol) {}
+
+    RingFamily::Component make(const Region& region) const {
+        RingFamily::Component component{region, edgesOf(region), {}, false};
+        std::vector<Inset> insets = insetsOf(region);
+        component.follows_walls = std::any_of(insets.begin(), insets.end(), [](const Inset& inset) {
+            return inset.openness == Openness::Mixed;
+        });
+        if (component.follows_walls) {
+            addWallCurves(component);
+            return component;
+        }
+        markOutsideIn(insets);
+        for (const Inset& inset : insets) {
+            if (inset.openness == Openness::Open) continue;
+            component.rings.push_back(
+                {inset.outside_in ? reversed(inset.loop) : inset.loop, inset.level, inset.outside_in});
+        }
+        return component;
+    }
+
+  private:
+    std::vector<Inset> insetsOf(const Region& region) const {
+        std::vector<Inset> insets;
+        int level = 0;
+        for (const Region& inset : ClearanceDiagram(region, tol_).rings(tol_.guard_mm, step_over_mm_)) {
+            for (const Loop& loop : inset.loops)
+                insets.push_back({loop, level, level == 0 ? openness(loop) : Openness::Walled, false});
+            ++level;
+        }
+        return insets;
+    }
+
+    Openness openness(const Loop& loop) const {
+        std::size_t open = 0;
+        for (const Edge& edge : edgesOf(loop))
+            if (cutsNothing(task_.target, radius_mm_, pointAt(edge.from, edge.segment, 0.5), tol_)) ++open;
+        if (open == 0) return Openness::Walled;
+        return open == loop.segments.size() ? Openness::Open : Openness::Mixed;
+    }
+
+    /// Open sides first and walls last: a ring is cut from outside in if every ring it follows from
+    /// belongs to an open side.
+    void markOutsideIn(std::vector<Inset>& insets) const {
+        for (std::size_t i = 0; i < insets.size(); ++i) {
+            Inset& inset = insets[i];
+            inset.outside_in = inset.level > 0 || inset.openness == Openness::Open;
+            const std::vector<Edge> edges = edgesOf(inset.loop);
+            for (std::size_t j = 0; j < i && inset.outside_in && inset.level > 0; ++j)
+                if (insets[j].level == inset.level - 1 && !insets[j].outside_in &&
+                    adjacent(edgesOf(insets[j].loop), edges, step_over_mm_))
+                    inset.outside_in = false;
+        }
+    }
+
+    /// Curves at r, r + step-over, ... from the walls: where walls and open sides share a boundary these
+    /// cut from the open side towards the wall, one step-over at a time.
+    void addWallCurves(RingFamily::Component& component) const {
+        const ClearanceDiagram walls(wallsAround(component.region), tol_);
+        for (int level = 0;; ++level) {
+            const Region grown = walls.offset(radius_mm_ + tol_.guard_mm + level * step_over_mm_);
+            const std::size_t before = component.rings.size();
+            for (const Loop& loop : grown.loops)
+                if (reaches(component, loop)) component.rings.push_back({reversed(loop), level, false});
+            // Distances from the walls have no gaps in a component, so the first level beyond it is the last.
+            if (component.rings.size() == before) return;
+        }
+    }
+
+    bool reaches(const RingFamily::Component& component, const Loop& loop) const {
+        const std::vector<Edge> edges = edgesOf(loop);
+        return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+            return contains(component.region, edge.from) ||
+                   anyNearer(component.boundary, edge, onBoundaryMm(tol_));
+        });
+    }
+
+    /// The obstruction without the holes that do not concern this component.
+    Region wallsAround(const Region& region) const {
+        const Box2 box = boundingBox(region).grown(2 * radius_mm_);
+        Region walls;
+        for (const Loop& loop : task_.obstruction.loops)
+            if (signedArea(loop) > 0 || boundingBox(loop).overlaps(box)) walls.loops.push_back(loop);
+        return walls;
+    }
+
+    const ClearingTask& task_;
+    double radius_mm_;
+    double step_over_mm_;
+    const Tolerances& tol_;
+};
+
+}  // namespace
+
+RingFamily::RingFamily(const ClearingTask& task, double radius_mm, double step_over_mm, const Tolerances& tol)
+    : radius_mm_(radius_mm), step_over_mm_(step_over_mm) {
+    STEPMILL_CHECK(step_over_mm > 0 && step_over_mm <= radius_mm, "rings further apart than the radius");
+    const FamilyMaker maker(task, radius_mm, step_over_mm, tol);
+    for (const Region& region : stepmill::components(task.free_centres))
+        components_.push_back(maker.make(region));
+}
+
+std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const ToolAssembly& tool,
+                                            const CuttingData& cutting, const Tolerances& tol) {
+    const double r = tool.radius_mm();
+    return std::make_shared<const RingFamily>(task, r, usedStepOver(cutting, r), tol);
+}
+
+}  // namespace stepmill
