@@ -8,6 +8,7 @@
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
+#include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
@@ -34,8 +35,9 @@ std::string toString(EntryKind kind);
 
 struct Entry {
     EntryKind kind = EntryKind::Plunge;
-    /// OpenEdge: a free centre whose disc meets no material of the feature; Helix: the helix' centre;
-    /// Ramp: where the ramp starts; Plunge: where to go down.
+    /// OpenEdge: where to go down beside the material, the disc clear of target and obstruction; up to 1 mm
+    /// outside the component of the free centres, and the straight way from it into the component is free.
+    /// Helix: the helix' centre; Ramp: where the ramp starts; Plunge: where to go down.
     Vec2 at = Vec2::Zero();
     double helix_radius_mm = 0;   ///< of the centre's path; Helix only
     Vec2 ramp_to = Vec2::Zero();  ///< other end of the ramp's zigzag; Ramp only
@@ -51,11 +53,20 @@ class FeatureGround {
 
     const Feature& feature() const;
     const Tolerances& tolerances() const;
+    /// Is the target closed all round, so that only centres inside it are free?
+    bool walledIn() const;
     /// offset(T, x) and offset(O, x), from diagrams built once.
     Region targetOffset(double distance_mm) const;
     Region obstructionOffset(double distance_mm) const;
-    /// Widest disc that fits the free space over the target at all; the cutter that would fit.
+    /// Points a disc of that radius sweeps inside T.
+    Region targetOpening(double radius_mm) const;
+    /// The section of feature().obstacles[index], offset. \throws std::out_of_range
+    Region obstacleOffset(std::size_t index, double distance_mm) const;
+    /// Diameter of the widest disc clear of the obstruction and centred in the target; the cutter that would
+    /// fit. Infinite where nothing obstructs, 0 for an empty target. With open edges to within 0.01 mm.
     double widestCutterMm() const;
+    /// Largest disc inside the target alone; nothing for an empty target.
+    std::optional<ClearanceDiagram::Disc> widestDiscInTarget() const;
 
   private:
     struct Impl;

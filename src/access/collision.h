@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/access/access.h"
+
+namespace stepmill::access {
+
+/// A cylinder of shank or holder that dips below the top of standing material when the tip is on the floor.
+struct Blocker {
+    std::size_t obstacle = 0;  ///< which of the feature's obstacles stands at its bottom
+    double radius_mm = 0;
+    double height_mm = 0;  ///< of its bottom over the tip
+};
+
+/// Cylinders wider than the cutter, and so not covered by it, with standing material at their bottom's
+/// height. The obstacles are shadows, so what stands at the bottom's height counts for the whole cylinder.
+std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool);
+
+/// Centres where neither cutter nor shank nor holder touches anything: `centres` without each obstacle grown
+/// by its cylinder's radius [DSouza2006, Alg. 3].
+Region collisionFreeCentres(const FeatureGround& ground, const std::vector<Blocker>& blockers,
+                            Region centres);
+
+}  // namespace stepmill::access

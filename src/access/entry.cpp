@@ -1,0 +1,178 @@
+#include "access/entry.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::access {
+namespace {
+
+/// Distances to the material at which a tool goes down beside it, the best first [mm].
+constexpr std::array<double, 3> kOpenEdgeClearanceMm{1.0, 0.25, 0.05};
+
+/// Shares of an edge's length at which an entry is tried: its middle first.
+constexpr std::array<double, 7> kAlongEdge{0.5, 0.25, 0.75, 0.125, 0.875, 0.02, 0.98};
+
+/// A helix wider than this share of the cutter's radius leaves a post in its middle.
+constexpr double kWidestHelixShare = 0.9;
+/// One narrower than this share of the cutter's diameter asks the tool to cut with its centre.
+constexpr double kNarrowestHelixShare = 0.15;
+
+/// A ramp shorter than this share of the cutter's diameter leaves a core under a cutter with a dead centre.
+constexpr double kShortestRampShare = 1.0;
+/// Straight edges whose directions are tried for a ramp, longest first.
+constexpr std::size_t kRampEdges = 8;
+/// Directions tried besides, for components with none but curved edges.
+constexpr int kRampFanDirections = 8;
+
+struct Edge {
+    Vec2 from;
+    Segment segment;
+    double length_mm = 0;
+
+    Vec2 at(double t) const { return pointAt(from, segment, t); }
+    /// Out of the region that lies on the edge's left.
+    Vec2 outward(double t) const {
+        const Vec2 along = tangentAt(from, segment, t);
+        return {along.y(), -along.x()};
+    }
+};
+
+/// All edges, the longest first; equals stay in loop order.
+std::vector<Edge> edgesByLength(const Region& region) {
+    std::vector<Edge> edges;
+    for (const Loop& loop : region.loops) {
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            edges.push_back({from, segment, length(from, segment)});
+            from = segment.to;
+        }
+    }
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge& a, const Edge& b) { return a.length_mm > b.length_mm; });
+    return edges;
+}
+
+double distanceToRegion(const Region& region, const Vec2& p) {
+    return contains(region, p) ? 0 : distanceToBoundary(region, p);
+}
+
+/// Goes down beside the material and moves in over an open edge.
+///
+/// Along an open edge the component ends where the disc loses touch with the target, at the distance r from
+/// it; one step further out the disc meets nothing.
+std::optional<Entry> overOpenEdge(const FeatureGround& ground, double radius_mm,
+                                  const std::vector<Edge>& edges) {
+    const Tolerances& tol = ground.tolerances();
+    const Feature& feature = ground.feature();
+    const auto leavesTarget = [&](const Vec2& p) {
+        return distanceToRegion(feature.target, p) >= radius_mm - tol.sliver_mm;
+    };
+    const auto clearOfWalls = [&](const Vec2& p) {
+        return distanceToRegion(feature.obstruction, p) >= radius_mm + tol.guard_mm;
+    };
+    for (const double clearance_mm : kOpenEdgeClearanceMm) {
+        for (const Edge& edge : edges) {
+            if (!leavesTarget(edge.at(0.5))) continue;
+            for (const double t : kAlongEdge) {
+                const Vec2 rim = edge.at(t);
+                const Vec2 out = edge.outward(t) * clearance_mm;
+                const Vec2 at = snapToGrid(Vec2(rim + out));
+                if (distanceToRegion(feature.target, at) < radius_mm + clearance_mm / 2) continue;
+                const bool free = clearOfWalls(rim) && clearOfWalls(rim + out / 2) && clearOfWalls(at);
+                if (free) return Entry{EntryKind::OpenEdge, at, 0, Vec2::Zero()};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// Largest disc of axis positions in the component.
+std::optional<ClearanceDiagram::Disc> widestDisc(const FeatureGround& ground, double radius_mm,
+                                                 const Region& component) {
+    if (ground.walledIn()) {
+        // The component is the target shrunk by r: where it holds the target's own widest disc, that disc
+        // shrunk is its widest.
+        const auto whole = ground.widestDiscInTarget();
+        if (whole && whole->radius_mm > radius_mm && contains(component, whole->centre))
+            return ClearanceDiagram::Disc{whole->centre, whole->radius_mm - radius_mm};
+    }
+    return ClearanceDiagram(component, ground.tolerances()).largestInscribedDisc();
+}
+
+/// The straight piece of the component through `base`.
+std::optional<Path> chordThrough(const Region& component, const Vec2& base, const Vec2& direction,
+                                 const Tolerances& tol) {
+    const double reach_mm = boundingBox(component).size().norm() + 1;
+    const Vec2 from = snapToGrid(Vec2(base - direction * reach_mm));
+    const Vec2 to = snapToGrid(Vec2(base + direction * reach_mm));
+    for (const Path& piece : split(Path{from, {Segment{to, std::nullopt}}}, component, tol).inside) {
+        const double start = (piece.start - base).dot(direction);
+        const double end = (piece.end() - base).dot(direction);
+        if (start <= 0 && end >= 0) return piece;
+    }
+    return std::nullopt;
+}
+
+/// The middle of the component beside the edge's midpoint, across to its other side.
+Vec2 middleBeside(const Region& component, const Edge& edge, const Tolerances& tol) {
+    const Vec2 inward = -edge.outward(0.5);
+    const Vec2 foot = edge.at(0.5) + inward * tol.linear_mm * 2;
+    const auto across = chordThrough(component, foot, inward, tol);
+    return across ? Vec2((across->start + across->end()) / 2) : foot;
+}
+
+std::optional<Entry> ramp(const FeatureGround& ground, const ToolAssembly& tool, const Region& component,
+                          const std::vector<Edge>& edges, const Vec2& middle) {
+    const Tolerances& tol = ground.tolerances();
+    std::optional<Path> longest;
+    const auto consider = [&](const Vec2& base, const Vec2& direction) {
+        const auto piece = chordThrough(component, base, direction, tol);
+        if (piece && (!longest || length(*piece) > length(*longest) + tol.sliver_mm)) longest = piece;
+    };
+    std::size_t tried = 0;
+    for (const Edge& edge : edges) {
+        if (edge.segment.arc || edge.length_mm <= tol.sliver_mm) continue;
+        if (tried++ == kRampEdges) break;
+        const Vec2 along = (edge.segment.to - edge.from).normalized();
+        consider(middle, along);
+        consider(middleBeside(component, edge, tol), along);
+    }
+    for (int i = 0; i < kRampFanDirections; ++i) {
+        const double angle_rad = kPi * i / kRampFanDirections;
+        consider(middle, Vec2(std::cos(angle_rad), std::sin(angle_rad)));
+    }
+    if (!longest) return std::nullopt;
+    // Ends keep off the component's boundary, so that a path shrunk by the guard still holds them.
+    const Vec2 along = (longest->end() - longest->start).normalized() * tol.sliver_mm;
+    const Vec2 start = snapToGrid(Vec2(longest->start + along));
+    const Vec2 end = snapToGrid(Vec2(longest->end() - along));
+    if ((end - start).norm() < kShortestRampShare * tool.diameter_mm) return std::nullopt;
+    return Entry{EntryKind::Ramp, start, 0, end};
+}
+
+}  // namespace
+
+std::optional<Entry> findEntry(const FeatureGround& ground, const ToolAssembly& tool,
+                               const Region& component) {
+    const double radius_mm = tool.radius_mm();
+    const std::vector<Edge> edges = edgesByLength(component);
+    if (!ground.walledIn()) {
+        if (const auto entry = overOpenEdge(ground, radius_mm, edges)) return entry;
+    }
+    const auto disc = widestDisc(ground, radius_mm, component);
+    if (!disc) return std::nullopt;
+    const double helix_mm =
+        std::min(disc->radius_mm - ground.tolerances().sliver_mm, kWidestHelixShare * radius_mm);
+    if (helix_mm >= kNarrowestHelixShare * tool.diameter_mm)
+        return Entry{EntryKind::Helix, disc->centre, helix_mm, Vec2::Zero()};
+    if (const auto entry = ramp(ground, tool, component, edges, disc->centre)) return entry;
+    if (tool.centre_cutting) return Entry{EntryKind::Plunge, disc->centre, 0, Vec2::Zero()};
+    return std::nullopt;
+}
+
+}  // namespace stepmill::access
