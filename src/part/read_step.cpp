@@ -205,8 +205,8 @@ std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions&
     common.unit_in_file = import.units.empty() ? "none" : shortUnit(import.units.front());
     common.remarks = fileRemarks(text, import, options);
     if (factor != 1)
-        common.remarks.push_back("unit " + common.unit_in_file + " overridden with " +
-                                 shortUnit(options.unit));
+        common.remarks.push_back(
+            fmt::format("unit {} overridden with {}", common.unit_in_file, shortUnit(options.unit)));
 
     std::vector<Part> parts;
     for (int i = 0; i < solids; ++i) {

@@ -3,8 +3,10 @@
 #include <sstream>
 
 #include <IFSelect_ReturnStatus.hxx>
+#include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
+#include <Interface_InterfaceModel.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
@@ -13,6 +15,7 @@
 #include <StepBasic_ProductDefinitionFormation.hxx>
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_ShapeRepresentationRelationship.hxx>
@@ -51,6 +54,23 @@ std::string textOf(const Handle(TCollection_HAsciiString) & text) {
 
 TopoDS_Shape unplaced(const TopoDS_Shape& shape) {
     return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
+}
+
+/// Refuses shape entities whose values are of the wrong kind or number. The reader notes them, leaves
+/// their members null and then runs into those. Representations and their contexts are left alone: real
+/// files name odd items and missing units there, and the shape is whole.
+void checkEntities(const Handle(Interface_InterfaceModel) & model, const std::string& file) {
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        if (!model->IsReportEntity(i) || !model->Check(i, Standard_True)->HasFailed()) continue;
+        const Handle(Standard_Transient)& entity = model->Value(i);
+        if (entity.IsNull() || !entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem))) continue;
+        const std::string kind = entity->DynamicType()->Name();
+        if (!kind.starts_with("StepGeom_") && !kind.starts_with("StepShape_")) continue;
+        throw Error(ErrorCode::StepDamaged, file,
+                    textOf(model->StringLabel(entity)) + " " + kind.substr(kind.find('_') + 1) +
+                        " has values of the wrong kind or number (" +
+                        model->Check(i, Standard_True)->CFail(1) + ")");
+    }
 }
 
 std::vector<std::string> lengthUnits(STEPControl_Reader& reader) {
@@ -173,6 +193,7 @@ StepImport importStep(std::string_view text, const std::string& file) {
         std::istringstream stream{std::string(text)};
         if (reader.ReadStream(file.c_str(), stream) != IFSelect_RetDone)
             throw Error(ErrorCode::StepDamaged, file, "the STEP reader cannot make sense of the entities");
+        checkEntities(reader.Model(), file);
         reader.TransferRoots();
         result.units = lengthUnits(reader);
         for (int i = 1; i <= reader.NbShapes(); ++i) {

@@ -155,6 +155,16 @@ TEST_F(ReadStepTest, AVertexMovedOffItsEdgesIsRefused) {
     EXPECT_EQ(refusal(), ErrorCode::InvalidSolid);
 }
 
+TEST_F(ReadStepTest, AShapeEntityWithAValueOfTheWrongKindIsDamage) {
+    edit("= VECTOR('',#", "= DIRECTION('',#");
+    EXPECT_EQ(refusal(), ErrorCode::StepDamaged);
+}
+
+TEST_F(ReadStepTest, AShapeEntityWithAValueLeftOutIsDamage) {
+    edit("VERTEX_POINT('',#", "VERTEX_POINT(#");
+    EXPECT_EQ(refusal(), ErrorCode::StepDamaged);
+}
+
 TEST_F(ReadStepTest, AMissingFileIsUnreadable) {
     try {
         readStep(folder_ / "missing.step");
