@@ -116,7 +116,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     plan->add_option("PART", options->part_file, "STEP file (AP203, AP214 or AP242)")->required();
     plan->add_option("-o,--output", options->out_dir, "folder to write to; default: <part>-plan");
     plan->add_option("--tools", options->tools_file,
-                     "tool library (JSON); default: a metric shop of 20 tools");
+                     "tool library (JSON); default: a metric shop of 24 tools");
     plan->add_option("--machine", options->machine_file, "machine (JSON); default: a machining centre");
     plan->add_option("--material", options->material, "material the cutting data are for")
         ->capture_default_str();

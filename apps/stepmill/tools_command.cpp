@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <fmt/core.h>
 
 #include "commands.h"
@@ -9,15 +11,14 @@ namespace stepmill {
 namespace {
 
 int validateLibrary(const std::string& file) {
-    const std::vector<std::string> errors = findLibraryErrors(file);
-    for (const std::string& line : errors)
-        fmt::print(stderr, "{}\n", line);
-    if (!errors.empty()) return kBadInput;
-
-    const ToolLibrary library = readToolLibrary(file);
-    for (const std::string& pointer : library.unknown_fields)
-        fmt::print(stderr, "{}{}: a field Stepmill does not know; kept aside\n", library.file, pointer);
-    fmt::print("{}: {} tools, all in order\n", library.file, library.tools.size());
+    const std::string name = std::filesystem::path(file).filename().string();
+    bool broken = false;
+    for (const CatalogFinding& finding : checkToolLibrary(file)) {
+        fmt::print(stderr, "{}{}: {}{}\n", name, finding.pointer, finding.doubt ? "doubtful: " : "", finding.text);
+        broken = broken || !finding.doubt;
+    }
+    if (broken) return kBadInput;
+    fmt::print("{}: {} tools, all in order\n", name, readToolLibrary(file).tools.size());
     return kComplete;
 }
 
