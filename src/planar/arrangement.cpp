@@ -131,6 +131,7 @@ Arrangement::Arrangement(const std::vector<Curve>& curves, double snap_mm)
     : curves_(curves), snap_mm_(snap_mm) {
     cutCurves();
     dropDeadPieces();
+    sortIntoStrips();
 }
 
 void Arrangement::cutCurves() {
@@ -216,6 +217,37 @@ void Arrangement::dropDeadPieces() {
 
 // Inside and outside ---------------------------------------------------------------------------------------
 
+/// Pieces by the strip of x or y they lie in, so that a ray meets few of them in vain.
+void Arrangement::sortIntoStrips() {
+    // Long pieces enter many strips: more than this costs more memory than it saves time.
+    const auto count = std::clamp<std::size_t>(pieces_.size() / 4, 1, 512);
+    std::vector<Box2> boxes;
+    Box2 all;
+    for (const Piece& piece : pieces_) {
+        Box2 box = curves_[at(piece.curve)].segment.arc ? curves_[at(piece.curve)].box : Box2{};
+        box.add(node(piece.begin));
+        box.add(node(piece.end));
+        all.add(box.min);
+        all.add(box.max);
+        boxes.push_back(box);
+    }
+    for (const int axis : {0, 1}) {
+        Strips& strips = strips_[at(axis)];
+        strips.pieces.resize(count);
+        if (pieces_.empty()) continue;
+        strips.low_mm = all.min[axis];
+        strips.per_mm = static_cast<double>(count) / std::max(all.size()[axis], kGridMm);
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            for (std::size_t k = strips.of(boxes[i].min[axis]); k <= strips.of(boxes[i].max[axis]); ++k)
+                strips.pieces[k].push_back(static_cast<int>(i));
+    }
+}
+
+std::size_t Arrangement::Strips::of(double value_mm) const {
+    const double strip = (value_mm - low_mm) * per_mm;
+    return std::min(pieces.size() - 1, static_cast<std::size_t>(std::max(0.0, strip)));
+}
+
 std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
     // A ray along +x from the middle of the piece. Where the piece runs rather along x, everything is
     // mirrored at x = y first, which turns left into right and the sign of every winding.
@@ -225,7 +257,9 @@ std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
     const bool mirror = std::abs(tangent.x()) > std::abs(tangent.y());
     const Vec2 p = mirror ? mirrored(middle) : middle;
     std::array<int, 2> windings{};
-    for (const Piece& other : pieces_) {
+    const Strips& strips = strips_[mirror ? 0 : 1];
+    for (const int index : strips.pieces[strips.of(p.y())]) {
+        const Piece& other = pieces_[at(index)];
         Vec2 from = node(other.begin);
         Segment s = segment(other);
         if (mirror) {

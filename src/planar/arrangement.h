@@ -73,14 +73,24 @@ class Arrangement {
     void cutCurves();
     void addPiece(int begin, int end, int curve);
     void dropDeadPieces();
+    void sortIntoStrips();
     std::array<int, 2> windingsOnTheRight(const Piece& piece) const;
     std::vector<int> chains() const;
+
+    struct Strips {
+        std::size_t of(double value_mm) const;
+
+        double low_mm = 0;
+        double per_mm = 0;
+        std::vector<std::vector<int>> pieces;
+    };
 
     std::vector<Curve> curves_;
     double snap_mm_;
     std::vector<Vec2> nodes_;
     std::vector<Piece> pieces_;
     std::optional<Vec2> cancelled_at_;
+    std::array<Strips, 2> strips_;             // along x, along y
     std::vector<std::vector<int>> pieces_at_;  // per lower node of a piece
 };
 
