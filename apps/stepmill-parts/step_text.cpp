@@ -142,7 +142,8 @@ std::string sampleStepText(const SamplePart& part) {
         Interface_Static::SetCVal("write.step.schema", "AP214IS");
         Interface_Static::SetCVal("write.step.unit", "MM");
         Interface_Static::SetCVal("write.step.product.name", part.name.c_str());
-        Interface_Static::SetIVal("write.surfacecurve.mode", 0);  // readers find curves on surfaces themselves
+        Interface_Static::SetIVal("write.surfacecurve.mode",
+                                  0);  // readers find curves on surfaces themselves
         STEPControl_Writer writer;
         if (writer.Transfer(part.solid, STEPControl_ManifoldSolidBrep) != IFSelect_RetDone)
             throw Error(ErrorCode::GeometryKernel, part.name, "the solid cannot be turned into STEP");

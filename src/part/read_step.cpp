@@ -118,7 +118,7 @@ std::vector<std::string> fileRemarks(const StepText& text, const StepImport& imp
     std::vector<std::string> remarks = text.remarks;
     remarkStrays(import.strays, remarks);
     if (import.units.empty() && options.unit.empty())
-        remarks.push_back(
+        remarks.emplace_back(
             "the file names no length unit; millimetre assumed, --unit inch if inches were meant");
     if (import.units.size() > 1)
         remarks.emplace_back("the file mixes length units; each shape is converted by its own");
