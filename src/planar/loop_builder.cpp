@@ -249,6 +249,33 @@ Loop loopOf(const std::vector<Edge>& edges, double reach_mm) {
     return loop;
 }
 
+/// Cuts off where a line runs back over the one before it, to within `thin_mm`.
+void removeSpikes(Loop& loop, double thin_mm) {
+    for (std::size_t i = 0; i < loop.segments.size() && loop.segments.size() > 2;) {
+        const std::size_t count = loop.segments.size();
+        const std::size_t next = (i + 1) % count;
+        const Vec2 from = loop.segments[(i + count - 1) % count].to;
+        const Vec2 tip = loop.segments[i].to;
+        const Vec2 to = loop.segments[next].to;
+        const bool lines = !loop.segments[i].arc && !loop.segments[next].arc;
+        const bool back =
+            (tip - from).dot(to - tip) < 0 && std::min(distanceTo(to, from, {tip, std::nullopt}),
+                                                       distanceTo(from, tip, {to, std::nullopt})) <= thin_mm;
+        if (!lines || !back) {
+            ++i;
+            continue;
+        }
+        loop.segments[i].to = to;
+        loop.segments.erase(loop.segments.begin() + static_cast<std::ptrdiff_t>(next));
+        if (from == to) {
+            const std::size_t here = next == 0 ? i - 1 : i;
+            loop.segments.erase(loop.segments.begin() + static_cast<std::ptrdiff_t>(here));
+        }
+        i = 0;
+    }
+    if (!loop.segments.empty()) loop.start = loop.end();
+}
+
 bool lowerLeft(const Vec2& a, const Vec2& b) {
     return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
 }
@@ -272,6 +299,8 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
             if (segment.arc) edges.back().sweep_rad = std::abs(sweepAngle(from, segment.to, *segment.arc));
         }
         Loop loop = loopOf(mergedEdges(std::move(edges)), 100 * thin_mm);
+        removeSpikes(loop, thin_mm);
+        if (loop.segments.size() == 1 && loop.segments[0].arc) loop = circleLoop(*loop.segments[0].arc);
         if (loop.segments.size() < 2) continue;
         // Width of a long thin loop: area over half its perimeter.
         if (2 * std::abs(signedArea(loop)) <= thin_mm * length(loop)) continue;

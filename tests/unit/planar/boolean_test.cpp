@@ -160,6 +160,15 @@ TEST(Boolean, SliverBetweenNearlyEqualWallsVanishes) {
     EXPECT_NEAR(area(subtract(makeRectangle({0, 0}, {50, 20.001}), a, kTol)), 0.05, 1e-6);
 }
 
+TEST(Boolean, PartsOfARegionJoinWithoutASpikeWhereTheyMet) {
+    const Region whole = makePolygon({{30, 15}, {45, 15}, {30, 30}});
+    const Region band = makeRectangle({24.999921, 20.000003}, {34.999921, 25.000003});
+    const Region parts[] = {subtract(whole, band, kTol), intersect(whole, band, kTol)};
+    const Region again = unite(parts, kTol);
+    EXPECT_NEAR(area(again), area(whole), 1e-4);
+    EXPECT_FALSE(diagnose(again).has_value()) << toText(again);
+}
+
 TEST(Split, CutsALineIntoInsideOnAndOutside) {
     const Region region = makeRectangle({0, 0}, {10, 10});
     const Path path{{-5, 0}, {{{5, 0}, {}}, {{5, 5}, {}}, {{15, 5}, {}}}};
