@@ -9,6 +9,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "toolpath/curve.h"
+#include "toolpath/ring_family.h"
 
 namespace stepmill::toolpath {
 
@@ -46,8 +47,15 @@ class LayerPlanner {
           tol_(tol),
           done_(set.passes.size(), false),
           entered_(set.components.size(), false) {
-        for (const Region& component : set.components)
-            walls_.push_back(edgesOf(component));
+        for (const Region& component : set.components) {
+            walls_.emplace_back();
+            open_sides_.emplace_back();
+            for (const Edge& edge : edgesOf(component)) {
+                const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
+                const bool open = cutsNothing(task.target, radius_mm, middle, tol);
+                (open ? open_sides_ : walls_).back().push_back(edge);
+            }
+        }
     }
 
     std::vector<ScriptStep> plan() {
@@ -81,11 +89,17 @@ class LayerPlanner {
         return joints;
     }
 
-    /// May the axis go straight from a to b, both known to be free centres?
+    /// May the axis go straight from a to b, both known to be free centres? Keeps the guard from walls;
+    /// over open sides, where no guard is needed, the ends may lie on the boundary.
     bool isFree(const Vec2& a, const Vec2& b, int component) const {
         if ((a - b).norm() < kGridMm) return true;
-        return !anyNearer(walls_[static_cast<std::size_t>(component)], makeEdge(a, {b, {}}),
-                          tol_.guard_mm - 2 * kGridMm);
+        const auto i = static_cast<std::size_t>(component);
+        const Edge way = makeEdge(a, {b, {}});
+        if (anyNearer(walls_[i], way, tol_.guard_mm - 2 * kGridMm)) return false;
+        for (const Edge& side : open_sides_[i])
+            for (const Vec2& p : meetingPoints(way, side))
+                if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol_)) return false;
+        return open_sides_[i].empty() || contains(set_.components[i], (a + b) / 2);
     }
 
     // At depth -------------------------------------------------------------------------------------------
@@ -292,8 +306,10 @@ class LayerPlanner {
     double step_over_mm_;
     const LinkRates& rates_;
     const Tolerances& tol_;
-    std::vector<std::vector<Edge>> walls_;  ///< boundaries of the components of free centres
-    std::vector<Edge> cut_;                 ///< where the axis has been in this layer
+    /// Boundaries of the components of free centres, walled and open.
+    std::vector<std::vector<Edge>> walls_;
+    std::vector<std::vector<Edge>> open_sides_;
+    std::vector<Edge> cut_;  ///< where the axis has been in this layer
     std::vector<bool> done_;
     std::vector<bool> entered_;
     std::vector<ScriptStep> script_;

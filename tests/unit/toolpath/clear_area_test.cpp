@@ -120,6 +120,8 @@ TEST(ClearArea, ClearsAFaceFromOutsideIn) {
     const SimulatedCut cut = simulate(path, task, 10, kCellMm, kMarginMm);
     EXPECT_EQ(cut.left_mm2, 0);
     EXPECT_EQ(cut.bad_rapids, 0);
+    for (const Move& move : path.moves)
+        EXPECT_TRUE(move.kind != MoveKind::Plunge || move.in_air) << "a face is entered from its side";
     // The first ring is the longest.
     double first = 0;
     double longest = 0;
