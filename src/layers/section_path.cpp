@@ -41,6 +41,12 @@ struct Curve {
     }
 };
 
+/// Where a run begins and ends, on the true edges.
+struct Ends {
+    Vec2 from;
+    Vec2 to;
+};
+
 Curve lineOf(const MeshFace& face, double z_mm) {
     Curve curve;
     curve.kind = Curve::Kind::Line;
@@ -50,8 +56,9 @@ Curve lineOf(const MeshFace& face, double z_mm) {
     return curve;
 }
 
-/// A lying cylinder shows a line on either side of its axis; the facets tell which.
-Curve lineOfLying(const FaceRun& run, double z_mm) {
+/// A lying cylinder shows a line on either side of its axis. Which one, the ends on the edges tell; a
+/// loop cannot run over this face alone.
+Curve lineOfLying(const FaceRun& run, const Ends& ends, double z_mm) {
     const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(run.face->surface);
     const gp_Pnt centre = cylinder->Location();
     const double dz = z_mm - centre.Z();
@@ -60,9 +67,7 @@ Curve lineOfLying(const FaceRun& run, double z_mm) {
     curve.kind = Curve::Kind::Line;
     curve.normal = Vec2(-run.face->axis.y(), run.face->axis.x());
     const double middle = curve.normal.dot(Vec2(centre.X(), centre.Y()));
-    double side = 0;
-    for (const Crossing& c : run.crossings)
-        side += curve.normal.dot(c.from + c.to) / 2 - middle;
+    const double side = curve.normal.dot(ends.from + ends.to) / 2 - middle;
     curve.offset = middle + (side < 0 ? -half : half);
     return curve;
 }
@@ -82,10 +87,10 @@ Curve circleOf(const FaceRun& run, double z_mm) {
     return curve;
 }
 
-Curve curveOf(const SolidMesh& mesh, const FaceRun& run, double z_mm) {
+Curve curveOf(const SolidMesh& mesh, const FaceRun& run, const Ends& ends, double z_mm) {
     if (run.face->kind == FaceKind::Plane) return lineOf(*run.face, z_mm);
     if (run.face->kind == FaceKind::Turned) return circleOf(run, z_mm);
-    if (run.face->kind == FaceKind::Lying) return lineOfLying(run, z_mm);
+    if (run.face->kind == FaceKind::Lying) return lineOfLying(run, ends, z_mm);
     Curve curve;
     curve.points = pointsOnSurface(mesh, run.crossings, z_mm);
     return curve;
@@ -250,16 +255,18 @@ Loop tidyLoop(std::vector<Segment> segments) {
 }
 
 Loop joinRuns(const SolidMesh& mesh, const std::vector<FaceRun>& runs, double z_mm, const Tolerances& tol) {
-    std::vector<Curve> curves;
-    for (const FaceRun& run : runs)
-        curves.push_back(curveOf(mesh, run, z_mm));
-    if (runs.size() == 1 && runs.front().whole_loop) return wholeLoop(curves.front(), tol.curve_fit_mm);
+    if (runs.size() == 1 && runs.front().whole_loop)
+        return wholeLoop(curveOf(mesh, runs.front(), {}, z_mm), tol.curve_fit_mm);
     const std::size_t n = runs.size();
-    std::vector<Joint> joints;  // joint i lies between run i - 1 and run i
-    for (std::size_t i = 0; i < n; ++i) {
-        const Vec2 on_edge = pointOnEdge(mesh, runs[i].crossings.front().side_in, z_mm);
-        joints.push_back(jointOf(curves[(i + n - 1) % n], curves[i], on_edge));
-    }
+    std::vector<Vec2> on_edge;  // point i lies between run i - 1 and run i
+    for (const FaceRun& run : runs)
+        on_edge.push_back(pointOnEdge(mesh, run.crossings.front().side_in, z_mm));
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < n; ++i)
+        curves.push_back(curveOf(mesh, runs[i], {on_edge[i], on_edge[(i + 1) % n]}, z_mm));
+    std::vector<Joint> joints;
+    for (std::size_t i = 0; i < n; ++i)
+        joints.push_back(jointOf(curves[(i + n - 1) % n], curves[i], on_edge[i]));
     std::vector<Segment> segments;
     for (std::size_t i = 0; i < n; ++i) {
         const Joint& next = joints[(i + 1) % n];

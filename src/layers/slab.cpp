@@ -67,12 +67,15 @@ Region unionOverHeight(const SolidMesh& mesh, double top_mm, double bottom_mm, c
     const auto at = [&](double z) { return mendedSection(mesh, z, top_mm, bottom_mm, tol, remarks); };
     const Lean lean = leanOf(facets);
     if (lean == Lean::None) return at((top_mm + bottom_mm) / 2);
-    if (lean == Lean::Up) return at(bottom_mm + inset);
-    if (lean == Lean::Down) return at(top_mm - inset);
-    const Region ends = uniteKeeping(at(bottom_mm + inset), at(top_mm - inset), tol);
+    const std::size_t remarks_before = remarks.size();
+    Region ends;
+    if (lean != Lean::Down) ends = at(bottom_mm + inset);
+    if (lean != Lean::Up) ends = uniteKeeping(ends, at(top_mm - inset), tol);
+    // One-sided walls are widest at one end. Otherwise, or if the section had to be taken elsewhere, the
+    // facets show what the ends do not.
+    if (lean != Lean::Both && remarks.size() == remarks_before) return ends;
     const Region beyond = facetsBeyond(facets, ends, mesh.chord_mm() + tol.gouge_mm, tol);
-    if (beyond.empty()) return ends;
-    return unite(ends, beyond, tol);
+    return beyond.empty() ? ends : unite(ends, beyond, tol);
 }
 
 }  // namespace
@@ -88,12 +91,15 @@ Region uniteKeeping(const Region& a, const Region& b, const Tolerances& tol) {
 Region mendedSection(const SolidMesh& mesh, double z_mm, double top_mm, double bottom_mm,
                      const Tolerances& tol, std::vector<std::string>& remarks) {
     const double height = top_mm - bottom_mm;
-    for (const double share : {0.0, 0.01, -0.01, 0.03, -0.03, 0.1, -0.1}) {
-        const double z = z_mm + share * height;
+    const double inset = insetMm(height, tol);
+    // A quarter of a micrometre first: that needs no remark. Then up to a tenth of the slab.
+    for (const double by : {0.0, -0.5 * inset, 0.5 * inset, 0.01 * height, -0.01 * height, 0.03 * height,
+                            -0.03 * height, 0.1 * height, -0.1 * height}) {
+        const double z = z_mm + by;
         if (z >= top_mm || z <= bottom_mm) continue;
         const std::optional<Region> section = validSection(mesh, z, tol);
         if (!section) continue;
-        if (share != 0)
+        if (std::abs(by) > inset)
             remarks.push_back(
                 fmt::format("section at z {:.4f} mm does not close; taken at z {:.4f} mm", z_mm, z));
         return *section;
