@@ -15,7 +15,7 @@ using VEdge = Diagram::edge_type;
 using VVertex = Diagram::vertex_type;
 
 // Voronoi vertices this close to a chord's end are that end.
-constexpr double kOnBoundaryUnits = 0.25;
+constexpr double kOnBoundaryUnits = 3;
 
 class Builder {
   public:
@@ -41,6 +41,8 @@ class Builder {
 
     void construct();
     void findBoundaryVertices();
+    std::optional<Vec2> boundaryCrossing(const VEdge* e) const;
+    Side sideOf(const VVertex* v) const { return sidedness_[indexOf(v)] > 0 ? Side::Inside : Side::Outside; }
     void findSides();
     void findNodes();
     int makeNode(const VVertex* v);
@@ -94,6 +96,21 @@ void Builder::findBoundaryVertices() {
     }
 }
 
+/// Between two chords in one line the Voronoi edge through their common end goes on to the other side
+/// without a vertex at the boundary. Returns that end.
+std::optional<Vec2> Builder::boundaryCrossing(const VEdge* e) const {
+    if (e->is_primary() || e->is_infinite()) return std::nullopt;
+    const VEdge* s = e->cell()->contains_segment() ? e : e->twin();
+    if (!s->cell()->contains_segment()) return std::nullopt;
+    const Chord& c = chordOf(*s->cell());
+    const Vec2 start(c.x0, c.y0), end(c.x1, c.y1);
+    const Vec2 u = (end - start).normalized();
+    const Vec2 a(e->vertex0()->x(), e->vertex0()->y()), b(e->vertex1()->x(), e->vertex1()->y());
+    const double ha = cross(u, a - start), hb = cross(u, b - start);
+    if (ha * hb >= 0 || std::min(std::abs(ha), std::abs(hb)) <= kOnBoundaryUnits) return std::nullopt;
+    return u.dot(a - start) < u.dot(end - a) ? start : end;
+}
+
 /// Floods the diagram from vertex to vertex without passing the boundary; each flooded part lies on one
 /// side, told by where its vertices lie from the segments they belong to.
 void Builder::findSides() {
@@ -114,7 +131,7 @@ void Builder::findSides() {
                     vote += cross(u, Vec2(part[k]->x() - c.x0, part[k]->y() - c.y0)) / u.norm();
                 }
                 const VVertex* to = e->vertex1();
-                if (to && !seen[indexOf(to)] && !on_boundary_[indexOf(to)]) {
+                if (to && !seen[indexOf(to)] && !on_boundary_[indexOf(to)] && !boundaryCrossing(e)) {
                     seen[indexOf(to)] = 1;
                     part.push_back(to);
                 }
@@ -172,23 +189,39 @@ void Builder::followChains() {
         for (const VEdge* e : chain)
             done[indexOf(e)] = done[indexOf(e->twin())] = 1;
         const int p = cellSite(first), q = cellSite(first->twin());
-        double vote = 0;
-        for (const VEdge* e : chain)
-            for (const VVertex* v : {e->vertex0(), e->vertex1()})
-                if (!on_boundary_[indexOf(v)]) vote = sidedness_[indexOf(v)];
-        const Side side = vote > 0 ? Side::Inside : Side::Outside;
-        const int a = node_of_[indexOf(chain.front()->vertex0())];
-        const int b = node_of_[indexOf(chain.back()->vertex1())];
-        const int forward = static_cast<int>(graph_.edges.size());
-        graph_.edges.push_back({a, b, p, forward + 1, -1, -1, side});
-        graph_.edges.push_back({b, a, q, forward, -1, -1, side});
-        first_of_.push_back(first);
-        first_of_.push_back(chain.back()->twin());
-        edge_ending_[indexOf(chain.back())] = forward;
-        edge_ending_[indexOf(first->twin())] = forward + 1;
-        std::vector<Vec2>& course = courses_.emplace_back();
-        for (std::size_t k = 1; k < chain.size(); ++k)
-            course.push_back(toMm(chain[k]->vertex0()));
+        int from = node_of_[indexOf(chain.front()->vertex0())];
+        std::vector<Vec2> course;
+        Side side = Side::Outside;
+        int last = -1;
+        // One pair of half-edges for each stretch between boundary crossings.
+        const auto addPair = [&](int to) {
+            const int forward = static_cast<int>(graph_.edges.size());
+            graph_.edges.push_back({from, to, p, forward + 1, last, -1, side});
+            graph_.edges.push_back({to, from, q, forward, -1, -1, side});
+            first_of_.push_back(last < 0 ? first : nullptr);
+            first_of_.push_back(nullptr);
+            if (last >= 0) graph_.edges[static_cast<std::size_t>(last) + 1].prev = forward + 1;
+            courses_.push_back(std::move(course));
+            course.clear();
+            from = to;
+            last = forward;
+        };
+        edge_ending_[indexOf(first->twin())] = static_cast<int>(graph_.edges.size()) + 1;
+        for (const VEdge* e : chain) {
+            if (!on_boundary_[indexOf(e->vertex0())]) side = sideOf(e->vertex0());
+            if (e != first) course.push_back(toMm(e->vertex0()));
+            if (const std::optional<Vec2> end = boundaryCrossing(e)) {
+                Node node;
+                node.on_boundary = true;
+                node.point = set().toMm(end->x(), end->y());
+                graph_.nodes.push_back(node);
+                addPair(static_cast<int>(graph_.nodes.size()) - 1);
+            }
+            if (!on_boundary_[indexOf(e->vertex1())]) side = sideOf(e->vertex1());
+        }
+        addPair(node_of_[indexOf(chain.back()->vertex1())]);
+        edge_ending_[indexOf(chain.back())] = last;
+        first_of_.back() = chain.back()->twin();
     };
     for (const VEdge& e : diagram_.edges())
         if (kept(&e) && !done[indexOf(&e)] && node_of_[indexOf(e.vertex0())] >= 0) follow(&e);
@@ -202,9 +235,9 @@ void Builder::followChains() {
 
 void Builder::linkCells() {
     for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
-        const int prev = edge_ending_[indexOf(previousKept(first_of_[k]))];
+        int& prev = graph_.edges[k].prev;
+        if (first_of_[k]) prev = edge_ending_[indexOf(previousKept(first_of_[k]))];
         STEPMILL_CHECK(prev >= 0, "cell boundaries close");
-        graph_.edges[k].prev = prev;
         graph_.edges[static_cast<std::size_t>(prev)].next = static_cast<int>(k);
     }
 }

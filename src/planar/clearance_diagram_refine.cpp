@@ -130,7 +130,7 @@ void Refiner::refine(Node& node, Side side, const std::vector<int>& cells) const
     // Where a circle's centre is near, chords of one sagitta s shift a vertex by up to sqrt(2 R s).
     constexpr double kResidual_mm = 3e-6;  // end points lie up to 1 nm off their arcs
     const double slack = 4 * std::max(chord_mm_, set().unit_mm);
-    const double reach = 4 * std::sqrt(2 * slack * std::max(largest_radius, rough)) + slack;
+    const double reach = 12 * std::sqrt(2 * slack * std::max(largest_radius, rough)) + slack;
     double clearance = trueClearance(at);
     double farthest = 0;
     for (const Pair& pair : pairs)

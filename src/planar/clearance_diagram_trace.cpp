@@ -9,6 +9,8 @@ namespace {
 
 // Shorter pieces are rounding.
 constexpr double kShort_mm = 3e-6;
+// Loops on both sides of a closed neck keep this far from its node.
+constexpr double kStepBack_mm = 1e-3;
 // A joint farther off its curve than this does not lie on it.
 constexpr double kOffCurve_mm = 1.5e-6;
 // Pieces run backwards where the chords put two bisectors in the wrong order; never by more than this many
@@ -133,9 +135,12 @@ Vec2 Tracer::crossing(int half) const {
     const std::optional<Vec2> exact = equidistantPoint(p, q, side_, distance_, low.point, high.point);
     if (!exact) return interpolated(low, high);
     const double from_low = (*exact - low.point).norm();
-    // Between the distance and the level the offset curves meet beyond the low node, far beyond if they are
-    // nearly parallel: then end at the node, at most a tie too far from the walls.
-    if (low.clearance > distance_ && from_low > tie_) return low.point;
+    // In a neck closed by the tie rule the offset curves do not meet. End them across the bisector, a step
+    // away from the node so that the loops on both sides of the neck keep apart.
+    if (low.clearance > distance_ + kGridMm / 10 && (low.neck || from_low > tie_)) {
+        const Vec2 out = high.point - low.point;
+        return low.point + std::min(kStepBack_mm / out.norm(), 0.5) * out;
+    }
     const double near = kBackwardChords * chord_;
     const bool on_edge =
         footBetween(p, low.point, high.point, *exact) || footBetween(q, low.point, high.point, *exact);
@@ -263,7 +268,8 @@ std::vector<TracedLoop> Tracer::run() {
         TracedLoop loop = traceFrom(static_cast<int>(h), visited);
         dropShortPieces(loop);
         mergePieces(loop);
-        if (loop.pieces.size() > 1 || loop.full_circle) loops.push_back(std::move(loop));
+        const bool circle = loop.full_circle && loop.pieces[0].curve.radius > kShort_mm;
+        if (loop.pieces.size() > 1 || circle) loops.push_back(std::move(loop));
     }
     addFullCircles(loops);
     return loops;
