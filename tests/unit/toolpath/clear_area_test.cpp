@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
@@ -240,6 +241,25 @@ TEST(ClearArea, GivesTheSamePathTwice) {
         EXPECT_EQ(a.moves[i].arc, b.moves[i].arc);
         EXPECT_EQ(a.moves[i].kind, b.moves[i].kind);
     }
+}
+
+TEST(ClearArea, GivesTheSamePathWithSharedRings) {
+    const Region target = pocketWithIsland();
+    ClearingTask task = fullTask(target, blockAround(target, {}, kTol), 4, kTol);
+    const CuttingData cutting = cuttingData(3, 4);
+    const Toolpath own = clearArea(task, flatEndMill(8), cutting, kMachine, kTol);
+    task.rings = makeRings(task, flatEndMill(8), cutting, kTol);
+    const Toolpath shared = clearArea(task, flatEndMill(8), cutting, kMachine, kTol);
+    ASSERT_EQ(own.moves.size(), shared.moves.size());
+    for (std::size_t i = 0; i < own.moves.size(); ++i)
+        EXPECT_EQ(own.moves[i].to, shared.moves[i].to);
+}
+
+TEST(ClearArea, RefusesRingsOfAnotherTool) {
+    const Region target = pocketWithIsland();
+    ClearingTask task = fullTask(target, blockAround(target, {}, kTol), 4, kTol);
+    task.rings = makeRings(task, flatEndMill(6), cuttingData(3, 4), kTol);
+    EXPECT_THROW(clearArea(task, flatEndMill(8), cuttingData(3, 4), kMachine, kTol), Error);
 }
 
 class DescentThroughMaterial : public testing::TestWithParam<EntryKind> {};
