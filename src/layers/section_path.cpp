@@ -67,7 +67,17 @@ Curve lineOfLying(const FaceRun& run, const Ends& ends, double z_mm) {
     curve.kind = Curve::Kind::Line;
     curve.normal = Vec2(-run.face->axis.y(), run.face->axis.x());
     const double middle = curve.normal.dot(Vec2(centre.X(), centre.Y()));
-    const double side = curve.normal.dot(ends.from + ends.to) / 2 - middle;
+    const double side_from = curve.normal.dot(ends.from) - middle;
+    const double side_to = curve.normal.dot(ends.to) - middle;
+    if (side_from * side_to < 0 && std::min(std::abs(side_from), std::abs(side_to)) > 0.5 * half) {
+        // The ridge of the facets is a little lower than the cylinder's: a run that passes over it turns
+        // back on the other side. Between its ends lies a strip thinner than the distance to the level.
+        const Vec2 along = (ends.to - ends.from).normalized();
+        curve.normal = Vec2(-along.y(), along.x());
+        curve.offset = curve.normal.dot(ends.from);
+        return curve;
+    }
+    const double side = side_from + side_to;
     curve.offset = middle + (side < 0 ? -half : half);
     return curve;
 }

@@ -79,18 +79,17 @@ gp_Pnt pullToHeight(const Geom_Surface& surface, gp_Pnt2d uv, double z_mm, doubl
 
 Vec2 pointOnEdge(const SolidMesh& mesh, int side_index, double z_mm) {
     const MeshSide& side = mesh.sides()[side_index];
-    const Vec3& a = mesh.nodes()[side.a];
-    const Vec3& b = mesh.nodes()[side.b];
-    const double share = std::clamp((z_mm - a.z()) / (b.z() - a.z()), 0.0, 1.0);
-    const Vec2 flat = (a + share * (b - a)).head<2>();
-    if (side.edge < 0) return flat;
+    if (side.edge < 0) {
+        const Vec3& a = mesh.nodes()[side.a];
+        const Vec3& b = mesh.nodes()[side.b];
+        const double share = std::clamp((z_mm - a.z()) / (b.z() - a.z()), 0.0, 1.0);
+        return (a + share * (b - a)).head<2>();
+    }
     const Geom_Curve& curve = *mesh.curve(side.edge);
     const double t =
         crossingParameter(side.t_a, side.t_b, [&](double at) { return curve.Value(at).Z() - z_mm; });
     const gp_Pnt p = curve.Value(t);
-    const Vec2 exact(p.X(), p.Y());
-    // A curve that strays from its facets is not to be trusted.
-    return (exact - flat).norm() <= 4 * mesh.chord_mm() + (b - a).norm() / 2 ? exact : flat;
+    return Vec2(p.X(), p.Y());
 }
 
 std::vector<Vec2> pointsOnSurface(const SolidMesh& mesh, const std::vector<Crossing>& crossings,
@@ -102,14 +101,11 @@ std::vector<Vec2> pointsOnSurface(const SolidMesh& mesh, const std::vector<Cross
         const Geom_Surface& surface = *mesh.faces()[crossing.face].surface;
         const gp_Pnt2d in = crossingOnSurface(mesh, triangle, crossing.side_in, z_mm);
         const gp_Pnt2d out = crossingOnSurface(mesh, triangle, crossing.side_out, z_mm);
-        const double facet_length = (crossing.to - crossing.from).norm();
+        const double facet_length = surface.Value(in.X(), in.Y()).Distance(surface.Value(out.X(), out.Y()));
         for (int i = points.empty() ? 0 : 1; i <= kPiecesPerFacet; ++i) {
             const double share = static_cast<double>(i) / kPiecesPerFacet;
             const gp_Pnt p = pullToHeight(surface, between(in, out, share), z_mm, 0.2 * facet_length);
-            const Vec2 flat = crossing.from + share * (crossing.to - crossing.from);
-            const Vec2 exact(p.X(), p.Y());
-            const bool trusted = (exact - flat).norm() <= 4 * mesh.chord_mm() + facet_length / 2;
-            const Vec2 point = trusted ? exact : flat;
+            const Vec2 point(p.X(), p.Y());
             // Points on top of each other have no direction.
             const bool last = &crossing == &crossings.back() && i == kPiecesPerFacet;
             if (!points.empty() && (point - points.back()).norm() < 1e-5 && !last) continue;
