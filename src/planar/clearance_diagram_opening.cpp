@@ -88,7 +88,10 @@ void Contacts::addWall(Loop& loop, const Piece& piece, const Vec2& to) const {
 void Contacts::addCap(Loop& loop, const Vec2& joint, const Vec2& to, std::size_t before, std::size_t after) {
     if (to == loop.end()) return;
     const Vec2 centre = snapToGrid(joint);
-    if ((to - loop.end()).norm() < kWeld_mm) {
+    // A disc turns by less than half a circle at a joint; more is a tiny turn that rounding reversed.
+    const Vec2 out = loop.end() - centre, in = to - centre;
+    const bool reversed_turn = cross(out, in) < 0 && out.dot(in) > 0;
+    if (reversed_turn || (to - loop.end()).norm() < kWeld_mm) {
         loop.segments.push_back({to, std::nullopt});
         return;
     }
