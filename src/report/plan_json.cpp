@@ -109,8 +109,8 @@ Json toolAreasJson(const AccessibleArea& area) {
 }
 
 Json edgeJson(const DagEdge& edge) {
-    return {{"from", edge.from},
-            {"to", edge.to},
+    return {{"from", edge.from.empty() ? "source" : edge.from},
+            {"to", edge.to.empty() ? "sink" : edge.to},
             {"region_area_mm2", number(edge.region_area_mm2)},
             {"cut_length_mm", number(edge.totals.cut_length_mm)},
             {"air_length_mm", number(edge.totals.air_length_mm)},
