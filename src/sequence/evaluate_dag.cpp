@@ -1,5 +1,7 @@
 #include "sequence/evaluate_dag.h"
 
+#include <set>
+
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -21,6 +23,7 @@ class EdgeTable {
   public:
     explicit EdgeTable(const DagTask& task) : task_(task), n_(static_cast<int>(task.tools.size())) {
         slots_.resize(static_cast<std::size_t>(n_ + 1) * n_);
+        rings_.resize(n_);
         for (int m = kSource; m < n_; ++m) {
             for (int n = m + 1; n < n_; ++n)
                 slot(m, n).least_weight = leastWeight(m, n);
@@ -29,6 +32,7 @@ class EdgeTable {
 
     /// Evaluates the edges listed; every other slot stays as it is.
     void evaluate(const std::vector<std::pair<int, int>>& edges) {
+        makeMissingRings(edges);
         tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
             const auto [m, n] = edges[i];
             evaluate(m, n, slot(m, n));
@@ -36,6 +40,7 @@ class EdgeTable {
     }
 
     double weight(int m, int n) const { return slot(m, n).weight; }
+    const std::vector<SharedRings>& rings() const { return rings_; }
     const DagEdge& edge(int m, int n) const { return slot(m, n).edge; }
 
     /// Cheapest conceivable ways to and from every tool, from the edges' lower bounds; the edges from the
@@ -68,6 +73,20 @@ class EdgeTable {
     EdgeSlot& slot(int m, int n) { return slots_[static_cast<std::size_t>(m + 1) * n_ + n]; }
     const EdgeSlot& slot(int m, int n) const { return slots_[static_cast<std::size_t>(m + 1) * n_ + n]; }
 
+    /// The edges into one tool share its rings; only tools that some edge leads to need any.
+    void makeMissingRings(const std::vector<std::pair<int, int>>& edges) {
+        std::set<int> missing;
+        for (const auto& [m, n] : edges) {
+            if (!rings_[n] && !task_.tools[n].drill()) missing.insert(n);
+        }
+        const std::vector<int> tools(missing.begin(), missing.end());
+        tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
+            const Candidate& tool = task_.tools[tools[i]];
+            rings_[tools[i]] = makeRings(clearingTask(task_, tool, {}, nullptr), *tool.tool, tool.cutting,
+                                         task_.ground.tolerances());
+        });
+    }
+
     double weigh(const EdgeCost& cost) const {
         return task_.options.objective == Objective::Time ? cost.time_s : cost.cost;
     }
@@ -88,7 +107,7 @@ class EdgeTable {
     void evaluate(int m, int n, EdgeSlot& into) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
-        const SequenceStep step = pathOf(from, to);
+        const SequenceStep step = pathOf(from, to, rings_[n]);
         if (step.path.moves.empty()) return;
         into.edge.from = from != nullptr ? from->tool->id : std::string();
         into.edge.to = to.tool->id;
@@ -100,13 +119,13 @@ class EdgeTable {
         into.weight = weigh(cost);
     }
 
-    SequenceStep pathOf(const Candidate* from, const Candidate& to) const {
+    SequenceStep pathOf(const Candidate* from, const Candidate& to, const SharedRings& rings) const {
         const Feature& feature = task_.ground.feature();
         if (to.drill()) return drillStep(feature, *to.tool, to.cutting, task_.retract_z_mm, task_.machine);
         SequenceStep step;
         step.area = decomposedArea(task_.ground, from != nullptr ? from->area : nullptr, *to.area);
         if (step.area.centres.empty()) return step;
-        step.path = clearArea(clearingTask(task_, to, step.area), *to.tool, to.cutting, task_.machine,
+        step.path = clearArea(clearingTask(task_, to, step.area, rings), *to.tool, to.cutting, task_.machine,
                               task_.ground.tolerances());
         return step;
     }
@@ -114,6 +133,7 @@ class EdgeTable {
     const DagTask& task_;
     int n_;
     std::vector<EdgeSlot> slots_;
+    std::vector<SharedRings> rings_;
     std::vector<double> to_tool_;
     std::vector<double> to_sink_;
 };
@@ -174,10 +194,12 @@ DagResult evaluateDag(const DagTask& task) {
 
     result.path = cheapest().tools;
     result.edges = listEdges(table, task);
+    result.rings = table.rings();
     return result;
 }
 
-ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed) {
+ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
+                          const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     ClearingTask clearing;
     clearing.free_centres = n.area->free_centres;
@@ -189,10 +211,11 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;
+    clearing.rings = rings;
     return clearing;
 }
 
-SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n) {
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
     SequenceStep step;
@@ -203,7 +226,7 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
         step.tool_id = n.tool->id;
         step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
         step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, *n.area);
-        const ClearingTask clearing = clearingTask(task, n, step.area);
+        const ClearingTask clearing = clearingTask(task, n, step.area, rings);
         step.path = clearArea(clearing, *n.tool, n.cutting, task.machine, tol);
         step.proof = prove(step.path, clearing, n.tool->radius_mm(), tol);
         step.speed_rpm = n.cutting.speed_rpm;

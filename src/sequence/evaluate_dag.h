@@ -16,10 +16,13 @@ struct DagTask {
     double retract_z_mm = 0;
 };
 
+using SharedRings = std::shared_ptr<const RingFamily>;
+
 /// All evaluated edges of a feature's tool DAG and its cheapest path.
 struct DagResult {
-    std::vector<DagEdge> edges;  ///< by from, then to; edges to the sink last of their tool
-    std::vector<int> path;       ///< node numbers
+    std::vector<DagEdge> edges;      ///< by from, then to; edges to the sink last of their tool
+    std::vector<int> path;           ///< node numbers
+    std::vector<SharedRings> rings;  ///< of each node; null where no edge led to it
     int pruned = 0;
 };
 
@@ -29,10 +32,11 @@ struct DagResult {
 DagResult evaluateDag(const DagTask& task);
 
 /// The clearing job of edge (m, n): what n sweeps after m (null: nothing swept yet).
-ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed);
+ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
+                          const SharedRings& rings);
 
 /// Step n of a chosen path, after m (null for the first), with its tool path re-made and proved.
 /// \throws Error(Internal) if the path gouges
-SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n);
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings);
 
 }  // namespace stepmill

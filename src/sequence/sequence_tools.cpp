@@ -19,17 +19,23 @@ std::vector<AccessibleArea> areasOfAllTools(const FeatureGround& ground, const T
         areas[i] = accessibleArea(ground, *tools[i], options.material);
         if (!tools[i]->isDrill() || tools[i]->cuttingFor(options.material) == nullptr) return;
         const DrillCheck check = drillCheck(ground.feature(), *tools[i], ground.tolerances());
-        if (check.fits) areas[i].excluded.reset();
-        if (check.excluded) areas[i].excluded = check.excluded;
+        if (check.fits) {
+            areas[i].excluded.reset();
+        } else if (check.excluded) {
+            areas[i].excluded = check.excluded;
+        } else if (!areas[i].excluded) {
+            areas[i].excluded = Exclusion{ExclusionReason::WrongType, "is wider than the hole"};
+        }
     });
     return areas;
 }
 
-std::vector<SequenceStep> makeSteps(const DagTask& task, const std::vector<int>& path) {
+std::vector<SequenceStep> makeSteps(const DagTask& task, const DagResult& dag) {
+    const std::vector<int>& path = dag.path;
     std::vector<SequenceStep> steps(path.size());
     tbb::parallel_for(std::size_t{0}, path.size(), [&](std::size_t i) {
         const Candidate* before = i == 0 ? nullptr : &task.tools[path[i - 1]];
-        steps[i] = makeStep(task, before, task.tools[path[i]]);
+        steps[i] = makeStep(task, before, task.tools[path[i]], dag.rings[path[i]]);
     });
     return steps;
 }
@@ -59,7 +65,7 @@ ToolSequence sequenceTools(const Feature& feature, const ToolLibrary& library, c
         sequence.residual.push_back(wholeFeature(ground, sequence.tools, library));
         return sequence;
     }
-    sequence.steps = makeSteps(task, dag.path);
+    sequence.steps = makeSteps(task, dag);
     for (std::size_t i = 0; i < dag.path.size(); ++i) {
         const EdgeCost cost = edgeCost(sequence.steps[i].path.totals, *tools[dag.path[i]].tool, machine);
         sequence.time_s += cost.time_s;

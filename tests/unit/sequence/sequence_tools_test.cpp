@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "unit/sequence/sample_feature.h"
+
+namespace stepmill::test {
+namespace {
+
+const Tolerances kTol;
+
+std::vector<std::string> toolsOf(const ToolSequence& sequence) {
+    std::vector<std::string> ids;
+    for (const SequenceStep& step : sequence.steps)
+        ids.push_back(step.tool_id);
+    return ids;
+}
+
+const DagEdge* findEdge(const ToolSequence& sequence, const std::string& from, const std::string& to) {
+    for (const DagEdge& edge : sequence.edges) {
+        if (edge.from == from && edge.to == to) return &edge;
+    }
+    return nullptr;
+}
+
+double residualVolume(const ToolSequence& sequence) {
+    double sum = 0;
+    for (const Residual& residual : sequence.residual)
+        sum += residual.volume_mm3;
+    return sum;
+}
+
+TEST(SequenceTools, TakesTheOneToolThereIs) {
+    const ToolSequence sequence =
+        sequenceTools(makeIslandPocket(), makeLibrary({makeMill(10)}), makeMachine(), inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM10"});
+    EXPECT_TRUE(sequence.residual.empty());
+    EXPECT_GT(sequence.time_s, 0);
+    ASSERT_NE(findEdge(sequence, "", "EM10"), nullptr);
+    EXPECT_DOUBLE_EQ(findEdge(sequence, "", "EM10")->time_s, sequence.time_s);
+}
+
+TEST(SequenceTools, RoughsWithALargeCutterWhenThatPays) {
+    const Feature deep = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(120, 90), 3), 20);
+    const ToolLibrary library = makeLibrary({makeMill(6, 800, 2), makeMill(20, 2000, 5)});
+    const ToolSequence sequence = sequenceTools(deep, library, makeMachine(), inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), (std::vector<std::string>{"EM20", "EM6"}));
+    EXPECT_EQ(sequence.steps[0].role, Role::Rough);
+    EXPECT_EQ(sequence.steps[1].role, Role::Rest);
+    EXPECT_LT(sequence.time_s, findEdge(sequence, "", "EM6")->time_s);
+    EXPECT_TRUE(sequence.residual.empty());
+}
+
+TEST(SequenceTools, ADearToolChangeKeepsItAtOneTool) {
+    const Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(60, 40), 3), 4);
+    Machine machine = makeMachine();
+    machine.tool_change_s = 100000;
+    const ToolSequence sequence =
+        sequenceTools(pocket, makeLibrary({makeMill(6), makeMill(16)}), machine, inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM6"});
+}
+
+TEST(SequenceTools, LeavesTheCornersTheSmallestCutterCannotReach) {
+    const double depth = 5;
+    const Feature pocket = makePocket(makeRectangle(Vec2(0, 0), Vec2(60, 40)), depth);
+    const ToolSequence sequence =
+        sequenceTools(pocket, makeLibrary({makeMill(10), makeMill(6)}), makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(sequence.residual.size(), 1U);
+    EXPECT_EQ(sequence.residual[0].reason, "corner radius");
+    // Four cusps: the square over the radius less a quarter disc each.
+    const double cusps_mm2 = 4 * 9 * (1 - kPi / 4);
+    EXPECT_NEAR(sequence.residual[0].area_mm2, cusps_mm2, 0.01 * cusps_mm2);
+    EXPECT_NEAR(residualVolume(sequence), cusps_mm2 * depth, 0.01 * cusps_mm2 * depth);
+}
+
+TEST(SequenceTools, NamesTheCutterThatWouldFitWhenNoneDoes) {
+    const Feature slot = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(40, 5), 2.5), 5);
+    const ToolSequence sequence =
+        sequenceTools(slot, makeLibrary({makeMill(10), makeMill(6)}), makeMachine(), inAluminium(), kTol);
+    EXPECT_TRUE(sequence.steps.empty());
+    EXPECT_EQ(sequence.lower_bound_s, 0);
+    ASSERT_EQ(sequence.residual.size(), 1U);
+    EXPECT_EQ(sequence.residual[0].reason, "no cutter narrow enough");
+    EXPECT_NE(sequence.residual[0].advice.find("5 mm"), std::string::npos) << sequence.residual[0].advice;
+    EXPECT_DOUBLE_EQ(residualVolume(sequence), slot.volume_mm3);
+}
+
+TEST(SequenceTools, SaysThatAFeatureIsTooDeep) {
+    const Feature deep = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(40, 40), 6), 80);
+    ToolAssembly mill = makeMill(10);
+    mill.holder.push_back({40, 60, 100});
+    const ToolSequence sequence =
+        sequenceTools(deep, makeLibrary({mill}), makeMachine(), inAluminium(), kTol);
+    EXPECT_TRUE(sequence.steps.empty());
+    ASSERT_EQ(sequence.residual.size(), 1U);
+    EXPECT_EQ(sequence.residual[0].reason.rfind("too deep", 0), 0U) << sequence.residual[0].reason;
+}
+
+TEST(SequenceTools, NoEdgeFollowsAToolThatLeavesNothing) {
+    const ToolSequence sequence = sequenceTools(makeIslandPocket(), makeLibrary({makeMill(10), makeMill(8)}),
+                                                makeMachine(), inAluminium(), kTol);
+    EXPECT_EQ(findEdge(sequence, "EM10", "EM8"), nullptr);
+    EXPECT_NE(findEdge(sequence, "EM10", ""), nullptr);
+    EXPECT_NE(findEdge(sequence, "EM8", ""), nullptr);
+}
+
+Feature makeHole(FeatureClass feature_class) {
+    Feature hole = makePocket(makeCircle(Vec2(20, 20), 4), 15, feature_class);
+    hole.through = feature_class == FeatureClass::HoleThrough;
+    return hole;
+}
+
+TEST(SequenceTools, DrillsAThroughHoleOfTheDrillsSizeBeyondItsFloor) {
+    const ToolSequence sequence = sequenceTools(makeHole(FeatureClass::HoleThrough),
+                                                makeLibrary({makeDrill(8), makeDrill(7), makeMill(6)}),
+                                                makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), std::vector<std::string>{"DR8"});
+    EXPECT_EQ(sequence.steps[0].role, Role::Drill);
+    EXPECT_TRUE(sequence.residual.empty());
+    double deepest = 0;
+    for (const Move& move : sequence.steps[0].path.moves)
+        deepest = std::min(deepest, move.to.z());
+    EXPECT_NEAR(deepest, -15 - 0.5 - 4 / std::tan(degToRad(59)), 1e-9);
+    EXPECT_LE(sequence.lower_bound_s, sequence.time_s);
+}
+
+TEST(SequenceTools, MillsABlindHoleThatACutterCanFinish) {
+    const ToolSequence sequence =
+        sequenceTools(makeHole(FeatureClass::HoleBlind), makeLibrary({makeDrill(8), makeMill(6)}),
+                      makeMachine(), inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM6"});
+    EXPECT_TRUE(sequence.residual.empty());
+}
+
+TEST(SequenceTools, ADrilledBlindHoleKeepsTheRimUnderTheDrillsPoint) {
+    const Feature hole = makeHole(FeatureClass::HoleBlind);
+    const ToolSequence sequence =
+        sequenceTools(hole, makeLibrary({makeDrill(8)}), makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), std::vector<std::string>{"DR8"});
+    ASSERT_EQ(sequence.residual.size(), 1U);
+    EXPECT_EQ(sequence.residual[0].reason, "drill point");
+    const double point_mm = 4 / std::tan(degToRad(59));
+    EXPECT_NEAR(residualVolume(sequence), hole.area_mm2 * point_mm * 2 / 3, 1e-6);
+}
+
+TEST(SequenceTools, ADrillWhoseHolderWouldTouchIsNotUsed) {
+    Feature hole = makeHole(FeatureClass::HoleThrough);
+    // A wall 10 mm from the axis stands 60 mm over the top; the holder is 40 mm wide.
+    Obstacle wall{-15, 60, makeRectangle(Vec2(30, 0), Vec2(40, 40))};
+    hole.obstacles.push_back(wall);
+    ToolAssembly drill = makeDrill(8);
+    drill.holder.push_back({40, 60, 100});
+    const ToolSequence sequence =
+        sequenceTools(hole, makeLibrary({drill}), makeMachine(), inAluminium(), kTol);
+    EXPECT_TRUE(sequence.steps.empty());
+    ASSERT_EQ(sequence.tools.size(), 1U);
+    ASSERT_TRUE(sequence.tools[0].excluded);
+    EXPECT_EQ(sequence.tools[0].excluded->reason, ExclusionReason::HolderCollision);
+}
+
+TEST(SequenceTools, DoesNotDependOnTheNumberOfThreads) {
+    const ToolLibrary library =
+        makeLibrary({makeMill(20, 2000, 6), makeMill(16, 1800, 5), makeMill(12, 1500, 4),
+                     makeMill(8, 1200, 3), makeMill(5, 900, 2)});
+    const auto run = [&](int threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return sequenceTools(makeIslandPocket(), library, makeMachine(), inAluminium(), kTol);
+    };
+    const ToolSequence one = run(1);
+    const ToolSequence two = run(2);
+    EXPECT_EQ(toolsOf(one), toolsOf(two));
+    EXPECT_EQ(one.time_s, two.time_s);
+    EXPECT_EQ(one.pruned_edges, two.pruned_edges);
+    ASSERT_EQ(one.edges.size(), two.edges.size());
+    for (std::size_t i = 0; i < one.edges.size(); ++i) {
+        EXPECT_EQ(one.edges[i].from, two.edges[i].from);
+        EXPECT_EQ(one.edges[i].to, two.edges[i].to);
+        EXPECT_EQ(one.edges[i].time_s, two.edges[i].time_s);
+    }
+    ASSERT_EQ(one.steps.size(), two.steps.size());
+    for (std::size_t i = 0; i < one.steps.size(); ++i) {
+        ASSERT_EQ(one.steps[i].path.moves.size(), two.steps[i].path.moves.size());
+        for (std::size_t k = 0; k < one.steps[i].path.moves.size(); ++k)
+            EXPECT_EQ(one.steps[i].path.moves[k].to, two.steps[i].path.moves[k].to);
+    }
+}
+
+}  // namespace
+}  // namespace stepmill::test
