@@ -4,6 +4,7 @@
 
 #include "access/collision.h"
 #include "access/entry.h"
+#include "access/slivers.h"
 #include "access/suitability.h"
 #include "stepmill/access/access.h"
 #include "stepmill/planar/boolean.h"
@@ -13,22 +14,13 @@ namespace {
 
 using access::Blocker;
 
-/// Is the component wider somewhere than the rounding of the Boolean that made it?
-bool isReal(const Region& component, const Tolerances& tol) {
-    // Every planar region holds a disc of radius area / perimeter, so most need no closer look.
-    return area(component) > tol.sliver_mm / 2 * perimeter(component) ||
-           !withoutSlivers(component, tol.sliver_mm, tol).empty();
-}
-
 /// C_t before the question how to get there.
 std::vector<Region> centreComponents(const FeatureGround& ground, double radius_mm) {
     // Closed all round, a centre outside the target would have to reach over a wall.
     if (ground.walledIn()) return components(ground.targetOffset(-radius_mm));
     const Tolerances& tol = ground.tolerances();
-    std::vector<Region> found =
-        components(subtract(ground.targetOffset(radius_mm), ground.obstructionOffset(radius_mm), tol));
-    std::erase_if(found, [&](const Region& component) { return !isReal(component, tol); });
-    return found;
+    const Region centres = subtract(ground.targetOffset(radius_mm), ground.obstructionOffset(radius_mm), tol);
+    return components(access::withoutSliverComponents(centres, tol));
 }
 
 Exclusion tooWide(const FeatureGround& ground, const ToolAssembly& tool) {
@@ -54,7 +46,7 @@ std::optional<Exclusion> checkCollisions(const FeatureGround& ground, const Tool
     const Tolerances& tol = ground.tolerances();
     const Region centres = access::collisionFreeCentres(ground, blockers, found.free_centres);
     const Region swept = centres.empty() ? Region{} : offset(centres, found.radius_mm, tol);
-    const Region lost = withoutSlivers(subtract(found.coverable, swept, tol), tol.sliver_mm, tol);
+    const Region lost = access::withoutSliverComponents(subtract(found.coverable, swept, tol), tol);
     if (lost.empty()) return std::nullopt;
     found.collision_free_area_mm2 = std::max(0.0, found.coverable_area_mm2 - area(lost));
     const double depth_mm = ground.feature().depth_mm();

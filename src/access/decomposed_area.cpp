@@ -1,4 +1,6 @@
 #include "stepmill/access/access.h"
+
+#include "access/slivers.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 
@@ -31,12 +33,12 @@ DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea*
 
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;
-    const Region done = offset(m->accessible, -n.radius_mm, tol);                             // B_mn
-    found.centres = withoutSlivers(subtract(n.free_centres, done, tol), tol.sliver_mm, tol);  // C
+    const Region done = offset(m->accessible, -n.radius_mm, tol);                               // B_mn
+    found.centres = access::withoutSliverComponents(subtract(n.free_centres, done, tol), tol);  // C
     found.cleared_centres = intersect(n.free_centres, done, tol);
     if (found.centres.empty()) return found;
 
-    const Region fresh = withoutSlivers(subtract(n.coverable, m->coverable, tol), tol.sliver_mm, tol);
+    const Region fresh = access::withoutSliverComponents(subtract(n.coverable, m->coverable, tol), tol);
     found.new_area_mm2 = area(fresh);
     if (!ground.walledIn()) found.centres = centresThatClear(ground, found.centres, fresh, n.radius_mm);
     if (!found.centres.empty()) found.area = offset(found.centres, n.radius_mm, tol);  // D_mn

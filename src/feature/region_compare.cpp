@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill::feature {
 namespace {
@@ -27,7 +28,8 @@ bool isSliver(const Region& region, const Tolerances& tol) {
     for (const Region& component : components(region)) {
         // Every planar region holds a disc of radius area / perimeter, so most need no closer look.
         if (area(component) > tol.sliver_mm / 2 * perimeter(component)) return false;
-        if (!withoutSlivers(component, tol.sliver_mm, tol).empty()) return false;
+        const auto disc = ClearanceDiagram(component, tol).largestInscribedDisc();
+        if (disc && 2 * disc->radius_mm > tol.sliver_mm) return false;
     }
     return true;
 }
