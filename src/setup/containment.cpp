@@ -3,9 +3,13 @@
 #include "setup/containment.h"
 
 #include <fmt/format.h>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepClass3d_SolidClassifier.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
 
 #include "stepmill/part/part_shape.h"
 
@@ -30,6 +34,25 @@ void checkBoxes(const Box3& part, const Box3& stock) {
 double distanceTo(const TopoDS_Shape& solid, const gp_Pnt& p) {
     BRepExtrema_DistShapeShape distance(BRepBuilderAPI_MakeVertex(p).Vertex(), solid);
     return distance.IsDone() ? distance.Value() : 0;
+}
+
+/// What points on the part's skin cannot tell: hollows of the stock inside the part.
+void checkHollows(const TopoDS_Shape& part, const TopoDS_Shape& stock) {
+    const TopoDS_Shape part_copy = BRepBuilderAPI_Copy(part).Shape();
+    const TopoDS_Shape stock_copy = BRepBuilderAPI_Copy(stock).Shape();
+    BRepAlgoAPI_Cut outside(part_copy, stock_copy);
+    if (!outside.IsDone()) return;
+    GProp_GProps volume;
+    BRepGProp::VolumeProperties(outside.Shape(), volume);
+    GProp_GProps skin;
+    BRepGProp::SurfaceProperties(part_copy, skin);
+    // A film of the slack all over the part is rounding.
+    if (volume.Mass() <= kSlackMm * skin.Mass()) return;
+    const gp_Pnt at = volume.CentreOfMass();
+    throw Error(
+        ErrorCode::Usage, "stock",
+        fmt::format("does not contain the part: {:.3f} mm3 of it about ({:.3f}, {:.3f}, {:.3f}) lie outside",
+                    volume.Mass(), at.X(), at.Y(), at.Z()));
 }
 
 }  // namespace
@@ -61,6 +84,8 @@ void checkContained(const Part& part, const Facets& part_facets, const Part& sto
             fmt::format("does not contain the part: at ({:.3f}, {:.3f}, {:.3f}) the part sticks out by "
                         "{:.3f} mm",
                         worst.X(), worst.Y(), worst.Z(), worst_mm));
+    guardOcct(ErrorCode::GeometryKernel, "stock",
+              [&] { checkHollows(part.shape->solid, stock.shape->solid); });
 }
 
 }  // namespace stepmill::setup

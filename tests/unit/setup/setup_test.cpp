@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "stepmill/core/error.h"
+#include "unit/layers/solids.h"
+
+using namespace stepmill;
+using namespace stepmill::test;
+
+TEST(ParseAxis, ReadsNamesAndNumbers) {
+    EXPECT_EQ(*parseAxis("+z"), Vec3::UnitZ());
+    EXPECT_EQ(*parseAxis("-x"), Vec3(-1, 0, 0));
+    EXPECT_EQ(*parseAxis("0,0,-2"), Vec3(0, 0, -1));
+    EXPECT_NEAR((*parseAxis("1,1,0") - Vec3(1, 1, 0).normalized()).norm(), 0, 1e-15);
+}
+
+TEST(ParseAxis, RefusesWhatIsNoDirection) {
+    for (const char* text : {"", "z", "+w", "1,2", "0,0,0", "1,2,3,4", "a,b,c", "nan,0,0", "1,2,3 "})
+        EXPECT_FALSE(parseAxis(text).has_value()) << text;
+}
+
+TEST(AxisName, IsShortForBoxDirections) {
+    EXPECT_EQ(axisName(Vec3(0, -1, 0)), "-y");
+    EXPECT_EQ(axisName(Vec3(0, 3, 4)), "0.0000,0.6000,0.8000");
+}
+
+TEST(ChooseSetups, PutsTheOriginOnTheStocksTopLowerLeft) {
+    const Part block = part(box(10, 20, 30, 40, 50, 60));
+    for (const char* name : {"+z", "-z", "+x", "-x", "+y", "-y"}) {
+        const auto setup = setupOf(block, *parseAxis(name));
+        Box3 moved;
+        for (int corner = 0; corner < 8; ++corner)
+            moved.extend(Vec3(setup.part_to_setup *
+                              setup.stock.bbox_mm.corner(static_cast<Box3::CornerType>(corner))));
+        EXPECT_NEAR(moved.min().x(), 0, 1e-12) << name;
+        EXPECT_NEAR(moved.min().y(), 0, 1e-12) << name;
+        EXPECT_NEAR(moved.max().z(), 0, 1e-12) << name;
+        EXPECT_EQ(setup.part_to_setup.linear().determinant(), 1) << name;
+        EXPECT_EQ(Vec3(setup.part_to_setup.linear() * setup.axis), Vec3::UnitZ()) << name;
+    }
+}
+
+TEST(ChooseSetups, AddsMarginsAsSeenFromTheSpindle) {
+    const auto setup = setupOf(part(box(0, 0, 0, 40, 50, 60)), -Vec3::UnitX(), StockMargin{2, 3, 5});
+    EXPECT_NEAR(setup.stock.bbox_mm.min().x(), -3, 1e-6);
+    EXPECT_NEAR(setup.stock.bbox_mm.max().x(), 45, 1e-6);
+    EXPECT_NEAR(setup.stock.bbox_mm.min().y(), -2, 1e-6);
+    EXPECT_NEAR(setup.stock_bbox_mm.sizes().z(), 48, 1e-6);
+}
+
+TEST(ChooseSetups, AutoTakesTheSideThePocketOpensTo) {
+    const Part pocketed = part(cut(box(0, 0, 0, 60, 50, 30), box(20, -1, 10, 20, 31, 10)));
+    const auto setups = chooseSetups(pocketed, SetupRequest{});
+    ASSERT_EQ(setups.size(), 1u);
+    EXPECT_EQ(axisName(setups[0].axis), "-y");
+    EXPECT_GT(setups[0].reachable_share, 0.98);
+    EXPECT_EQ(setups[0].id, "S1");
+}
+
+TEST(ChooseSetups, AutoBreaksTiesInFavourOfTheTop) {
+    const Part slotted = part(cut(box(0, 0, 0, 60, 50, 30), cylinder(30, 25, -1, 8, 40)));
+    EXPECT_EQ(axisName(chooseSetups(slotted, SetupRequest{})[0].axis), "+z");
+}
+
+TEST(ChooseSetups, RefusesStockThatDoesNotHoldThePart) {
+    SetupRequest request;
+    request.stock_part = part(box(0, 0, 0, 30, 30, 9));
+    try {
+        chooseSetups(part(box(0, 0, 0, 30, 30, 10)), request);
+        FAIL() << "no refusal";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Usage);
+        EXPECT_NE(std::string(error.what()).find("1.000 mm on the +z side"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(ChooseSetups, RefusesStockThatIsHollowWhereThePartIs) {
+    SetupRequest request;
+    request.stock_part = part(cut(box(0, 0, 0, 30, 30, 10), box(10, 10, 5, 10, 10, 5)));
+    try {
+        chooseSetups(part(box(0, 0, 0, 30, 30, 10)), request);
+        FAIL() << "no refusal";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Usage);
+    }
+}
+
+TEST(ChooseSetups, TakesATiltedAxis) {
+    const auto setup = setupOf(part(box(0, 0, 0, 10, 10, 10)), Vec3(0, 1, 1));
+    EXPECT_NEAR(setup.stock_bbox_mm.sizes().z(), 10 * std::sqrt(2.0), 1e-6);
+    EXPECT_NEAR(setup.stock_bbox_mm.sizes().x(), 10, 1e-6);
+}
