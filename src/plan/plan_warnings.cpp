@@ -1,3 +1,4 @@
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -17,6 +18,25 @@ void warnOfResiduals(Plan& plan, const PlannedFeature& planned) {
         plan.warnings.push_back({nothing_done ? "no-tool" : "residual", planned.feature.id,
                                  fmt::format("{:.4g} mm3 stay: {}; needs {}", residual.volume_mm3,
                                              residual.reason, residual.advice)});
+    }
+}
+
+/// One warning a reason, however many slabs it shows in.
+void warnOfUnplanned(Plan& plan, const PlannedSetup& setup) {
+    std::map<std::string, Unplanned> by_reason;
+    for (const Unplanned& unplanned : setup.unplanned) {
+        const auto [found, is_new] = by_reason.emplace(unplanned.reason, unplanned);
+        if (is_new) continue;
+        Unplanned& sum = found->second;
+        sum.volume_mm3 += unplanned.volume_mm3;
+        sum.top_z_mm = std::max(sum.top_z_mm, unplanned.top_z_mm);
+        sum.bottom_z_mm = std::min(sum.bottom_z_mm, unplanned.bottom_z_mm);
+    }
+    for (const auto& [reason, sum] : by_reason) {
+        if (sum.volume_mm3 < kWorthAWarningMm3) continue;
+        plan.warnings.push_back({"unreachable", setup.setup.id,
+                                 fmt::format("{:.4g} mm3 between z {:.4g} and {:.4g} mm are not planned: {}",
+                                             sum.volume_mm3, sum.top_z_mm, sum.bottom_z_mm, reason)});
     }
 }
 
@@ -70,13 +90,7 @@ void warnOfInput(Plan& plan, const LayerStack& layers) {
 void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
     for (const PlannedFeature& planned : setup.features)
         warnOfResiduals(plan, planned);
-    for (const Unplanned& unplanned : setup.unplanned) {
-        if (unplanned.volume_mm3 < kWorthAWarningMm3) continue;
-        plan.warnings.push_back(
-            {"unreachable", setup.setup.id,
-             fmt::format("{:.4g} mm3 between z {:.4g} and {:.4g} mm are not planned: {}",
-                         unplanned.volume_mm3, unplanned.top_z_mm, unplanned.bottom_z_mm, unplanned.reason)});
-    }
+    warnOfUnplanned(plan, setup);
     warnOfTravel(plan, setup);
     warnOfMagazine(plan, setup);
 }
