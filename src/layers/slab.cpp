@@ -60,6 +60,23 @@ double volumeBetween(const SolidMesh& mesh, double top_mm, double bottom_mm, con
     return half * (5 * areaAt(middle - at * half) + 8 * areaAt(middle) + 5 * areaAt(middle + at * half)) / 9;
 }
 
+/// The union. Where boundaries that nearly coincide leave it with edges on top of each other, once more
+/// with other points to snap to: the result with one of the two, then with coarser points, up to half the
+/// gouge budget.
+Region soundUnion(const Region& a, const Region& b, const Tolerances& tol) {
+    const Region united = unite(a, b, tol);
+    if (!diagnose(united)) return united;
+    for (const double share : {0.0, 0.2, 0.5}) {
+        Tolerances coarser = tol;
+        coarser.linear_mm = std::max(tol.linear_mm, share * tol.gouge_mm);
+        for (const Region* again : {&a, &b}) {
+            const Region repeated = unite(united, *again, coarser);
+            if (!diagnose(repeated)) return repeated;
+        }
+    }
+    return united;
+}
+
 Region unionOverHeight(const SolidMesh& mesh, double top_mm, double bottom_mm, const Tolerances& tol,
                        std::vector<std::string>& remarks) {
     const std::vector<ProjectedFacet> facets = slopedFacets(mesh, top_mm, bottom_mm);
@@ -75,7 +92,7 @@ Region unionOverHeight(const SolidMesh& mesh, double top_mm, double bottom_mm, c
     // facets show what the ends do not.
     if (lean != Lean::Both && remarks.size() == remarks_before) return ends;
     const Region beyond = facetsBeyond(facets, ends, mesh.chord_mm() + tol.gouge_mm, tol);
-    return beyond.empty() ? ends : unite(ends, beyond, tol);
+    return beyond.empty() ? ends : soundUnion(ends, beyond, tol);
 }
 
 }  // namespace
@@ -85,7 +102,7 @@ Region uniteKeeping(const Region& a, const Region& b, const Tolerances& tol) {
     if (b.empty()) return a;
     if (covers(a, b, tol.linear_mm, tol)) return a;
     if (covers(b, a, tol.linear_mm, tol)) return b;
-    return unite(a, b, tol);
+    return soundUnion(a, b, tol);
 }
 
 Region mendedSection(const SolidMesh& mesh, double z_mm, double top_mm, double bottom_mm,

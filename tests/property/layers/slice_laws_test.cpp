@@ -34,7 +34,9 @@ void expectLaws(const LayerStack& stack, const Tolerances& tol) {
         EXPECT_FALSE(diagnose(layer.shadow).has_value())
             << layer.bottom_z_mm << " " << *diagnose(layer.shadow);
         EXPECT_TRUE(covers(layer.shadow, layer.part, 2 * tol.linear_mm, tol)) << layer.bottom_z_mm;
-        if (above) EXPECT_TRUE(covers(layer.shadow, *above, 2 * tol.linear_mm, tol)) << layer.bottom_z_mm;
+        if (above) {
+            EXPECT_TRUE(covers(layer.shadow, *above, 2 * tol.linear_mm, tol)) << layer.bottom_z_mm;
+        }
         EXPECT_TRUE(covers(layer.stock, layer.part, tol.gouge_mm, tol)) << layer.bottom_z_mm;
         removed += (area(layer.stock) - area(layer.part)) * layer.height_mm() + layer.sloped_volume_mm3;
         above = &layer.shadow;
