@@ -141,6 +141,9 @@ SlabCut cutSlab(const SolidMesh& mesh, double top_mm, double bottom_mm, const Sl
     } else {
         cut.region = unionOverHeight(mesh, top_mm, bottom_mm, tol, cut.remarks);
         cut.volume_mm3 = volumeBetween(mesh, top_mm, bottom_mm, tol, cut.remarks);
+        if (const auto trouble = diagnose(cut.region))
+            cut.remarks.push_back(
+                fmt::format("union over z {:.4f} .. {:.4f} mm: {}", top_mm, bottom_mm, *trouble));
     }
     return cut;
 }

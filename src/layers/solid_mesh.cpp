@@ -22,7 +22,9 @@
 namespace stepmill::layers {
 
 double facetChord(const Box3& bbox_mm) {
-    return std::clamp(bbox_mm.diagonal().norm() * 1e-4, 5e-4, 2e-2);
+    const double size = bbox_mm.diagonal().norm();
+    // Two hundredths of a millimetre are fine enough for all but giants.
+    return std::clamp(size * 1e-4, 5e-4, std::max(2e-2, size * 1e-5));
 }
 
 namespace {
