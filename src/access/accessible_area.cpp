@@ -6,6 +6,7 @@
 #include "access/entry.h"
 #include "access/slivers.h"
 #include "access/suitability.h"
+#include "access/swept.h"
 #include "stepmill/access/access.h"
 #include "stepmill/planar/boolean.h"
 
@@ -45,7 +46,7 @@ std::optional<Exclusion> checkCollisions(const FeatureGround& ground, const Tool
     if (blockers.empty()) return std::nullopt;
     const Tolerances& tol = ground.tolerances();
     const Region centres = access::collisionFreeCentres(ground, blockers, found.free_centres);
-    const Region swept = centres.empty() ? Region{} : offset(centres, found.radius_mm, tol);
+    const Region swept = access::swept(centres, found.radius_mm, tol);
     const Region lost = access::withoutSliverComponents(subtract(found.coverable, swept, tol), tol);
     if (lost.empty()) return std::nullopt;
     found.collision_free_area_mm2 = std::max(0.0, found.coverable_area_mm2 - area(lost));
@@ -81,9 +82,10 @@ bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, std::v
 
 void measureAreas(const FeatureGround& ground, bool all_components, AccessibleArea& found) {
     const Tolerances& tol = ground.tolerances();
-    const bool is_opening = ground.walledIn() && all_components;
-    found.accessible =
-        is_opening ? ground.targetOpening(found.radius_mm) : offset(found.free_centres, found.radius_mm, tol);
+    // The target's own diagram answers where nothing was left out and no two discs meet across a neck.
+    const bool is_opening = ground.walledIn() && all_components && found.entries.size() == 1;
+    found.accessible = is_opening ? ground.targetOpening(found.radius_mm)
+                                  : access::swept(found.free_centres, found.radius_mm, tol);
     found.coverable =
         ground.walledIn() ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
     found.coverable_area_mm2 = area(found.coverable);

@@ -1,6 +1,7 @@
 #include "stepmill/access/access.h"
 
 #include "access/slivers.h"
+#include "access/swept.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 
@@ -18,7 +19,7 @@ Region centresThatClear(const FeatureGround& ground, const Region& centres, cons
     const Tolerances& tol = ground.tolerances();
     Region useful;
     for (const Region& component : components(centres)) {
-        const Region cleared = intersect(offset(component, radius_mm, tol), fresh, tol);
+        const Region cleared = intersect(access::swept(component, radius_mm, tol), fresh, tol);
         if (area(cleared) > tol.area_mm2) append(useful, component);
     }
     return useful;
@@ -41,7 +42,7 @@ DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea*
     const Region fresh = access::withoutSliverComponents(subtract(n.coverable, m->coverable, tol), tol);
     found.new_area_mm2 = area(fresh);
     if (!ground.walledIn()) found.centres = centresThatClear(ground, found.centres, fresh, n.radius_mm);
-    if (!found.centres.empty()) found.area = offset(found.centres, n.radius_mm, tol);  // D_mn
+    found.area = access::swept(found.centres, n.radius_mm, tol);  // D_mn
     return found;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "access/slivers.h"
 #include "grounds.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -24,8 +25,8 @@ Region islandPocket() {
 
 /// A_n n T without A_m u D_mn: what eq. 2 of [DSouza2006] says is nothing.
 double missed(const AccessibleArea& m, const AccessibleArea& n, const DecomposedArea& d) {
-    return area(
-        withoutSlivers(subtract(n.coverable, unite(m.accessible, d.area, kTol), kTol), kTol.sliver_mm, kTol));
+    const Region both = unite(m.accessible, d.area, kTol);
+    return area(access::withoutSliverComponents(subtract(n.coverable, both, kTol), kTol));
 }
 
 TEST(DecomposedArea, OfAFirstToolIsItsAccessibleArea) {
