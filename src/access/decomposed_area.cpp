@@ -1,28 +1,32 @@
 #include "stepmill/access/access.h"
 
+#include "access/lazy_diagram.h"
 #include "access/slivers.h"
-#include "access/swept.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
 
-void append(Region& all, const Region& more) {
-    all.loops.insert(all.loops.end(), more.loops.begin(), more.loops.end());
+/// Keeps the components of C from which the disc reaches some of the target's `fresh` part, as others beside
+/// open edges do nothing, and unites what they sweep to D.
+void sweepUseful(const FeatureGround& ground, const Region& centres, const Region& fresh, double radius_mm,
+                 DecomposedArea& found) {
+    const Tolerances& tol = ground.tolerances();
+    std::vector<Region> swept;
+    for (const Region& component : components(centres)) {
+        Region disc_reach = offset(component, radius_mm, tol);
+        // Inside walls a centre outside B_mn always clears something.
+        if (!ground.walledIn() && area(intersect(disc_reach, fresh, tol)) <= tol.area_mm2) continue;
+        found.centres.loops.insert(found.centres.loops.end(), component.loops.begin(), component.loops.end());
+        swept.push_back(std::move(disc_reach));
+    }
+    if (!swept.empty()) found.area = unite(swept, tol);
 }
 
-/// Of the centres, those components from which the disc reaches some of the target's `fresh` part. Beside
-/// open edges others do nothing.
-Region centresThatClear(const FeatureGround& ground, const Region& centres, const Region& fresh,
-                        double radius_mm) {
-    const Tolerances& tol = ground.tolerances();
-    Region useful;
-    for (const Region& component : components(centres)) {
-        const Region cleared = intersect(access::swept(component, radius_mm, tol), fresh, tol);
-        if (area(cleared) > tol.area_mm2) append(useful, component);
-    }
-    return useful;
+Region shrunkAccessible(const AccessibleArea& m, double by_mm, const Tolerances& tol) {
+    if (m.accessible_diagram) return m.accessible_diagram->of(m.accessible, tol).offset(-by_mm);
+    return offset(m.accessible, -by_mm, tol);
 }
 
 }  // namespace
@@ -34,15 +38,17 @@ DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea*
 
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;
-    const Region done = offset(m->accessible, -n.radius_mm, tol);                               // B_mn
-    found.centres = access::withoutSliverComponents(subtract(n.free_centres, done, tol), tol);  // C
-    found.cleared_centres = intersect(n.free_centres, done, tol);
-    if (found.centres.empty()) return found;
-
     const Region fresh = access::withoutSliverComponents(subtract(n.coverable, m->coverable, tol), tol);
+    if (fresh.empty()) {
+        // A_n = A_m on T: no centre is left to visit, and every disc stays within what m has swept.
+        found.cleared_centres = n.free_centres;
+        return found;
+    }
     found.new_area_mm2 = area(fresh);
-    if (!ground.walledIn()) found.centres = centresThatClear(ground, found.centres, fresh, n.radius_mm);
-    found.area = access::swept(found.centres, n.radius_mm, tol);  // D_mn
+    const Region done = shrunkAccessible(*m, n.radius_mm, tol);                                        // B_mn
+    const Region centres = access::withoutSliverComponents(subtract(n.free_centres, done, tol), tol);  // C
+    found.cleared_centres = intersect(n.free_centres, done, tol);
+    sweepUseful(ground, centres, fresh, n.radius_mm, found);  // D_mn
     return found;
 }
 

@@ -2,6 +2,7 @@
 #include <limits>
 #include <mutex>
 
+#include "access/lazy_diagram.h"
 #include "stepmill/access/access.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -11,19 +12,6 @@ namespace {
 
 /// How closely widestCutterMm() answers where the target has open edges [mm].
 constexpr double kWidestCutterStepMm = 0.01;
-
-/// A diagram built when first asked for, once, whichever thread comes first.
-class LazyDiagram {
-  public:
-    const ClearanceDiagram& of(const Region& region, const Tolerances& tol) {
-        std::call_once(once_, [&] { diagram_ = std::make_unique<ClearanceDiagram>(region, tol); });
-        return *diagram_;
-    }
-
-  private:
-    std::once_flag once_;
-    std::unique_ptr<ClearanceDiagram> diagram_;
-};
 
 Region offsetOf(LazyDiagram& diagram, const Region& region, double distance_mm, const Tolerances& tol) {
     if (region.empty() || distance_mm == 0) return region;

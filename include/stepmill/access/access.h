@@ -73,6 +73,9 @@ class FeatureGround {
     std::unique_ptr<Impl> impl_;
 };
 
+/// Diagram of an area, built by the first who asks; safe to share between threads.
+class LazyDiagram;
+
 /// Areas of one tool in one feature [algorithms.md, section 3].
 struct AccessibleArea {
     std::string tool_id;
@@ -92,6 +95,9 @@ struct AccessibleArea {
     double access_volume_mm3 = 0;        ///< coverable area x depth [Lim2000]
     /// Set when the tool cannot be used; the areas then tell what it could do without that.
     std::optional<Exclusion> excluded;
+    /// Diagram of `accessible`, which every pair that starts with this tool shrinks; copies share it. May be
+    /// null: decomposedArea() then builds its own.
+    std::shared_ptr<LazyDiagram> accessible_diagram;
 };
 
 /// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.
