@@ -89,6 +89,7 @@ Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     lines.addVisible(shapes.VCompound(), deflection_mm);
     lines.addVisible(shapes.OutLineVCompound(), deflection_mm);
     lines.addHidden(shapes.HCompound(), deflection_mm);
+    lines.addHidden(shapes.OutLineHCompound(), deflection_mm);
     return lines;
 }
 
@@ -103,6 +104,7 @@ Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     lines.addVisible(shapes.VCompound(), deflection_mm);
     lines.addVisible(shapes.OutLineVCompound(), deflection_mm);
     lines.addHidden(shapes.HCompound(), deflection_mm);
+    lines.addHidden(shapes.OutLineHCompound(), deflection_mm);
     return lines;
 }
 

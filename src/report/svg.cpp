@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "report/text.h"
-#include "stepmill/core/units.h"
 #include "stepmill/planar/region_text.h"
 
 namespace stepmill {
@@ -59,35 +57,6 @@ std::string SvgDrawing::text() const {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.3f} {:.3f} {:.3f} {:.3f}\" "
         "preserveAspectRatio=\"xMidYMid meet\"><g transform=\"scale(1,-1)\">\n{}</g></svg>\n",
         frame_.min.x(), -frame_.max.y(), size.x(), size.y(), body_);
-}
-
-std::string escapeHtml(const std::string& text) {
-    std::string safe;
-    for (const char c : text)
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            default:
-                safe += c;
-        }
-    return safe;
-}
-
-std::string clockTime(double seconds) {
-    if (seconds < kSecondsPerMinute) return fmt::format("{:.1f} s", seconds);
-    const long whole = std::lround(seconds);
-    if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 }  // namespace stepmill

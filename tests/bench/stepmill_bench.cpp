@@ -32,16 +32,17 @@ struct StageTimes {
     double total() const { return load + slice + features + sequence; }
 };
 
-void timePaths(const FeatureGround& ground, const std::vector<AccessibleArea>& areas, const ToolLibrary& library,
-               const Machine& machine, const std::string& material, const Tolerances& tol) {
+void timePaths(const FeatureGround& ground, const std::vector<AccessibleArea>& areas,
+               const ToolLibrary& library, const Machine& machine, const std::string& material,
+               const Tolerances& tol) {
     for (std::size_t i = 0; i < areas.size(); ++i) {
         const ToolAssembly& tool = library.tools[i];
         if (areas[i].excluded || tool.isDrill()) continue;
         const DecomposedArea all = decomposedArea(ground, nullptr, areas[i]);
         const Feature& feature = ground.feature();
-        const ClearingTask task{areas[i].free_centres, areas[i].entries,     all.centres,
-                                all.cleared_centres,   feature.target,       feature.obstruction,
-                                feature.top_z_mm,      feature.floor_z_mm,   machine.safe_height_mm};
+        const ClearingTask task{areas[i].free_centres, areas[i].entries,   all.centres,
+                                all.cleared_centres,   feature.target,     feature.obstruction,
+                                feature.top_z_mm,      feature.floor_z_mm, machine.safe_height_mm};
         benchmark::DoNotOptimize(clearArea(task, tool, *tool.cuttingFor(material), machine, tol));
     }
 }
@@ -89,11 +90,12 @@ void benchPart(benchmark::State& state, const std::string& file) {
     const ToolLibrary library = defaultToolLibrary();
     const Machine machine = defaultMachine();
     StageTimes times;
-    for (auto _ : state) times = planOnce(file, library, machine);
+    for (auto _ : state)
+        times = planOnce(file, library, machine);
 
-    const std::vector<std::pair<const char*, double>> stages{{"load", times.load},         {"slice", times.slice},
-                                                             {"features", times.features}, {"access", times.access},
-                                                             {"paths", times.paths},       {"sequence", times.sequence}};
+    const std::vector<std::pair<const char*, double>> stages{
+        {"load", times.load},     {"slice", times.slice}, {"features", times.features},
+        {"access", times.access}, {"paths", times.paths}, {"sequence", times.sequence}};
     for (const auto& [name, milliseconds] : stages) {
         state.counters[fmt::format("{}_ms", name)] = milliseconds;
         state.counters[fmt::format("{}_share", name)] = milliseconds / times.total();

@@ -52,7 +52,8 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
         redirect(STDOUT_FILENO, out);
         redirect(STDERR_FILENO, err);
         std::vector<char*> argv;
-        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+        for (const std::string& argument : arguments)
+            argv.push_back(const_cast<char*>(argument.c_str()));
         argv.push_back(nullptr);
         execv(argv[0], argv.data());
         _exit(127);
@@ -67,7 +68,9 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
     return run;
 }
 
-std::string stepmillBinary() { return STEPMILL_BINARY; }
+std::string stepmillBinary() {
+    return STEPMILL_BINARY;
+}
 
 TemporaryFolder::TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "stepmill-test-XXXXXX").string();
@@ -84,6 +87,8 @@ std::vector<std::string> sharedParts(const std::string& folder) {
     return stepFiles(fs::path(STEPMILL_SOURCE_DIR).parent_path() / "shared" / "parts" / folder);
 }
 
-std::vector<std::string> sampleParts() { return stepFiles(fs::path(STEPMILL_SOURCE_DIR) / "step_parts"); }
+std::vector<std::string> sampleParts() {
+    return stepFiles(fs::path(STEPMILL_SOURCE_DIR) / "step_parts");
+}
 
 }  // namespace stepmill::test

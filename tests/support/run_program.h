@@ -7,7 +7,7 @@ namespace stepmill::test {
 
 /// What a program printed and how it ended.
 struct ProgramRun {
-    int exit_code = -1;      ///< -1 when it died of a signal
+    int exit_code = -1;  ///< -1 when it died of a signal
     std::string out;
     std::string err;
     double seconds = 0;

@@ -34,7 +34,9 @@ double booksGap(const Json& plan) {
     return total == 0 ? 0 : std::abs(sum - total) / total;
 }
 
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+std::string firstLine(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
 
 void checkPlan(const std::string& part, const fs::path& folder, std::string& row) {
     const Json plan = readJson(folder / "plan.json");
@@ -48,14 +50,15 @@ void checkPlan(const std::string& part, const fs::path& folder, std::string& row
     const Json& books = plan.at("volume_balance");
     const double total = std::max(1e-9, books.at("stock_minus_part_mm3").get<double>());
     row += fmt::format(" {:>8} {:>9.1f} min {:>8.1f} {:>8.1f} {:>9.1e}", plan.at("features").size(),
-                       totals.at("time_s").get<double>() / 60, 100 * books.at("residual_mm3").get<double>() / total,
+                       totals.at("time_s").get<double>() / 60,
+                       100 * books.at("residual_mm3").get<double>() / total,
                        100 * books.at("unreachable_mm3").get<double>() / total, gap);
 }
 
 void planAll(const std::vector<std::string>& parts) {
     if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
-    fmt::print("{:<38} {:<8} {:>7} {:>8} {:>13} {:>8} {:>8} {:>9}\n", "part", "outcome", "s", "features", "machining",
-               "stays %", "unreach %", "books");
+    fmt::print("{:<38} {:<8} {:>7} {:>8} {:>13} {:>8} {:>8} {:>9}\n", "part", "outcome", "s", "features",
+               "machining", "stays %", "unreach %", "books");
     for (const std::string& part : parts) {
         const TemporaryFolder folder;
         const fs::path out = fs::path(folder.path()) / "plan";
@@ -79,11 +82,17 @@ void planAll(const std::vector<std::string>& parts) {
     }
 }
 
-TEST(PlanParts, EverySamplePartGetsAPlan) { planAll(sampleParts()); }
+TEST(PlanParts, EverySamplePartGetsAPlan) {
+    planAll(sampleParts());
+}
 
-TEST(PlanParts, EveryMachinedPartGetsAPlanOrAReason) { planAll(sharedParts("machined")); }
+TEST(PlanParts, EveryMachinedPartGetsAPlanOrAReason) {
+    planAll(sharedParts("machined"));
+}
 
-TEST(PlanParts, EveryNistPartGetsAPlanOrAReason) { planAll(sharedParts("nist")); }
+TEST(PlanParts, EveryNistPartGetsAPlanOrAReason) {
+    planAll(sharedParts("nist"));
+}
 
 TEST(PlanParts, BadFilesEndWithAPlainMessageAndNoPlan) {
     const std::vector<std::string> parts = sharedParts("bad");

@@ -1,0 +1,155 @@
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "report/svg.h"
+#include "report/text.h"
+#include "stepmill/catalog/json_schema.h"
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/report/part_views.h"
+#include "stepmill/report/report.h"
+#include "support/run_program.h"
+
+namespace stepmill {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The two-step block: the smallest part with two features.
+const Plan& shoulderPlan() {
+    static const Plan plan = [] {
+        PlanRequest request;
+        request.sequence.material = "aluminium";
+        request.sequence.retract_mm = defaultMachine().safe_height_mm;
+        const std::string file = std::string(STEPMILL_SOURCE_DIR) + "/step_parts/shoulder_block.step";
+        return planPart(readStep(file).front(), request, defaultToolLibrary(), defaultMachine(),
+                        Tolerances());
+    }();
+    return plan;
+}
+
+int countOf(const std::string& text, const std::string& word) {
+    int count = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++count;
+    return count;
+}
+
+TEST(PlanJson, ObeysItsSchema) {
+    EXPECT_EQ(schemaErrors(SchemaName::Plan, planJson(shoulderPlan())), std::vector<std::string>());
+}
+
+TEST(PlanJson, TotalsAreTheSumsOfTheOperationsItLists) {
+    const nlohmann::json plan = nlohmann::json::parse(planJson(shoulderPlan()));
+    double sum_s = 0;
+    for (const auto& operation : plan["operations"])
+        sum_s += operation["time_s"].get<double>();
+    const double changes_s = plan["totals"]["tool_change_s"];
+    constexpr double kRoundingS = 1e-4;
+    EXPECT_NEAR(plan["totals"]["time_s"].get<double>(), sum_s + changes_s, kRoundingS);
+}
+
+TEST(PlanJson, TheTransformTakesTheStockTopToZero) {
+    const nlohmann::json plan = nlohmann::json::parse(planJson(shoulderPlan()));
+    const auto transform = plan["setups"][0]["transform"];
+    const auto stock_max = plan["stock"]["bbox_mm"][1];
+    double z_mm = transform[11];
+    for (int i = 0; i < 3; ++i)
+        z_mm += transform[8 + i].get<double>() * stock_max[i].get<double>();
+    EXPECT_NEAR(z_mm, 0, 1e-9);
+}
+
+TEST(PlanJson, IsTheSameEachTime) {
+    EXPECT_EQ(planJson(shoulderPlan()), planJson(shoulderPlan()));
+}
+
+TEST(ReportHtml, ShowsEveryFeatureAndOperation) {
+    const std::string html = reportHtml(shoulderPlan(), Tolerances());
+    for (const PlannedFeature& planned : shoulderPlan().setups.front().features)
+        EXPECT_NE(html.find(planned.feature.id), std::string::npos);
+    for (const Operation& operation : shoulderPlan().setups.front().operations)
+        EXPECT_NE(html.find(operation.id), std::string::npos);
+    EXPECT_EQ(countOf(html, "<svg"), countOf(html, "</svg>"));
+    EXPECT_EQ(countOf(html, "<script"), 0);
+    EXPECT_EQ(countOf(html, "src="), 0);
+}
+
+TEST(ReportHtml, EscapesNamesFromTheFile) {
+    Plan plan = shoulderPlan();
+    plan.part.name = "<b>\"7\" & 8";
+    const std::string html = reportHtml(plan, Tolerances());
+    EXPECT_EQ(html.find("<b>\"7\""), std::string::npos);
+    EXPECT_NE(html.find("&lt;b&gt;&quot;7&quot; &amp; 8"), std::string::npos);
+}
+
+TEST(SummaryText, NamesToolsTimesAndBooks) {
+    const std::string text = summaryText(shoulderPlan());
+    EXPECT_NE(text.find("S1.F1"), std::string::npos);
+    EXPECT_NE(text.find(shoulderPlan().setups.front().operations.front().tool_id), std::string::npos);
+    EXPECT_NE(text.find("books:"), std::string::npos);
+}
+
+TEST(WritePlan, LeavesAllFilesAndNothingElse) {
+    const test::TemporaryFolder folder;
+    writePlan(shoulderPlan(), fs::path(folder.path()) / "a" / "job", Tolerances());
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
+        if (entry.is_regular_file()) names.insert(entry.path().filename().string());
+    EXPECT_EQ(names, (std::set<std::string>{"plan.json", "report.html", "S1.ngc"}));
+    EXPECT_FALSE(fs::exists(fs::path(folder.path()) / "a" / ".job.partial"));
+}
+
+TEST(WritePlan, LeavesNothingBehindWhereItCannotWrite) {
+    const test::TemporaryFolder folder;
+    writeFile(fs::path(folder.path()) / "file", "in the way");
+    const fs::path target = fs::path(folder.path()) / "file" / "job";
+    try {
+        writePlan(shoulderPlan(), target, Tolerances());
+        FAIL() << "a folder below a file cannot be made";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::OutputUnwritable);
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
+}
+
+TEST(RemoveUnfinished, ClearsWhatAKilledRunLeft) {
+    const test::TemporaryFolder folder;
+    const fs::path dir = fs::path(folder.path()) / "job";
+    fs::create_directories(fs::path(folder.path()) / ".job.partial" / "deep");
+    removeUnfinished(dir);
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(PartViews, DrawsFourViewsWithVisibleAndHiddenEdges) {
+    const Plan& plan = shoulderPlan();
+    const std::vector<View> views = partViews(plan.part, plan.setups.front().setup.part_to_setup);
+    ASSERT_EQ(views.size(), 4u);
+    for (const View& view : views)
+        EXPECT_NE(view.svg.find("class=\"visible\""), std::string::npos) << view.title;
+    EXPECT_NE(views.back().svg.find("class=\"hidden\""), std::string::npos);
+}
+
+TEST(SvgDrawing, TurnsYUpIntoSvgsYDown) {
+    Box2 frame;
+    frame.add(Vec2(0, 0));
+    frame.add(Vec2(10, 20));
+    const std::string text = SvgDrawing(frame).text();
+    EXPECT_NE(text.find("viewBox=\"-0.600 -20.600 11.200 21.200\""), std::string::npos) << text;
+    EXPECT_NE(text.find("scale(1,-1)"), std::string::npos);
+}
+
+TEST(ClockTime, ReadsLikeAClock) {
+    EXPECT_EQ(clockTime(7.26), "7.3 s");
+    EXPECT_EQ(clockTime(59.97), "1:00");
+    EXPECT_EQ(clockTime(247), "4:07");
+    EXPECT_EQ(clockTime(3729), "1:02:09");
+}
+
+}  // namespace
+}  // namespace stepmill
