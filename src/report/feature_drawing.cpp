@@ -36,7 +36,14 @@ void drawBoundary(SvgDrawing& svg, const PlannedFeature& planned) {
 }  // namespace
 
 std::string stepDrawing(const PlannedFeature& planned, std::size_t step, const Toolpath& path) {
-    SvgDrawing svg(frameOf(planned.feature));
+    Box2 frame = frameOf(planned.feature);
+    // Passes run out over open edges; the picture follows them.
+    const Box2 swept = boundingBox(planned.sequence.steps[step].area.area);
+    if (!swept.empty()) {
+        frame.add(swept.min);
+        frame.add(swept.max);
+    }
+    SvgDrawing svg(frame);
     drawGround(svg, planned.feature);
     svg.region(planned.sequence.steps[step].area.area, "swept");
     drawBoundary(svg, planned);

@@ -1,0 +1,156 @@
+// What the program says and how it ends, on arguments right and wrong.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "support/run_program.h"
+
+namespace stepmill::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kSource = STEPMILL_SOURCE_DIR;
+const std::string kPart = kSource + "/step_parts/shoulder_block.step";
+
+std::string slurp(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+
+ProgramRun plan(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {stepmillBinary(), "plan"});
+    return runProgram(arguments);
+}
+
+/// Exit code 2, one message that holds every word, and no folder made.
+void expectRefused(const ProgramRun& run, const fs::path& out, const std::vector<std::string>& words) {
+    EXPECT_EQ(run.exit_code, 2) << run.err;
+    EXPECT_EQ(run.out, "");
+    for (const std::string& word : words)
+        EXPECT_NE(run.err.find(word), std::string::npos) << "no '" << word << "' in: " << run.err;
+    EXPECT_FALSE(fs::exists(out));
+}
+
+class CommandLine : public testing::Test {
+  protected:
+    TemporaryFolder folder_;
+    fs::path out_ = fs::path(folder_.path()) / "plan";
+    fs::path file(const std::string& name) const { return fs::path(folder_.path()) / name; }
+};
+
+TEST_F(CommandLine, HelpNamesEveryCommandAndTheExitCodes) {
+    const ProgramRun run = runProgram({stepmillBinary(), "--help"});
+    EXPECT_EQ(run.exit_code, 0);
+    for (const char* word : {"plan", "tools", "Exit codes"})
+        EXPECT_NE(run.out.find(word), std::string::npos) << word;
+}
+
+TEST_F(CommandLine, PlansAPartWithDataOnStandardOutputOnly) {
+    const ProgramRun run = plan({kPart, "-o", out_.string()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_NE(run.out.find("Report: " + (out_ / "report.html").string()), std::string::npos);
+}
+
+TEST_F(CommandLine, JsonOnStandardOutputIsThePlanFile) {
+    const ProgramRun run = plan({kPart, "-o", out_.string(), "--json"});
+    EXPECT_EQ(run.out, slurp(out_ / "plan.json") + "\n");
+}
+
+TEST_F(CommandLine, GivesTheSameBytesForOneAndTwoThreads) {
+    for (const std::string& part : sampleParts()) {
+        const fs::path one = file("one");
+        const fs::path two = file("two");
+        plan({part, "-o", one.string(), "--jobs", "1"});
+        plan({part, "-o", two.string(), "--jobs", "2"});
+        for (const char* name : {"plan.json", "report.html", "S1.ngc"})
+            EXPECT_TRUE(slurp(one / name) == slurp(two / name)) << part << ": " << name;
+    }
+}
+
+TEST_F(CommandLine, RefusesAMissingFile) {
+    expectRefused(plan({file("no.step").string(), "-o", out_.string()}), out_, {"no.step"});
+}
+
+TEST_F(CommandLine, RefusesUnknownOptionsAndWords) {
+    expectRefused(plan({kPart, "-o", out_.string(), "--fast"}), out_, {"--fast"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--setup", "up"}), out_, {"--setup", "'up'"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--stock-margin", "1,2"}), out_, {"--stock-margin", "'1,2'"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--objective", "fun"}), out_, {"--objective"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--solid", "9"}), out_, {"--solid", "9"});
+}
+
+TEST_F(CommandLine, NamesTheMaterialsTheLibraryKnows) {
+    expectRefused(plan({kPart, "-o", out_.string(), "--material", "cheese"}), out_,
+                  {"'cheese'", "aluminium", "steel"});
+}
+
+TEST_F(CommandLine, ABrokenLibraryNamesFilePlaceAndExpectation) {
+    write(file("tools.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
+        "diameter": -6, "flute_length": 10, "flutes": 2, "centre_cutting": true, "stick_out": 20, "cutting": []}]})");
+    expectRefused(plan({kPart, "-o", out_.string(), "--tools", file("tools.json").string()}), out_,
+                  {"tools.json", "#/tools/0/diameter", "-6"});
+}
+
+TEST_F(CommandLine, ABrokenMachineNamesFileAndPlace) {
+    write(file("mill.json"), "{\"format\": 1, \"name\": \"mill\"");
+    expectRefused(plan({kPart, "-o", out_.string(), "--machine", file("mill.json").string()}), out_,
+                  {"mill.json", "line 1"});
+}
+
+TEST_F(CommandLine, AnOutputFolderThatCannotBeMadeLeavesNothing) {
+    write(file("in_the_way"), "");
+    const ProgramRun run = plan({kPart, "-o", file("in_the_way/plan").string()});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("in_the_way"), std::string::npos);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()), 1);
+}
+
+TEST_F(CommandLine, AStockThatDoesNotHoldThePartIsRefused) {
+    const std::string small = kSource + "/step_parts/shoulder_block.step";
+    const std::string large = kSource + "/step_parts/nested_pockets.step";
+    expectRefused(plan({large, "-o", out_.string(), "--stock", small}), out_, {"stock"});
+}
+
+TEST_F(CommandLine, EndsAtItsTimeLimitAndLeavesNothing) {
+    const ProgramRun run =
+        plan({kSource + "/step_parts/bossed_pocket.step", "-o", out_.string(), "--timeout", "0.05"});
+    expectRefused(run, out_, {"stopped after 0.05 s", "--timeout"});
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
+}
+
+TEST_F(CommandLine, AFeatureNoToolFitsGivesAPlanWithReasonAndExitCodeOne) {
+    write(file("big.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "F80", "number": 1, "type": "flat",
+        "diameter": 80, "corner_radius": 0, "flute_length": 40, "flutes": 4, "centre_cutting": true, "stick_out": 60,
+        "shank": {"diameter": 32, "from": 40}, "holder": [],
+        "cutting": [{"material": "aluminium", "step_over": 30, "step_down": 5, "feed": 1000, "plunge_feed": 300,
+                     "ramp_angle_deg": 3, "speed_rpm": 3000}], "price": 1, "life_min": 60, "description": "",
+        "vendor": "", "product_id": ""}]})");
+    const ProgramRun run = plan({kSource + "/step_parts/rounded_pocket.step", "-o", out_.string(), "--tools",
+                                 file("big.json").string()});
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.out.find("none fits"), std::string::npos);
+    EXPECT_NE(run.out.find("needs"), std::string::npos);
+    EXPECT_TRUE(fs::exists(out_ / "plan.json"));
+}
+
+TEST_F(CommandLine, ValidatesToolLibraries) {
+    const ProgramRun good =
+        runProgram({stepmillBinary(), "tools", "validate", kSource + "/samples/dsouza2006_tools.json"});
+    EXPECT_EQ(good.exit_code, 0) << good.err;
+    EXPECT_NE(good.out.find("8 tools"), std::string::npos);
+
+    write(file("tools.json"), "{\"format\": 1, \"unit\": \"feet\", \"tools\": []}");
+    const ProgramRun bad = runProgram({stepmillBinary(), "tools", "validate", file("tools.json").string()});
+    EXPECT_EQ(bad.exit_code, 2);
+    EXPECT_NE(bad.err.find("tools.json#/unit"), std::string::npos) << bad.err;
+}
+
+}  // namespace
+}  // namespace stepmill::test
