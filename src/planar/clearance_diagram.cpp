@@ -1,5 +1,6 @@
 #include "stepmill/planar/clearance_diagram.h"
 
+#include "planar/clearance_diagram_check.h"
 #include "planar/clearance_diagram_opening.h"
 #include "planar/clearance_diagram_trace.h"
 #include "stepmill/core/error.h"
@@ -12,14 +13,12 @@ using clearance::Graph;
 using clearance::Side;
 using clearance::TracedLoop;
 
-// Offsets the first diagram is built for; larger ones get a frame farther out.
-constexpr double kUsualReach_mm = 400;
 // A topology that fails its check is built again with chords this many times finer.
 constexpr double kFiner = 16;
 constexpr int kAttempts = 3;
 
-Graph makeGraph(const Region& region, double chord_mm, double reach_mm) {
-    return clearance::buildGraph(clearance::makeSites(region, chord_mm, reach_mm), chord_mm);
+Graph makeGraph(const Region& region, double chord_mm) {
+    return clearance::buildGraph(clearance::makeSites(region, chord_mm), chord_mm);
 }
 
 Region toRegion(const std::vector<TracedLoop>& loops, bool reverse) {
@@ -36,33 +35,32 @@ struct ClearanceDiagram::Impl {
     Region region;
     Tolerances tol;
     Graph graph;
+    clearance::SiteIndex index;
 
-    std::vector<TracedLoop> traceChecked(Side side, double distance) const;
+    std::vector<TracedLoop> traceChecked(Side side, double distance, double tie) const;
 };
 
 /// Traces, and where the self check finds chords too coarse, again on finer ones.
-std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double distance) const {
-    const double tie = tol.linear_mm / 2;
-    const double slack = tol.gouge_mm / 4;
-    const bool fits = side == Side::Inside || distance + tie < graph.set.frame_clearance_mm;
+std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double distance, double tie) const {
+    const clearance::DistanceBand band{distance - tol.gouge_mm / 2, distance + tol.linear_mm};
     double chord = tol.chord_mm;
-    for (int attempt = fits ? 0 : 1; attempt < kAttempts; ++attempt) {
-        std::optional<Graph> other;
-        if (attempt > 0) {
-            chord /= attempt > 1 || fits ? kFiner : 1;
-            other = makeGraph(region, chord, distance);
-        }
-        const Graph& used = other ? *other : graph;
-        std::vector<TracedLoop> loops = clearance::trace(used, side, distance, tie, chord);
-        if (clearance::keepsDistance(used, loops, distance, slack)) return loops;
+    std::optional<Graph> finer;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const Graph& used = finer ? *finer : graph;
+        std::vector<TracedLoop> loops = clearance::trace(used, side, distance, tie);
+        if (clearance::keepDistance(index, used.set, loops, band)) return loops;
+        chord /= kFiner;
+        finer = makeGraph(region, chord);
     }
     throw Error(ErrorCode::Internal, "clearance diagram",
                 "an offset comes closer to the boundary than it should");
 }
 
 ClearanceDiagram::ClearanceDiagram(const Region& region, const Tolerances& tol)
-    : impl_(std::make_unique<Impl>(Impl{region, tol, {}})) {
-    if (!region.empty()) impl_->graph = makeGraph(region, tol.chord_mm, kUsualReach_mm);
+    : impl_(std::make_unique<Impl>(Impl{region, tol, {}, {}})) {
+    if (region.empty()) return;
+    impl_->graph = makeGraph(region, tol.chord_mm);
+    impl_->index = clearance::SiteIndex(impl_->graph.set);
 }
 ClearanceDiagram::~ClearanceDiagram() = default;
 ClearanceDiagram::ClearanceDiagram(ClearanceDiagram&&) noexcept = default;
@@ -76,7 +74,8 @@ Region ClearanceDiagram::offset(double distance_mm) const {
     const double distance = snapToGrid(distance_mm);
     if (impl_->region.empty() || distance == 0) return impl_->region;
     const bool grow = distance > 0;
-    const auto loops = impl_->traceChecked(grow ? Side::Outside : Side::Inside, std::abs(distance));
+    const auto loops = impl_->traceChecked(grow ? Side::Outside : Side::Inside, std::abs(distance),
+                                           impl_->tol.linear_mm / 2);
     Region result = toRegion(loops, grow);
 #ifdef STEPMILL_COSTLY_CHECKS
     validate(result, "offset of a region");
@@ -97,11 +96,13 @@ std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) con
 Region ClearanceDiagram::opening(double radius_mm) const {
     const double radius = snapToGrid(radius_mm);
     if (impl_->region.empty() || radius <= 0) return impl_->region;
-    const auto loops = impl_->traceChecked(Side::Inside, radius);
+    const auto loops = impl_->traceChecked(Side::Inside, radius, impl_->tol.linear_mm / 2);
     if (std::optional<Region> swept = clearance::sweptByContacts(impl_->graph.set, loops, radius))
         return std::move(*swept);
     // Discs on both sides of a neck overlap: let a diagram of the centres unite them.
-    return ClearanceDiagram(toRegion(loops, false), impl_->tol).offset(radius);
+    // There is no tie to decide any more: what overlaps by a nanometre is one.
+    const ClearanceDiagram centres(toRegion(loops, false), impl_->tol);
+    return toRegion(centres.impl_->traceChecked(Side::Outside, radius, 0), true);
 }
 
 std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() const {
@@ -110,17 +111,15 @@ std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() c
         if (!best || radius > best->radius_mm) best = Disc{centre, radius};
     };
     const Graph& graph = impl_->graph;
-    std::vector<char> bounded(graph.set.sites.size(), 0);
     for (const clearance::HalfEdge& e : graph.edges) {
         if (e.side != Side::Inside) continue;
-        bounded[static_cast<std::size_t>(e.site)] = 1;
-        const clearance::Node& node = graph.nodes[static_cast<std::size_t>(e.from)];
-        consider(node.point, node.clearance);
+        const clearance::Vertex& vertex = graph.vertices[static_cast<std::size_t>(e.from)];
+        consider(vertex.point, vertex.clearance);
     }
-    for (std::size_t k = 0; k < graph.set.sites.size(); ++k) {
-        const clearance::Site& site = graph.set.sites[k];
-        if (site.full && site.concaveOn(Side::Inside) && !bounded[k]) consider(site.centre, site.radius);
-    }
+    // An arc's centre is a maximum of its own, which the chords meet only roughly.
+    for (const clearance::Site& site : graph.set.sites)
+        if (site.concaveOn(Side::Inside) && !impl_->index.closerThan(site.centre, site.radius - kGridMm))
+            consider(site.centre, site.radius);
     return best;
 }
 

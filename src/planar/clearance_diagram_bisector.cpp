@@ -11,12 +11,14 @@ double sideSign(Side side) {
     return side == Side::Inside ? 1 : -1;
 }
 
-struct Axis {
-    Vec2 point;
-    Vec2 dir;
-};
+std::vector<Vec2> onAxis(const Site& site, const Axis& axis) {
+    if (site.kind == SiteKind::Arc)
+        return {site.centre + site.radius * axis.dir, site.centre - site.radius * axis.dir};
+    return {footOn(site, axis.point)};
+}
 
-/// The line on which the nearest and farthest points of two sites face each other.
+}  // namespace
+
 std::optional<Axis> axisOf(const Site& p, const Site& q) {
     if (!p.round() && !q.round()) return std::nullopt;
     if (!p.round()) return Axis{q.centre, leftNormal(p.dir)};
@@ -25,14 +27,6 @@ std::optional<Axis> axisOf(const Site& p, const Site& q) {
     if (d.norm() < kSamePoint_mm) return std::nullopt;
     return Axis{p.centre, d.normalized()};
 }
-
-std::vector<Vec2> onAxis(const Site& site, const Axis& axis) {
-    if (site.kind == SiteKind::Arc)
-        return {site.centre + site.radius * axis.dir, site.centre - site.radius * axis.dir};
-    return {footOn(site, axis.point)};
-}
-
-}  // namespace
 
 double signedDistance(const Site& site, Side side, const Vec2& p) {
     switch (site.kind) {
@@ -44,15 +38,12 @@ double signedDistance(const Site& site, Side side, const Vec2& p) {
             const double d = (p - site.centre).norm();
             return site.concaveOn(side) ? site.radius - d : d - site.radius;
         }
-        case SiteKind::Frame:
-            break;
     }
     return 0;
 }
 
 double distanceToSite(const Site& site, const Vec2& p) {
     if (site.kind == SiteKind::Corner) return (p - site.centre).norm();
-    if (site.kind == SiteKind::Frame) return std::numeric_limits<double>::infinity();
     Segment segment{site.end, std::nullopt};
     if (site.kind == SiteKind::Arc) segment.arc = Arc{site.centre, site.radius, site.ccw};
     return distanceTo(p, site.start, segment);
@@ -64,18 +55,6 @@ Vec2 footOn(const Site& site, const Vec2& p) {
     const Vec2 r = p - site.centre;
     const double n = r.norm();
     return n < kSamePoint_mm ? site.start : Vec2(site.centre + site.radius / n * r);
-}
-
-bool footBetween(const Site& site, const Vec2& a, const Vec2& b, const Vec2& m) {
-    if (!site.round()) {
-        const double sa = site.dir.dot(a), sb = site.dir.dot(b), sm = site.dir.dot(m);
-        return std::min(sa, sb) <= sm && sm <= std::max(sa, sb);
-    }
-    const Vec2 ua = a - site.centre, ub = b - site.centre, um = m - site.centre;
-    const double na = ua.norm(), nb = ub.norm();
-    if (na < kSamePoint_mm || nb < kSamePoint_mm || um.norm() < kSamePoint_mm) return true;
-    const double turn = cross(ua, ub) >= 0 ? 1 : -1;
-    return turn * cross(ua, um) >= 0 && turn * cross(um, ub) >= 0 && um.dot(ua / na + ub / nb) >= 0;
 }
 
 OffsetCurve offsetCurve(const Site& site, Side side, double distance) {

@@ -16,10 +16,6 @@ double distanceToSite(const Site& site, const Vec2& p);
 /// Point of the site's full line or circle nearest to p.
 Vec2 footOn(const Site& site, const Vec2& p);
 
-/// Is the foot of m between the feet of a and b (on a circle: on the shorter way)? True where the foot of
-/// a or b is not defined.
-bool footBetween(const Site& site, const Vec2& a, const Vec2& b, const Vec2& m);
-
 /// The curve at distance d from a site: a line, or a circle about the site's centre.
 struct OffsetCurve {
     bool round = false;
@@ -37,6 +33,14 @@ struct Ray {
     Vec2 normal = Vec2::Zero();  ///< unit, into the side asked for
 };
 std::optional<Ray> sharedNormal(const SiteSet& set, int p, int q, Side side, const Vec2& near);
+
+/// The line on which the nearest and farthest points of two sites face each other; none for two lines and for
+/// concentric circles.
+struct Axis {
+    Vec2 point = Vec2::Zero();
+    Vec2 dir = Vec2::Zero();
+};
+std::optional<Axis> axisOf(const Site& p, const Site& q);
 
 /// Points where clearance along the bisector of two sites can have its minimum or maximum: half way between
 /// facing points of the sites. None for two lines.

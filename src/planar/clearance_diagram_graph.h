@@ -6,41 +6,41 @@
 
 namespace stepmill::clearance {
 
-/// A point where three or more sites are equally near, where clearance along a bisector has an extremum, or
-/// the foot of a bisector on the boundary.
-struct Node {
+/// A point of the diagram where its edges meet, or where clearance along an edge turns.
+struct Vertex {
     Vec2 point = Vec2::Zero();
-    double clearance = 0;  ///< from the true lines and arcs
+    double clearance = 0;  ///< from the true sites; infinite at the far end of an unbounded edge
     bool neck = false;     ///< clearance rises on two sides, or stays level along a passage
-    bool on_boundary = false;
-    bool exact = true;  ///< false: taken from the chords, right to about a sagitta
 };
 
-/// One direction of a bisector along which clearance is monotone. `site`'s cell is on its left.
+/// One direction of a Voronoi edge along which clearance is monotone. `site`'s cell is on its left.
 struct HalfEdge {
     int from = -1;
     int to = -1;
-    int site = -1;
     int twin = -1;
-    int prev = -1;  ///< the half-edges before and after it around its site's cell
-    int next = -1;
+    int site = -1;
+    int cell = -1;
     Side side = Side::Inside;
 };
 
-/// The Voronoi diagram of true lines, arcs and corners: cells of chords that stand for one site joined,
-/// chains of edges between the same two sites made one, split where clearance turns.
+/// The Voronoi diagram of the chords, with clearances of the true sites they stand for.
+///
+/// The half-edges of one cell follow each other counter-clockwise, so that their order by index is their
+/// order around the cell. Whatever the clearances, a level of them crosses each cell's boundary as often
+/// upwards as downwards: that is all that tracing relies on.
 struct Graph {
     SiteSet set;
-    std::vector<Node> nodes;
+    std::vector<Vertex> vertices;
     std::vector<HalfEdge> edges;
 };
 
-/// \throws Error(GeometryKernel)
+/// O(n log n). \throws Error(GeometryKernel)
 Graph buildGraph(SiteSet set, double chord_mm);
 
-/// Makes a graph of the chords' diagram one of the true sites: moves nodes to where the true sites are
-/// equally near, exchanges edges whose order the chords got wrong, and splits bisectors where clearance
-/// turns. `courses` holds for each pair of half-edges the points between its ends, along the even one.
-void refineGraph(Graph& graph, const std::vector<std::vector<Vec2>>& courses, double chord_mm);
+/// Moves a vertex of the chords' diagram to where the true sites around it are equally near and sets its
+/// clearance there; where there is no such point close by, the vertex stays.
+///
+/// \param sites  of the cells around the vertex, in order, neighbours different
+void settle(Vertex& vertex, const SiteSet& set, Side side, const std::vector<int>& sites, double chord_mm);
 
 }  // namespace stepmill::clearance

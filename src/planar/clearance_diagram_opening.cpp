@@ -79,7 +79,7 @@ void Contacts::addCircle(const Site& circle) {
 
 void Contacts::addWall(Loop& loop, const Piece& piece, const Vec2& to) const {
     const Site& s = site(piece);
-    if (s.kind == SiteKind::Corner || (to == loop.end() && !piece.goes_round)) return;
+    if (s.kind == SiteKind::Corner || to == loop.end()) return;
     std::optional<Arc> arc;
     if (s.kind == SiteKind::Arc) arc = Arc{s.centre, s.radius, s.ccw};
     loop.segments.push_back({to, arc});

@@ -7,9 +7,8 @@ namespace stepmill::clearance {
 
 namespace {
 
-// Region half-extent and frame half-width in grid units; both leave room in 32-bit integers.
-constexpr double kRegionLimit = 0.9e9;
-constexpr double kFrameHalf = 1.9e9;
+// Region half-extent in grid units; leaves room in 32-bit integers.
+constexpr double kRegionLimit = 1.9e9;
 constexpr int kMinChordsPerCircle = 16;
 constexpr double kMinChordUnits = 8;
 // Shorter edges are rounding; what follows starts where they start.
@@ -87,7 +86,6 @@ class Tessellator {
     Tessellator(SiteSet& set, double chord_mm) : set_(set), chord_mm_(chord_mm) {}
 
     void addLoop(const Loop& loop);
-    void addFrame();
 
   private:
     using Cell = std::pair<std::int32_t, std::int32_t>;
@@ -217,6 +215,7 @@ void Tessellator::makeJoints(int first, int count) {
             Site corner;
             corner.kind = SiteKind::Corner;
             corner.start = corner.end = corner.centre = joint.point;
+            corner.start_joint = corner.end_joint = static_cast<int>(set_.joints.size());
             set_.sites.push_back(corner);
         }
         set_.sites[static_cast<std::size_t>(in)].end_joint = static_cast<int>(set_.joints.size());
@@ -250,34 +249,19 @@ void Tessellator::addLoop(const Loop& loop) {
         addChords(first + k);
 }
 
-void Tessellator::addFrame() {
-    set_.frame_site = static_cast<int>(set_.sites.size());
-    set_.sites.emplace_back();
-    const auto h = static_cast<std::int32_t>(kFrameHalf);
-    const int f = set_.frame_site;
-    // Clockwise: the region's outside is on the frame's right, like everywhere else.
-    set_.chords.push_back({-h, -h, -h, h, f, f, f});
-    set_.chords.push_back({-h, h, h, h, f, f, f});
-    set_.chords.push_back({h, h, h, -h, f, f, f});
-    set_.chords.push_back({h, -h, -h, -h, f, f, f});
-}
-
 }  // namespace
 
-SiteSet makeSites(const Region& region, double chord_mm, double reach_mm) {
+SiteSet makeSites(const Region& region, double chord_mm) {
     SiteSet set;
     const Box2 box = boundingBox(region);
     set.origin = snapToGrid(Vec2((box.min + box.max) / 2));
     const double extent = (box.size() / 2).maxCoeff() + 1e-3;
     constexpr double kUnitGrowth = 4;
-    const auto frameClearance = [&] { return (kFrameHalf * set.unit_mm - extent) / 2; };
-    while (extent > kRegionLimit * set.unit_mm || frameClearance() < 1.01 * reach_mm)
+    while (extent > kRegionLimit * set.unit_mm)
         set.unit_mm *= kUnitGrowth;
-    set.frame_clearance_mm = frameClearance();
     Tessellator tessellator(set, chord_mm);
     for (const Loop& loop : region.loops)
         tessellator.addLoop(loop);
-    tessellator.addFrame();
     separateChords(set);
     return set;
 }

@@ -10,7 +10,7 @@ namespace stepmill::clearance {
 /// Which side of the boundary: the region lies on the left of every loop.
 enum class Side : std::uint8_t { Inside, Outside };
 
-enum class SiteKind : std::uint8_t { Line, Arc, Corner, Frame };
+enum class SiteKind : std::uint8_t { Line, Arc, Corner };
 
 inline Vec2 leftNormal(const Vec2& direction) {
     return {-direction.y(), direction.x()};
@@ -23,10 +23,8 @@ inline double cross(const Vec2& a, const Vec2& b) {
 inline constexpr double kSmoothKinkRad = 1e-4;
 
 /// A true piece of the boundary: a line, an arc, or a corner between two of them.
-///
-/// The frame is a square far outside that keeps every Voronoi edge finite; its four lines are one site.
 struct Site {
-    SiteKind kind = SiteKind::Frame;
+    SiteKind kind = SiteKind::Line;
     Vec2 start = Vec2::Zero();  ///< for a corner: the corner itself
     Vec2 end = Vec2::Zero();
     Vec2 dir = Vec2::Zero();     ///< line: unit direction
@@ -34,7 +32,7 @@ struct Site {
     double radius = 0;           ///< arc: its radius; corner: 0
     bool ccw = true;
     bool full = false;     ///< arc: full circle
-    int start_joint = -1;  ///< index into SiteSet::joints; -1 for corners, the frame and full circles
+    int start_joint = -1;  ///< index into SiteSet::joints; -1 for full circles; a corner's own
     int end_joint = -1;
 
     /// Does the circle's centre lie on that side? Then offsets to that side have smaller radii.
@@ -71,15 +69,12 @@ struct SiteSet {
     std::vector<Chord> chords;
     Vec2 origin = Vec2::Zero();
     double unit_mm = kGridMm;
-    double frame_clearance_mm = 0;  ///< offsets outside must stay below this
-    int frame_site = -1;
 
     Vec2 toMm(double x, double y) const { return origin + unit_mm * Vec2(x, y); }
 };
 
-/// \param reach_mm  largest outward offset the frame must leave room for
 /// \throws Error(GeometryKernel) if boundaries cross beyond repair.
-SiteSet makeSites(const Region& region, double chord_mm, double reach_mm);
+SiteSet makeSites(const Region& region, double chord_mm);
 
 /// Splits chords until no two of them meet but at end points.
 /// \throws Error(GeometryKernel) if that takes too many rounds.

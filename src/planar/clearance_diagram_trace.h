@@ -13,7 +13,7 @@ struct Piece {
     bool forward = true;  ///< line: along the site; circle: counter-clockwise
     Vec2 from = Vec2::Zero();
     Vec2 to = Vec2::Zero();
-    bool goes_round = false;  ///< circle: sweeps more than a right angle for sure
+    double rough_sweep = 0;  ///< on a full circle: angle swept, roughly; negative when run backwards [rad]
 };
 
 struct TracedLoop {
@@ -24,18 +24,16 @@ struct TracedLoop {
 /// Boundary of the set whose clearance exceeds the distance, on one side of the region's boundary.
 ///
 /// \param tie_mm  a neck whose clearance is at most distance + tie_mm is closed
-std::vector<TracedLoop> trace(const Graph& graph, Side side, double distance_mm, double tie_mm,
-                              double chord_mm);
+std::vector<TracedLoop> trace(const Graph& graph, Side side, double distance_mm, double tie_mm);
 
-/// Are the middle and the joints of every piece at least distance - slack from the true sites of the pieces
-/// beside it? Catches a topology that the chords got wrong.
-bool keepsDistance(const Graph& graph, const std::vector<TracedLoop>& loops, double distance_mm,
-                   double slack_mm);
+/// Shorter pieces are rounding [mm].
+inline constexpr double kShort_mm = 3e-6;
+
+/// Drops pieces that are rounding or run backwards, joins what is left on true curves and makes neighbours
+/// on one curve one. A loop that vanishes has less than two pieces and is no full circle.
+void tidy(TracedLoop& loop, const Graph& graph, Side side, double distance_mm);
 
 /// Points on the nanometre grid; nothing for a loop too small to bound anything.
 std::optional<Loop> toLoop(const TracedLoop& traced);
-
-/// Middle of the piece.
-Vec2 middle(const Piece& piece);
 
 }  // namespace stepmill::clearance
