@@ -132,8 +132,7 @@ void MotionWriter::arc(const Vec3& from, const Move& move, double feed_mm_per_mi
 void MotionWriter::write(const Toolpath& path) {
     Vec3 from = path.start;
     for (const Move& move : path.moves) {
-        const double feed_rate =
-            move.kind == MoveKind::Feed ? path.feed_mm_per_min : path.plunge_feed_mm_per_min;
+        const double feed_rate = path.feedOf(move.kind);
         if (move.kind == MoveKind::Rapid) {
             straight(0, toGrid(move.to), 0);
         } else if (move.arc) {

@@ -25,6 +25,10 @@ int layersFor(double depth_mm, double step_down_mm) {
     return std::max(1, static_cast<int>(std::ceil(depth_mm / step_down_mm - kLayerExcess)));
 }
 
+double rampAngle(const CuttingData& cutting) {
+    return degToRad(cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg);
+}
+
 Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData& cutting,
                    const Machine& machine) {
     Toolpath path;
@@ -38,6 +42,8 @@ Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData
     path.feed_mm_per_min = limited(cutting.feed_mm_per_min);
     path.plunge_feed_mm_per_min = limited(cutting.plunge_feed_mm_per_min > 0 ? cutting.plunge_feed_mm_per_min
                                                                              : cutting.feed_mm_per_min);
+    path.ramp_feed_mm_per_min =
+        rampFeed(path.feed_mm_per_min, path.plunge_feed_mm_per_min, rampAngle(cutting));
     return path;
 }
 
@@ -59,18 +65,18 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
     const PassSet set = contourParallel(task, *rings, tol);
     if (set.passes.empty()) return path;
     const LinkRates rates{path.feed_mm_per_min, path.plunge_feed_mm_per_min, machine.rapid_mm_per_min,
-                          task.retract_z_mm - (task.top_z_mm + task.floor_z_mm) / 2};
+                          path.step_down_mm + kApproachMm, kApproachMm};
     const std::vector<ScriptStep> script =
         scriptLayer(task, set, tool.radius_mm(), path.step_over_mm, rates, tol);
 
-    const double angle_deg = cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg;
     const auto levelOf = [&](int layer) {
         return layer == path.layers ? task.floor_z_mm : task.top_z_mm - layer * path.step_down_mm;
     };
     MoveWriter writer(path);
     for (int layer = 1; layer <= path.layers; ++layer)
-        writer.writeLayer(script,
-                          {levelOf(layer - 1), levelOf(layer), task.retract_z_mm, degToRad(angle_deg)});
+        writer.writeLayer(script, {levelOf(layer - 1), levelOf(layer), task.top_z_mm, task.retract_z_mm,
+                                   rampAngle(cutting)});
+    writer.retract();
     path.totals = measure(path, machine);
     return path;
 }

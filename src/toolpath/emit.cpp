@@ -34,37 +34,36 @@ void MoveWriter::writeLayer(const std::vector<ScriptStep>& script, const LayerHe
     heights_ = heights;
     for (const ScriptStep& step : script)
         std::visit([this](const auto& s) { write(s); }, step);
-    retract();
 }
 
 void MoveWriter::write(const ComeDown& step) {
-    approach(step.at, heights_.floor_mm + kApproachMm);
+    approach(step.at, heights_.floor_mm + kApproachMm, step.over);
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm), std::nullopt, true);
 }
 
 void MoveWriter::write(const HelixDown& step) {
-    descendTo(step.start);
+    descendTo(step.start, step.over);
     const double from_z = at_.z();
     const int turns = timesAlong(2 * kPi * step.radius_mm, heights_);
     for (int i = 1; i <= turns; ++i)
-        turn(step, MoveKind::Plunge, from_z + (heights_.floor_mm - from_z) * i / turns);
+        turn(step, MoveKind::Ramp, from_z + (heights_.floor_mm - from_z) * i / turns);
     turn(step, MoveKind::Feed, heights_.floor_mm);
 }
 
 void MoveWriter::write(const RampDown& step) {
-    descendTo(step.from);
+    descendTo(step.from, step.over);
     const double from_z = at_.z();
     // Oddly many legs end at the far end, from where a level one comes back and takes the slope away.
     int legs = timesAlong((step.to - step.from).norm(), heights_);
     legs += legs % 2 == 0 ? 1 : 0;
     for (int i = 1; i <= legs; ++i)
-        add(MoveKind::Plunge,
+        add(MoveKind::Ramp,
             at3(i % 2 == 1 ? step.to : step.from, from_z + (heights_.floor_mm - from_z) * i / legs));
     add(MoveKind::Feed, at3(step.from, heights_.floor_mm));
 }
 
 void MoveWriter::write(const PlungeDown& step) {
-    descendTo(step.at);
+    descendTo(step.at, step.over);
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm));
 }
 
@@ -77,16 +76,16 @@ void MoveWriter::write(const RampAlong& step) {
     const Path leg = share >= whole ? step.pass
                      : step.closed  ? reversed(firstPart(reversed(step.pass), share))
                                     : firstPart(step.pass, share);
-    descendTo(leg.start);
+    descendTo(leg.start, Over::Retract);
     const double from_z = at_.z();
     const double drop = from_z - heights_.floor_mm;
     const int times = timesAlong(step.closed ? length(leg) : 2 * length(leg), heights_);
     for (int i = 1; i <= times; ++i) {
         if (!step.closed) {
-            along(leg, MoveKind::Plunge, from_z - drop * (i - 0.5) / times);
-            along(reversed(leg), MoveKind::Plunge, from_z - drop * i / times);
+            along(leg, MoveKind::Ramp, from_z - drop * (i - 0.5) / times);
+            along(reversed(leg), MoveKind::Ramp, from_z - drop * i / times);
         } else {
-            along(leg, MoveKind::Plunge, from_z - drop * i / times);
+            along(leg, MoveKind::Ramp, from_z - drop * i / times);
         }
     }
     along(step.pass, MoveKind::Feed, heights_.floor_mm);
@@ -100,19 +99,28 @@ void MoveWriter::write(const Cut& step) {
     along(step.path, MoveKind::Feed, heights_.floor_mm);
 }
 
-void MoveWriter::approach(const Vec2& at, double clear_z_mm) {
+double MoveWriter::crossingZ(Over over) const {
+    if (over == Over::Retract) return heights_.retract_mm;
+    const double ground = over == Over::Layer ? heights_.above_mm : heights_.top_mm;
+    return std::min(ground + kApproachMm, heights_.retract_mm);
+}
+
+void MoveWriter::approach(const Vec2& at, double clear_z_mm, Over over) {
     if (path_.moves.empty()) {
         path_.start = at3(at, heights_.retract_mm);
         at_ = path_.start;
     }
-    retract();
-    add(MoveKind::Rapid, at3(at, heights_.retract_mm));
-    add(MoveKind::Rapid, at3(at, std::min(clear_z_mm, heights_.retract_mm)));
+    if (at_.head<2>() != at) {
+        const double z = std::max(at_.z(), crossingZ(over));
+        add(MoveKind::Rapid, Vec3(at_.x(), at_.y(), z));
+        add(MoveKind::Rapid, at3(at, z));
+    }
+    add(MoveKind::Rapid, at3(at, std::min(clear_z_mm, at_.z())));
 }
 
 /// To the place where a descent through this layer's material begins.
-void MoveWriter::descendTo(const Vec2& at) {
-    approach(at, heights_.above_mm + kApproachMm);
+void MoveWriter::descendTo(const Vec2& at, Over over) {
+    approach(at, heights_.above_mm + kApproachMm, over);
     const double from_z = std::min(heights_.above_mm + kDescentStartMm, at_.z());
     add(MoveKind::Plunge, at3(at, from_z), std::nullopt, true);
 }

@@ -14,6 +14,7 @@ inline constexpr double kApproachMm = 1.0;
 struct LayerHeights {
     double above_mm;  ///< the level the layer starts from: the floor of the one before, or the top
     double floor_mm;  ///< the level it is cut to
+    double top_mm;    ///< of the feature
     double retract_mm;
     double ramp_angle_rad;
 };
@@ -23,8 +24,10 @@ class MoveWriter {
   public:
     explicit MoveWriter(Toolpath& path) : path_(path) {}
 
-    /// Ends at the retract height.
+    /// Ends at depth, where the last pass ends.
     void writeLayer(const std::vector<ScriptStep>& script, const LayerHeights& heights);
+    /// Up to the retract height.
+    void retract();
 
   private:
     void write(const ComeDown& step);
@@ -36,9 +39,9 @@ class MoveWriter {
     void write(const Cut& step);
 
     /// Up, over, and down to a height that is known to be clear.
-    void approach(const Vec2& at, double clear_z_mm);
-    void descendTo(const Vec2& at);
-    void retract();
+    void approach(const Vec2& at, double clear_z_mm, Over over);
+    void descendTo(const Vec2& at, Over over);
+    double crossingZ(Over over) const;
     void along(const Path& path, MoveKind kind, double to_z_mm);
     void turn(const HelixDown& helix, MoveKind kind, double to_z_mm);
     void add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc = std::nullopt,

@@ -10,6 +10,7 @@
 #include "stepmill/core/units.h"
 #include "toolpath/curve.h"
 #include "toolpath/ring_family.h"
+#include "toolpath/swept_ground.h"
 
 namespace stepmill::toolpath {
 
@@ -19,12 +20,6 @@ namespace {
 constexpr std::size_t kLinkTrials = 8;
 /// A straight link to a neighbouring pass may be this many step-overs long.
 constexpr double kNeighbourLink = 2.0;
-/// Rays on which the rim of the disc is looked at to tell whether ground is cleared.
-constexpr int kRimRays = 16;
-/// The rim is looked at this share of the radius inside the disc: cusps thinner than that are no material.
-constexpr double kRimShare = 0.99;
-/// Distance between the places of a link that are looked at, in radii.
-constexpr double kLookEvery = 0.25;
 /// A helix or ramp smaller than this is not worth the name [mm].
 constexpr double kLeastEntryMm = 0.05;
 
@@ -45,6 +40,8 @@ class LayerPlanner {
           step_over_mm_(step_over_mm),
           rates_(rates),
           tol_(tol),
+          obstruction_(edgesOf(task.obstruction)),
+          swept_(task, radius_mm),
           done_(set.passes.size(), false),
           entered_(set.components.size(), false) {
         for (const Region& component : set.components) {
@@ -61,6 +58,10 @@ class LayerPlanner {
     std::vector<ScriptStep> plan() {
         for (std::size_t left = set_.passes.size(); left > 0; --left)
             if (!linkOn()) goTo();
+        // The layers after the first begin where this one ends.
+        if (!descents_.empty() && descents_.front().step == 0) descents_.front().from = at_;
+        for (const Descent& descent : descents_)
+            setOver(script_[descent.step], overWay(descent.from, descent.to));
         return std::move(script_);
     }
 
@@ -119,7 +120,7 @@ class LayerPlanner {
                                joint.distance_mm <= kNeighbourLink * step_over_mm_;
         if (!neighbour && !isShorter(joint.distance_mm)) return false;
         if (!isFree(at_, joint.at.point, next.component)) return false;
-        const bool cleared = isCleared(at_, joint.at.point);
+        const bool cleared = swept_.isClear(at_, joint.at.point);
         if (!neighbour && !cleared) return false;
         link(joint.at.point, cleared);
         cut(joint);
@@ -128,38 +129,9 @@ class LayerPlanner {
 
     /// Is the way at depth quicker than up, across and down again?
     bool isShorter(double link_mm) const {
-        const double over =
-            (2 * rates_.lift_mm + link_mm) / rates_.rapid_mm_per_min + 1 / rates_.plunge_feed_mm_per_min;
+        const double over = (2 * rates_.lift_mm + link_mm) / rates_.rapid_mm_per_min +
+                            rates_.approach_mm / rates_.plunge_feed_mm_per_min;
         return link_mm / rates_.feed_mm_per_min <= over;
-    }
-
-    bool isCleared(const Vec2& from, const Vec2& to) const {
-        const double length_mm = (to - from).norm();
-        const int looks = std::max(1, static_cast<int>(std::ceil(length_mm / (kLookEvery * radius_mm_))));
-        for (int i = 0; i <= looks; ++i)
-            if (!isCleared(Vec2(from + static_cast<double>(i) / looks * (to - from)))) return false;
-        return true;
-    }
-
-    /// Does a disc here meet no material? Looks at rays of its rim and at half its radius.
-    bool isCleared(const Vec2& centre) const {
-        for (int i = 0; i < kRimRays; ++i) {
-            const double angle = 2 * kPi * i / kRimRays;
-            const Vec2 ray(std::cos(angle), std::sin(angle));
-            for (const double share : {kRimShare, kRimShare / 2})
-                if (isMaterial(centre + share * radius_mm_ * ray)) return false;
-        }
-        return true;
-    }
-
-    bool isMaterial(const Vec2& p) const {
-        for (const Edge& edge : cut_)
-            if (edge.box.grown(radius_mm_).overlaps({p, p}) &&
-                distanceTo(p, edge.from, edge.segment) <= radius_mm_)
-                return false;
-        if (!task_.cleared_centres.empty() && distanceToRegion(task_.cleared_centres, p) <= radius_mm_)
-            return false;
-        return contains(task_.target, p);
     }
 
     // From above -----------------------------------------------------------------------------------------
@@ -184,8 +156,8 @@ class LayerPlanner {
 
     bool comeDownInAir(const Joint& joint) {
         const Pass& next = pass(joint.pass);
-        if (next.starts_in_air) {
-            script_.push_back(ComeDown{next.path.start});
+        if (next.starts_in_air || swept_.isClear(joint.at.point, joint.at.point)) {
+            descend(ComeDown{joint.at.point}, joint.at.point);
             cut(joint);
             return true;
         }
@@ -196,8 +168,7 @@ class LayerPlanner {
             const Joint from_there = jointWith(joint.pass, landing.point);
             if (from_there.distance_mm > kNeighbourLink * step_over_mm_) continue;
             if (!isFree(landing.point, from_there.at.point, next.component)) continue;
-            script_.push_back(ComeDown{landing.point});
-            at_ = landing.point;
+            descend(ComeDown{landing.point}, landing.point);
             link(from_there.at.point, false);
             cut(from_there);
             return true;
@@ -235,25 +206,23 @@ class LayerPlanner {
             const double radius = snapToGrid(std::min(entry.helix_radius_mm, room - tol_.guard_mm - kGridMm));
             if (radius < kLeastEntryMm) return false;
             const Vec2 direction = away.norm() > kGridMm ? Vec2(away.normalized()) : Vec2(1, 0);
-            at_ = snapToGrid(Vec2(entry.at + radius * direction));
-            script_.push_back(HelixDown{entry.at, radius, at_});
+            const Vec2 start = snapToGrid(Vec2(entry.at + radius * direction));
+            descend(HelixDown{entry.at, radius, start}, start);
             const Vec2 opposite = 2 * entry.at - at_;
             const Arc arc{entry.at, radius, true};
-            cut_.push_back(makeEdge(at_, {opposite, arc}));
-            cut_.push_back(makeEdge(opposite, {at_, arc}));
+            swept_.add(makeEdge(at_, {opposite, arc}));
+            swept_.add(makeEdge(opposite, {at_, arc}));
         } else if (entry.kind == EntryKind::Ramp) {
             const Edge ramp = makeEdge(entry.at, {entry.ramp_to, {}});
             if ((entry.ramp_to - entry.at).norm() < kLeastEntryMm) return false;
             if (anyNearer(walls, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
-            script_.push_back(RampDown{entry.at, entry.ramp_to});
-            cut_.push_back(ramp);
-            at_ = entry.at;
+            descend(RampDown{entry.at, entry.ramp_to}, entry.at);
+            swept_.add(ramp);
         } else if (entry.kind == EntryKind::Plunge) {
-            script_.push_back(PlungeDown{entry.at});
-            at_ = entry.at;
+            descend(PlungeDown{entry.at}, entry.at);
+            swept_.add(makeEdge(entry.at, {entry.at, {}}));
         } else {
-            script_.push_back(ComeDown{entry.at});
-            at_ = entry.at;
+            descend(ComeDown{entry.at}, entry.at);
         }
         return true;
     }
@@ -272,12 +241,43 @@ class LayerPlanner {
         if (air > 0) link(snapToGrid(Vec2(from + air * (to - from))), true);
     }
 
+    // Height of the ways above --------------------------------------------------------------------------
+
+    /// A way over the ground from where the cutter was to where it comes down.
+    struct Descent {
+        std::size_t step;
+        Vec2 from;
+        Vec2 to;
+    };
+
+    void descend(const ScriptStep& step, const Vec2& to) {
+        descents_.push_back({script_.size(), at_, to});
+        script_.push_back(step);
+        at_ = to;
+    }
+
+    /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
+    Over overWay(const Vec2& from, const Vec2& to) const {
+        const Edge way = makeEdge(from, {to, {}});
+        if (anyNearer(obstruction_, way, radius_mm_ + tol_.guard_mm / 2) || contains(task_.obstruction, to))
+            return Over::Retract;
+        return swept_.isClear(from, to) ? Over::Layer : Over::Top;
+    }
+
+    static void setOver(ScriptStep& step, Over over) {
+        std::visit(
+            [over](auto& s) {
+                if constexpr (requires { s.over; }) s.over = over;
+            },
+            step);
+    }
+
     // Script ---------------------------------------------------------------------------------------------
 
     void link(const Vec2& to, bool in_air) {
         if ((to - at_).norm() < kGridMm / 2) return;
         script_.push_back(Link{to, in_air});
-        cut_.push_back(makeEdge(at_, {to, {}}));
+        swept_.add(makeEdge(at_, {to, {}}));
         at_ = to;
     }
 
@@ -293,8 +293,8 @@ class LayerPlanner {
     }
 
     void finish(int i, const Path& path) {
-        const std::vector<Edge> edges = edgesOf(path);
-        cut_.insert(cut_.end(), edges.begin(), edges.end());
+        for (const Edge& edge : edgesOf(path))
+            swept_.add(edge);
         done_[static_cast<std::size_t>(i)] = true;
         last_ = i;
         at_ = path.end();
@@ -309,10 +309,12 @@ class LayerPlanner {
     /// Boundaries of the components of free centres, walled and open.
     std::vector<std::vector<Edge>> walls_;
     std::vector<std::vector<Edge>> open_sides_;
-    std::vector<Edge> cut_;  ///< where the axis has been in this layer
+    std::vector<Edge> obstruction_;
+    SweptGround swept_;  ///< by this layer so far
     std::vector<bool> done_;
     std::vector<bool> entered_;
     std::vector<ScriptStep> script_;
+    std::vector<Descent> descents_;
     Vec2 at_ = Vec2::Zero();
     int last_ = -1;
 };

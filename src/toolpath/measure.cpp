@@ -26,6 +26,24 @@ PathTotals& PathTotals::operator+=(const PathTotals& other) {
     return *this;
 }
 
+double Toolpath::feedOf(MoveKind kind) const {
+    switch (kind) {
+        case MoveKind::Rapid:
+            return 0;
+        case MoveKind::Feed:
+            return feed_mm_per_min;
+        case MoveKind::Ramp:
+            return ramp_feed_mm_per_min;
+        case MoveKind::Plunge:
+            return plunge_feed_mm_per_min;
+    }
+    return 0;
+}
+
+double rampFeed(double feed_mm_per_min, double plunge_feed_mm_per_min, double angle_rad) {
+    return std::min(feed_mm_per_min, plunge_feed_mm_per_min / std::sin(angle_rad));
+}
+
 PathTotals measure(const Toolpath& path, const Machine& machine) {
     PathTotals totals;
     Vec3 from = path.start;
@@ -37,7 +55,7 @@ PathTotals measure(const Toolpath& path, const Machine& machine) {
             totals.rapid_time_s += length_mm / machine.rapid_mm_per_min * kSecondsPerMinute;
             continue;
         }
-        const double feed = move.kind == MoveKind::Feed ? path.feed_mm_per_min : path.plunge_feed_mm_per_min;
+        const double feed = path.feedOf(move.kind);
         totals.cut_length_mm += length_mm;
         totals.feed_time_s += length_mm / feed * kSecondsPerMinute;
         if (move.in_air) totals.feed_air_length_mm += length_mm;

@@ -9,6 +9,7 @@
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/curve.h"
 #include "toolpath/emit.h"
+#include "toolpath/swept_ground.h"
 
 namespace stepmill {
 
@@ -103,7 +104,8 @@ class Prover {
                 cut_.push_back({toolpath::makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}),
                                 std::max(from.z(), move.to.z())});
             }
-            if (std::min(from.z(), move.to.z()) < task_.top_z_mm)
+            const bool crosses = move.kind == MoveKind::Rapid && from.head<2>() != move.to.head<2>();
+            if (std::min(from.z(), move.to.z()) < (crosses ? task_.retract_z_mm : task_.top_z_mm))
                 proof.least_clearance_mm = std::min(proof.least_clearance_mm, clearance(from, move));
             from = move.to;
         }
@@ -154,17 +156,31 @@ class Prover {
         const double low = std::min(from.z(), move.to.z());
         if (low >= task_.retract_z_mm) return true;
         const Vec2 at = from.head<2>();
-        if (move.arc || at != move.to.head<2>()) return false;
+        const Vec2 to = move.to.head<2>();
+        if (at != to) {
+            // What stands higher than the top belongs to the obstruction, which clearance() looks at.
+            if (move.arc || from.z() != move.to.z()) return false;
+            return low >= task_.top_z_mm || isClear(at, to, low);
+        }
         if (move.to.z() > from.z()) return true;  // up the way it came
         if (low >= task_.top_z_mm) return true;
         const double slack = kSlackGuards * tol_.guard_mm;
         if (toolpath::distanceToRegion(task_.target, at) >= radius_mm_ - slack) return true;
         if (!task_.cleared_centres.empty() && toolpath::distanceToRegion(task_.cleared_centres, at) <= slack)
             return true;
-        return std::any_of(cut_.begin(), cut_.end(), [&](const Level& level) {
+        const bool on_cut = std::any_of(cut_.begin(), cut_.end(), [&](const Level& level) {
             return level.top_z_mm <= low &&
                    distanceTo(at, level.edge.from, level.edge.segment) <= 2 * kGridMm;
         });
+        return on_cut || isClear(at, at, low);
+    }
+
+    /// Has everything under a straight way been cut down to z by the moves before?
+    bool isClear(const Vec2& a, const Vec2& b, double z) const {
+        toolpath::SweptGround ground(task_, radius_mm_);
+        for (const Level& level : cut_)
+            if (level.top_z_mm <= z) ground.add(level.edge);
+        return ground.isClear(a, b);
     }
 
     const ClearingTask& task_;

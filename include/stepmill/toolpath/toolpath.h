@@ -16,7 +16,8 @@ namespace stepmill {
 enum class MoveKind {
     Rapid,  ///< G0, straight
     Feed,   ///< at the cutting feed
-    Plunge  ///< descending, at the plunge feed (straight, ramp or helix)
+    Ramp,   ///< descending through material along a ramp, helix or pass, at the ramp feed
+    Plunge  ///< straight down, at the plunge feed
 };
 
 /// One motion of the tool tip from where the previous one ended. With `arc` the move follows it in x and y
@@ -43,7 +44,8 @@ struct PathTotals {
 /// What checking the emitted moves against the obstruction gave.
 struct PathProof {
     /// Least distance between the cutter's edge and the obstruction over all moves below the feature's
-    /// top; negative would be a gouge. Not searched beyond three radii, infinite without such moves [mm].
+    /// top and all rapids across below the retract height; negative would be a gouge. Not searched beyond
+    /// three radii, infinite without such moves [mm].
     double least_clearance_mm = 0;
     /// Rapids stay above the material or over ground already cleared.
     bool rapids_clear = true;
@@ -60,7 +62,12 @@ struct Toolpath {
     double step_down_mm = 0;  ///< depth / layers
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
+    /// rampFeed() of the two feeds above and the ramp angle; 0 where the path has no ramps.
+    double ramp_feed_mm_per_min = 0;
     PathTotals totals;
+
+    /// Of a move of that kind; 0 for rapids, whose rate is the machine's.
+    double feedOf(MoveKind kind) const;
 };
 
 /// The rings of one tool's free centres before clipping: the costly part of clearArea(), the same for all
@@ -77,7 +84,7 @@ struct ClearingTask {
     Region obstruction;          ///< O, for the proof
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    double retract_z_mm = 0;  ///< rapids between entries go here
+    double retract_z_mm = 0;  ///< rapids across what must stay go here
     /// makeRings() of a task with the same free centres, target, obstruction, tool and cutting data; null:
     /// clearArea() makes its own.
     std::shared_ptr<const RingFamily> rings;
@@ -90,9 +97,10 @@ std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const Tool
 
 /// Contour-parallel clearing at every depth of cut: rings of the centre region at the step-over, entered
 /// from an open edge, cleared ground, helix, ramp or plunge, linked at depth where the straight way is
-/// free, else over the retract height. Climb milling; arcs stay arcs. The step-over is limited to the
-/// cutter radius, so that rings leave nothing between them.
-/// Empty (no moves) when there is nothing to clear.
+/// free, else just over the last layer's floor, over the feature's top or over the retract height: the
+/// lowest of these that the straight way is proven to be clear at. Climb milling; arcs stay arcs. The
+/// step-over is limited to the cutter radius, so that rings leave nothing between them. Empty (no moves) when
+/// there is nothing to clear.
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
                    const Machine& machine, const Tolerances& tol);
 
@@ -100,6 +108,11 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
 /// the diameter when it has none), feed out, retract. \pre tool.isDrill()
 Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double retract_z_mm,
                    const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
+
+/// Feed along a descent at `angle_rad` to the horizontal: the cutting feed, but no more than lets the cutter
+/// sink at the plunge feed, min(F, F_p / sin(angle)). The edges at the cutter's rim then cut as they do on
+/// the level, those near its centre as in a plunge. \pre 0 < angle_rad <= pi / 2
+double rampFeed(double feed_mm_per_min, double plunge_feed_mm_per_min, double angle_rad);
 
 /// Sums lengths and times at the path's feeds and the machine's rapid rate (no acceleration).
 PathTotals measure(const Toolpath& path, const Machine& machine);

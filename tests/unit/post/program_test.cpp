@@ -26,6 +26,17 @@ TEST(Program, FeedsAsLongAsThePathsAre) {
     EXPECT_NEAR(sampleProgram().length(false), sampleTotals().cut_length_mm, 2e-3);
 }
 
+TEST(Program, FeedsAsLongInTimeAsThePathsDo) {
+    double feed_s = 0;
+    bool ramp = false;
+    for (const Block& block : sampleProgram().blocks) {
+        if (block.g != 0) feed_s += block.length() / block.feed * 60;
+        ramp = ramp || block.feed == 900;
+    }
+    EXPECT_NEAR(feed_s, sampleTotals().feed_time_s, 1e-3);
+    EXPECT_TRUE(ramp) << "the helix has its own feed";
+}
+
 TEST(Program, RapidsAsLongAsThePathsAreAndTheWayToTheFirstCut) {
     const Program read = sampleProgram();
     const double way_in = read.blocks[0].length() + read.blocks[1].length();

@@ -42,6 +42,7 @@ inline Operation makeOperation(const std::string& id, const std::string& tool, c
     operation.path.step_down_mm = 2;
     operation.path.feed_mm_per_min = 1200;
     operation.path.plunge_feed_mm_per_min = 300;
+    operation.path.ramp_feed_mm_per_min = 900;
     operation.path.totals = measure(operation.path, machine);
     return operation;
 }
@@ -67,7 +68,7 @@ inline Plan samplePlan() {
     setup.operations.push_back(
         makeOperation("S1.O1", "EM10", plan.machine, Vec3(c.x() + r, c.y(), 5),
                       {rapid(c.x() + r, c.y(), 1), plungeTo(c.x() + r, c.y(), 0),
-                       arcTo(c.x() + r, c.y(), -2.00005, c, r, true, MoveKind::Plunge),
+                       arcTo(c.x() + r, c.y(), -2.00005, c, r, true, MoveKind::Ramp),
                        arcTo(c.x() + r, c.y(), -2.00005, c, r, true),
                        arcTo(c.x() + r * std::cos(angle), c.y() + r * std::sin(angle), -2.00005, c, r, true),
                        feedTo(60.33333333, 21.1, -2.00005), rapid(60.33333333, 21.1, 5)}));

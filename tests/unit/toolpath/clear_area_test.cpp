@@ -78,7 +78,33 @@ TEST(ClearArea, ComesInOverTheOpenEndOfASlot) {
     expectSound(path, task, 5);
     // Every descent is in air: nothing has to be plunged into.
     for (const Move& move : path.moves)
-        EXPECT_TRUE(move.kind != MoveKind::Plunge || move.in_air);
+        EXPECT_TRUE(move.kind != MoveKind::Ramp && (move.kind != MoveKind::Plunge || move.in_air));
+}
+
+TEST(ClearArea, StaysBelowTheTopBetweenDepthsOfAPocket) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {50, 40}, 6);
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
+    ASSERT_EQ(path.layers, 3);
+    expectSound(path, task, 5);
+    int at_retract = 0;
+    for (const Move& move : path.moves)
+        at_retract += move.to.z() == task.retract_z_mm ? 1 : 0;
+    EXPECT_EQ(at_retract, 1) << "the last move alone goes up to the retract height";
+}
+
+TEST(ClearArea, GoesOverTheRetractHeightBetweenPockets) {
+    const Region pockets =
+        unite(makeRoundedRectangle({0, 0}, {30, 40}, 6), makeRoundedRectangle({40, 0}, {70, 40}, 6), kTol);
+    const ClearingTask task = fullTask(pockets, blockAround(pockets, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 6), kMachine, kTol);
+    expectSound(path, task, 5);
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const bool across = (from.x() < 35) != (move.to.x() < 35);
+        EXPECT_TRUE(!across || std::min(from.z(), move.to.z()) >= task.retract_z_mm);
+        from = move.to;
+    }
 }
 
 TEST(ClearArea, MachinesAStepNarrowerThanTheCutterFromOutside) {
@@ -276,7 +302,7 @@ TEST_P(DescentThroughMaterial, IsNoSteeperThanTheRampAngleUnlessPlunging) {
     Vec3 from = path.start;
     double steepest = 0;
     for (const Move& move : path.moves) {
-        if (move.kind == MoveKind::Plunge && !move.in_air) {
+        if (move.kind == MoveKind::Ramp || (move.kind == MoveKind::Plunge && !move.in_air)) {
             const double flat = length(Vec2(from.head<2>()), Segment{move.to.head<2>(), move.arc});
             steepest = std::max(steepest, std::atan2(from.z() - move.to.z(), flat));
         }

@@ -70,6 +70,27 @@ TEST(Measure, AddsHelicesAndFeedsByKind) {
     EXPECT_NEAR(totals.time_s(), totals.feed_time_s + totals.rapid_time_s, 1e-12);
 }
 
+TEST(Measure, FeedsRampsAtTheirOwnFeed) {
+    Toolpath path;
+    path.start = {0, 0, 0};
+    path.feed_mm_per_min = 600;
+    path.plunge_feed_mm_per_min = 120;
+    path.ramp_feed_mm_per_min = 400;
+    path.moves = {{MoveKind::Ramp, {30, 0, -4}, std::nullopt, false},
+                  {MoveKind::Plunge, {30, 0, -6}, std::nullopt, false}};
+    EXPECT_NEAR(measure(path, kMachine).feed_time_s, std::hypot(30, 4) * 60 / 400 + 1, 1e-12);
+}
+
+TEST(RampFeed, IsTheCuttingFeedOnShallowRamps) {
+    EXPECT_EQ(rampFeed(1000, 300, degToRad(3)), 1000);
+}
+
+TEST(RampFeed, SinksNoFasterThanThePlungeFeed) {
+    const double feed = rampFeed(1000, 100, degToRad(30));
+    EXPECT_NEAR(feed * std::sin(degToRad(30)), 100, 1e-9);
+    EXPECT_NEAR(rampFeed(1000, 300, kPi / 2), 300, 1e-9);
+}
+
 TEST(Measure, MatchesTheTotalsOfAMadePath) {
     const Region pocket = makeRoundedRectangle({0, 0}, {50, 40}, 6);
     const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
@@ -133,6 +154,41 @@ TEST_F(ProofByHand, RefusesARapidThroughMaterial) {
 TEST_F(ProofByHand, RefusesARapidAcrossAtDepth) {
     add(MoveKind::Rapid, {30, 20, -6});
     EXPECT_FALSE(proof().rapids_clear);
+}
+
+TEST_F(ProofByHand, AllowsARapidAcrossWhatFeedsHaveCleared) {
+    add(MoveKind::Feed, {30, 20, -6});
+    add(MoveKind::Rapid, {30, 20, -5});
+    add(MoveKind::Rapid, {22, 20, -5});
+    EXPECT_TRUE(proof().rapids_clear);
+}
+
+TEST_F(ProofByHand, RefusesARapidAcrossBesideWhatFeedsHaveCleared) {
+    add(MoveKind::Feed, {30, 20, -6});
+    add(MoveKind::Rapid, {30, 20, -5});
+    add(MoveKind::Rapid, {22, 20.5, -5});
+    EXPECT_FALSE(proof().rapids_clear);
+}
+
+TEST_F(ProofByHand, RefusesARapidAcrossBelowTheFeeds) {
+    add(MoveKind::Feed, {30, 20, -5.5});
+    add(MoveKind::Rapid, {22, 20, -5.5});
+    EXPECT_TRUE(proof().rapids_clear);
+    add(MoveKind::Rapid, {22, 20, -5.6});
+    EXPECT_FALSE(proof().rapids_clear);
+}
+
+TEST_F(ProofByHand, AllowsARapidAcrossOverTheTop) {
+    add(MoveKind::Rapid, {20, 20, 1});
+    add(MoveKind::Rapid, {10, 30, 1});
+    EXPECT_TRUE(proof().rapids_clear);
+    EXPECT_GE(proof().least_clearance_mm, 0);
+}
+
+TEST_F(ProofByHand, CountsARapidIntoTheObstructionAsAGouge) {
+    add(MoveKind::Rapid, {20, 20, 1});
+    add(MoveKind::Rapid, {36, 20, 1});
+    EXPECT_NEAR(proof().least_clearance_mm, -1, 1e-9);
 }
 
 TEST_F(ProofByHand, AllowsARapidDownWhereAFeedHasBeen) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/toolpath/toolpath.h"
+#include "toolpath/curve.h"
+
+namespace stepmill::toolpath {
+
+/// A disc meets no material where all it would take is thinner than this share of its radius: cusps between
+/// passes.
+inline constexpr double kCuspShare = 0.01;
+
+/// The part of a task's target that a disc has swept, asked for ways that lie wholly in it.
+///
+/// Answers are proofs, not samples: squares are halved until each lies beside the way, beside the target or
+/// within one disc that has been there. They err towards "not cleared", and by cusps of kCuspShare.
+class SweptGround {
+  public:
+    SweptGround(const ClearingTask& task, double radius_mm) : task_(task), radius_mm_(radius_mm) {}
+
+    void add(const Edge& edge) { swept_.push_back(edge); }
+
+    /// Does the disc meet no material on the straight way from a to b?
+    bool isClear(const Vec2& a, const Vec2& b) const;
+
+  private:
+    using Edges = std::vector<const Edge*>;
+    struct Square {
+        Vec2 centre;
+        double half_mm;
+    };
+    bool isClear(const Edge& way, const Square& square, const Edges& near) const;
+
+    const ClearingTask& task_;
+    double radius_mm_;
+    std::vector<Edge> swept_;
+};
+
+}  // namespace stepmill::toolpath
