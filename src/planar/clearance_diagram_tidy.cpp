@@ -84,8 +84,12 @@ class Tidier {
     double sweepOf(const Piece& piece) const;
     double signedLength(const Piece& piece) const;
     Vec2 meeting(const Piece& before, const Piece& after, const Vec2& near) const;
+    int neighbour(int site, bool ahead) const;
+    bool past(const Piece& piece, int neighbour, bool ahead) const;
+    bool insertMissing(std::size_t k);
     bool joinSameCurve();
     void drop(std::size_t k);
+    void dropBackward();
 
     std::vector<Piece>& pieces_;
     TracedLoop& loop_;
@@ -144,11 +148,60 @@ bool Tidier::joinSameCurve() {
     return false;
 }
 
-void Tidier::run() {
-    if (loop_.full_circle) {
-        if (pieces_[0].curve.radius <= kShort_mm) loop_ = {};
-        return;
+/// The site that follows (or precedes) on the way round, -1 where offsets change over on a bisector.
+int Tidier::neighbour(int index, bool ahead) const {
+    const Site& s = set_.sites[static_cast<std::size_t>(index)];
+    if (s.full) return -1;
+    const bool along = ahead == (side_ == Side::Inside);
+    const Joint& joint = set_.joints[static_cast<std::size_t>(along ? s.end_joint : s.start_joint)];
+    const int beyond = along ? joint.out : joint.in;
+    if (s.kind == SiteKind::Corner || joint.corner < 0) return beyond;
+    const bool reflex = cross(joint.tangent_in, joint.tangent_out) * (side_ == Side::Inside ? 1 : -1) < 0;
+    return reflex ? joint.corner : -1;
+}
+
+/// Does the piece run past the end of its site that it shares with that neighbour?
+bool Tidier::past(const Piece& piece, int other, bool ahead) const {
+    const Vec2& end = ahead ? piece.to : piece.from;
+    const auto ray = sharedNormal(set_, piece.site, other, side_, end);
+    if (!ray) return false;
+    const Vec2 on_curve = ray->from + distance_ * ray->normal;
+    constexpr double kPast_mm = 2 * kShort_mm;
+    const double sign = piece.forward == ahead ? 1 : -1;
+    if (!piece.curve.round) return sign * piece.curve.dir.dot(end - on_curve) > kPast_mm;
+    const Vec2 m = middleDirection(site(piece), set_, side_);
+    const auto angle = [&](const Vec2& p) {
+        const Vec2 r = p - piece.curve.point;
+        return std::atan2(cross(m, r), m.dot(r));
+    };
+    return (sign * angle(end) - std::abs(angle(on_curve))) * piece.curve.radius > kPast_mm;
+}
+
+/// Chords meet at an angle where their arcs go on smoothly. That tilts the cells beside, so that a narrow one
+/// may end too early: then the pieces before or after run past the end of their sites.
+bool Tidier::insertMissing(std::size_t k) {
+    const std::size_t next = (k + 1) % pieces_.size();
+    for (const bool ahead : {true, false}) {
+        const Piece& runner = pieces_[ahead ? k : next];
+        const int missing = neighbour(runner.site, ahead);
+        if (missing < 0 || missing == pieces_[ahead ? next : k].site || !past(runner, missing, ahead))
+            continue;
+        Piece piece = runner;
+        piece.site = missing;
+        const Site& s = set_.sites[static_cast<std::size_t>(missing)];
+        piece.curve = offsetCurve(s, side_, distance_);
+        piece.forward = s.round() ? s.concaveOn(side_) : side_ == Side::Inside;
+        if (piece.curve.round && piece.curve.radius <= kShort_mm) continue;
+        const Vec2 near = pieces_[k].to;
+        pieces_[k].to = piece.from = meeting(pieces_[k], piece, near);
+        pieces_[next].from = piece.to = meeting(piece, pieces_[next], near);
+        pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(k + 1), piece);
+        return true;
     }
+    return false;
+}
+
+void Tidier::dropBackward() {
     for (bool changed = true; changed && pieces_.size() > 1;) {
         changed = false;
         std::size_t worst = 0;
@@ -162,6 +215,25 @@ void Tidier::run() {
         }
         if (changed) drop(worst);
         changed = joinSameCurve() || changed;
+    }
+}
+
+void Tidier::run() {
+    if (loop_.full_circle) {
+        if (pieces_[0].curve.radius <= kShort_mm) loop_ = {};
+        return;
+    }
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds; ++round) {
+        const std::size_t limit = 2 * pieces_.size() + 8;
+        bool inserted = false;
+        for (std::size_t k = 0; pieces_.size() > 1 && k < pieces_.size() && pieces_.size() < limit;)
+            if (insertMissing(k))
+                inserted = true;
+            else
+                ++k;
+        if (round > 0 && !inserted) break;
+        dropBackward();
     }
     if (pieces_.size() != 1) return;
     const Piece& last = pieces_[0];
