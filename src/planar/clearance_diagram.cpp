@@ -37,17 +37,17 @@ struct ClearanceDiagram::Impl {
     Graph graph;
     clearance::SiteIndex index;
 
-    std::vector<TracedLoop> traceChecked(Side side, double distance, double tie) const;
+    std::vector<TracedLoop> traceChecked(Side side, double distance) const;
 };
 
 /// Traces, and where the self check finds chords too coarse, again on finer ones.
-std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double distance, double tie) const {
+std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double distance) const {
     const clearance::DistanceBand band{distance - tol.gouge_mm / 2, distance + tol.linear_mm};
     double chord = tol.chord_mm;
     std::optional<Graph> finer;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Graph& used = finer ? *finer : graph;
-        std::vector<TracedLoop> loops = clearance::trace(used, side, distance, tie);
+        std::vector<TracedLoop> loops = clearance::trace(used, side, distance, tol.linear_mm / 2);
         if (clearance::keepDistance(index, used.set, loops, band)) return loops;
         chord /= kFiner;
         finer = makeGraph(region, chord);
@@ -74,8 +74,7 @@ Region ClearanceDiagram::offset(double distance_mm) const {
     const double distance = snapToGrid(distance_mm);
     if (impl_->region.empty() || distance == 0) return impl_->region;
     const bool grow = distance > 0;
-    const auto loops = impl_->traceChecked(grow ? Side::Outside : Side::Inside, std::abs(distance),
-                                           impl_->tol.linear_mm / 2);
+    const auto loops = impl_->traceChecked(grow ? Side::Outside : Side::Inside, std::abs(distance));
     Region result = toRegion(loops, grow);
 #ifdef STEPMILL_COSTLY_CHECKS
     validate(result, "offset of a region");
@@ -96,13 +95,8 @@ std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) con
 Region ClearanceDiagram::opening(double radius_mm) const {
     const double radius = snapToGrid(radius_mm);
     if (impl_->region.empty() || radius <= 0) return impl_->region;
-    const auto loops = impl_->traceChecked(Side::Inside, radius, impl_->tol.linear_mm / 2);
-    if (std::optional<Region> swept = clearance::sweptByContacts(impl_->graph.set, loops, radius))
-        return std::move(*swept);
-    // Discs on both sides of a neck overlap: let a diagram of the centres unite them.
-    // There is no tie to decide any more: what overlaps by a nanometre is one.
-    const ClearanceDiagram centres(toRegion(loops, false), impl_->tol);
-    return toRegion(centres.impl_->traceChecked(Side::Outside, radius, 0), true);
+    const auto loops = impl_->traceChecked(Side::Inside, radius);
+    return clearance::sweptByContacts(impl_->graph.set, loops, radius, impl_->tol);
 }
 
 std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() const {

@@ -1,5 +1,7 @@
 #include "planar/clearance_diagram_opening.h"
 
+#include "stepmill/planar/boolean.h"
+
 namespace stepmill::clearance {
 
 namespace {
@@ -127,13 +129,16 @@ bool Contacts::crossing() const {
 
 }  // namespace
 
-std::optional<Region> sweptByContacts(const SiteSet& set, const std::vector<TracedLoop>& loops,
-                                      double radius_mm) {
+Region sweptByContacts(const SiteSet& set, const std::vector<TracedLoop>& loops, double radius_mm,
+                       const Tolerances& tol) {
     Contacts contacts(set, radius_mm);
     for (const TracedLoop& loop : loops)
         contacts.add(loop);
-    if (contacts.crossing()) return std::nullopt;
-    return contacts.take();
+    const bool overlapping = contacts.crossing();
+    Region swept = contacts.take();
+    if (!overlapping) return swept;
+    const Box2 box = boundingBox(swept).grown(radius_mm);
+    return intersect(swept, makeRectangle(box.min, box.max), tol);
 }
 
 }  // namespace stepmill::clearance

@@ -174,7 +174,11 @@ bool Tidier::past(const Piece& piece, int other, bool ahead) const {
         const Vec2 r = p - piece.curve.point;
         return std::atan2(cross(m, r), m.dot(r));
     };
-    return (sign * angle(end) - std::abs(angle(on_curve))) * piece.curve.radius > kPast_mm;
+    // An arc shrunk to its centre counts by how far its ends still are apart.
+    if (piece.curve.radius < -kShort_mm) return false;
+    const Vec2& bound = site(piece).kind == SiteKind::Corner ? on_curve : ray->from;
+    const double overrun = sign * angle(end) - std::abs(angle(bound));
+    return overrun * (end - piece.curve.point).norm() > kPast_mm;
 }
 
 /// Chords meet at an angle where their arcs go on smoothly. That tilts the cells beside, so that a narrow one

@@ -1,5 +1,7 @@
 #include "planar/clearance_diagram_trace.h"
 
+#include <numeric>
+
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 
@@ -21,11 +23,10 @@ class Tracer {
     const HalfEdge& edge(int h) const { return graph_.edges[static_cast<std::size_t>(h)]; }
     const Vertex& vertex(int n) const { return graph_.vertices[static_cast<std::size_t>(n)]; }
     const Site& site(int k) const { return graph_.set.sites[static_cast<std::size_t>(k)]; }
-    bool above(int n) const {
-        const Vertex& v = vertex(n);
-        return v.clearance > distance_ + (v.neck ? std::max(tie_, kShort_mm) : kShort_mm);
-    }
+    bool above(int n) const { return above_[static_cast<std::size_t>(n)] != 0; }
 
+    void findAbove();
+    void closeTies();
     void findCrossings();
     void pairUp();
     Vec2 rough(int h) const;
@@ -37,10 +38,41 @@ class Tracer {
     Side side_;
     double distance_;
     double tie_;
+    std::vector<char> above_;           // per vertex
     std::vector<int> crossed_;          // half-edges, ordered: cell by cell, counter-clockwise
     std::vector<std::size_t> leaving_;  // for each that goes down: where the offset leaves its cell again
     std::vector<char> done_;
 };
+
+void Tracer::findAbove() {
+    for (const Vertex& v : graph_.vertices)
+        above_.push_back(v.clearance > distance_ + (v.neck ? std::max(tie_, kShort_mm) : kShort_mm));
+    closeTies();
+}
+
+/// What is nowhere farther from the boundary than a tie is nothing: else its opening, hardly more than the
+/// disc itself, could be opened again or not as rounding decides.
+void Tracer::closeTies() {
+    // Parts that hang together are sets with a root; the root knows the largest clearance.
+    std::vector<int> parent(graph_.vertices.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int n) {
+        while (parent[static_cast<std::size_t>(n)] != n) {
+            int& up = parent[static_cast<std::size_t>(n)];
+            up = parent[static_cast<std::size_t>(up)];
+            n = up;
+        }
+        return n;
+    };
+    for (const HalfEdge& e : graph_.edges) {
+        if (e.side != side_ || e.from > e.to || !above(e.from) || !above(e.to)) continue;
+        const int a = root(e.from), b = root(e.to);
+        const bool a_higher = vertex(a).clearance >= vertex(b).clearance;
+        parent[static_cast<std::size_t>(a_higher ? b : a)] = a_higher ? a : b;
+    }
+    for (std::size_t n = 0; n < above_.size(); ++n)
+        if (above_[n] && vertex(root(static_cast<int>(n))).clearance <= distance_ + tie_) above_[n] = 0;
+}
 
 void Tracer::findCrossings() {
     for (std::size_t h = 0; h < graph_.edges.size(); ++h) {
@@ -153,6 +185,7 @@ std::optional<TracedLoop> Tracer::follow(std::size_t start) {
 }
 
 std::vector<TracedLoop> Tracer::run() {
+    findAbove();
     findCrossings();
     pairUp();
     done_.assign(crossed_.size(), 0);
