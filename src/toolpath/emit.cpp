@@ -12,8 +12,6 @@ namespace stepmill::toolpath {
 
 namespace {
 
-/// Descents through material begin this far over it [mm].
-constexpr double kDescentStartMm = 0.2;
 /// Lines whose directions differ by less than this go on as one [rad].
 constexpr double kStraightRad = 1e-9;
 
@@ -30,10 +28,27 @@ int timesAlong(double length_mm, const LayerHeights& heights) {
 
 }  // namespace
 
-void MoveWriter::writeLayer(const std::vector<ScriptStep>& script, const LayerHeights& heights) {
+void MoveWriter::writeLayer(const std::vector<ScriptStep>& script, Over first_over,
+                            const LayerHeights& heights) {
     heights_ = heights;
-    for (const ScriptStep& step : script)
+    for (std::size_t i = 0; i < script.size(); ++i) {
+        ScriptStep step = script[i];
+        if (i == 0) setOver(step, first_over);
         std::visit([this](const auto& s) { write(s); }, step);
+    }
+}
+
+void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vector<LayerHeights>& layers) {
+    const Path ramp = firstPart(ring, descent_mm);
+    const Path rest = reversed(firstPart(reversed(ring), length(ring) - descent_mm));
+    heights_ = layers.front();
+    descendTo(ring.start, Over::Retract);
+    for (const LayerHeights& heights : layers) {
+        heights_ = heights;
+        along(ramp, MoveKind::Ramp, heights.floor_mm);
+        along(rest, MoveKind::Feed, heights.floor_mm);
+    }
+    along(ramp, MoveKind::Feed, heights_.floor_mm);
 }
 
 void MoveWriter::write(const ComeDown& step) {
@@ -41,25 +56,16 @@ void MoveWriter::write(const ComeDown& step) {
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm), std::nullopt, true);
 }
 
-void MoveWriter::write(const HelixDown& step) {
-    descendTo(step.start, step.over);
-    const double from_z = at_.z();
-    const int turns = timesAlong(2 * kPi * step.radius_mm, heights_);
-    for (int i = 1; i <= turns; ++i)
-        turn(step, MoveKind::Ramp, from_z + (heights_.floor_mm - from_z) * i / turns);
-    turn(step, MoveKind::Feed, heights_.floor_mm);
-}
-
 void MoveWriter::write(const RampDown& step) {
     descendTo(step.from, step.over);
     const double from_z = at_.z();
     // Oddly many legs end at the far end, from where a level one comes back and takes the slope away.
     int legs = timesAlong((step.to - step.from).norm(), heights_);
-    legs += legs % 2 == 0 ? 1 : 0;
+    if ((legs % 2 == 1) != step.level) ++legs;
     for (int i = 1; i <= legs; ++i)
         add(MoveKind::Ramp,
             at3(i % 2 == 1 ? step.to : step.from, from_z + (heights_.floor_mm - from_z) * i / legs));
-    add(MoveKind::Feed, at3(step.from, heights_.floor_mm));
+    if (step.level) add(MoveKind::Feed, at3(step.from, heights_.floor_mm));
 }
 
 void MoveWriter::write(const PlungeDown& step) {
@@ -68,27 +74,27 @@ void MoveWriter::write(const PlungeDown& step) {
 }
 
 void MoveWriter::write(const RampAlong& step) {
-    const double needed =
-        (heights_.above_mm + kDescentStartMm - heights_.floor_mm) / std::tan(heights_.ramp_angle_rad);
-    const double whole = length(step.pass);
-    // A closed pass is gone along so that its start is reached at depth; an open one to and fro.
-    const double share = step.closed ? needed : needed / 2;
-    const Path leg = share >= whole ? step.pass
-                     : step.closed  ? reversed(firstPart(reversed(step.pass), share))
-                                    : firstPart(step.pass, share);
-    descendTo(leg.start, Over::Retract);
+    descendTo(step.lead.start, step.over);
     const double from_z = at_.z();
-    const double drop = from_z - heights_.floor_mm;
-    const int times = timesAlong(step.closed ? length(leg) : 2 * length(leg), heights_);
-    for (int i = 1; i <= times; ++i) {
-        if (!step.closed) {
-            along(leg, MoveKind::Ramp, from_z - drop * (i - 0.5) / times);
-            along(reversed(leg), MoveKind::Ramp, from_z - drop * i / times);
+    const double lead_mm = length(step.lead);
+    const double turn_mm = step.closed ? length(step.curve) : 2 * lead_mm;
+    const double whole_mm = (step.closed ? lead_mm : 0) + step.turns * turn_mm;
+    double gone_mm = 0;
+    const auto down = [&](const Path& path, double length_mm) {
+        gone_mm += length_mm;
+        along(path, MoveKind::Ramp, from_z + (heights_.floor_mm - from_z) * (gone_mm / whole_mm));
+    };
+    if (step.closed && !step.lead.segments.empty()) down(step.lead, lead_mm);
+    for (int i = 0; i < step.turns; ++i) {
+        if (step.closed) {
+            down(step.curve, turn_mm);
         } else {
-            along(leg, MoveKind::Ramp, from_z - drop * i / times);
+            down(step.lead, lead_mm);
+            down(reversed(step.lead), lead_mm);
         }
     }
-    along(step.pass, MoveKind::Feed, heights_.floor_mm);
+    at_.z() = path_.moves.back().to.z() = heights_.floor_mm;
+    if (step.level) along(step.curve, MoveKind::Feed, heights_.floor_mm);
 }
 
 void MoveWriter::write(const Link& step) {
@@ -148,12 +154,6 @@ void MoveWriter::along(const Path& path, MoveKind kind, double to_z_mm) {
     // The last share is 1 but for rounding; the next layer counts on the exact level.
     if (path_.moves.back().kind == kind) path_.moves.back().to.z() = to_z_mm;
     at_.z() = to_z_mm;
-}
-
-void MoveWriter::turn(const HelixDown& helix, MoveKind kind, double to_z_mm) {
-    const Arc arc{helix.centre, helix.radius_mm, true};
-    const Vec2 opposite = snapToGrid(Vec2(2 * helix.centre - helix.start));
-    along(Path{helix.start, {{opposite, arc}, {helix.start, arc}}}, kind, to_z_mm);
 }
 
 void MoveWriter::add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc, bool in_air) {

@@ -9,6 +9,8 @@ namespace stepmill::toolpath {
 
 /// Rapids come down to this far over material or over the depth they may reach, then feed [mm].
 inline constexpr double kApproachMm = 1.0;
+/// Descents through material begin this far over it [mm].
+inline constexpr double kDescentStartMm = 0.2;
 
 /// Heights of one depth of cut, and how to descend through material.
 struct LayerHeights {
@@ -25,13 +27,17 @@ class MoveWriter {
     explicit MoveWriter(Toolpath& path) : path_(path) {}
 
     /// Ends at depth, where the last pass ends.
-    void writeLayer(const std::vector<ScriptStep>& script, const LayerHeights& heights);
+    void writeLayer(const std::vector<ScriptStep>& script, Over first_over, const LayerHeights& heights);
+    /// A closed ring over several depths of cut without leaving it: down along its first `descent_mm`, round
+    /// to there, down again, and at last level along the ramp. \pre descent_mm < length(ring)
+    void writeRing(const Path& ring, double descent_mm, const std::vector<LayerHeights>& layers);
     /// Up to the retract height.
     void retract();
 
+    Vec2 at() const { return at_.head<2>(); }
+
   private:
     void write(const ComeDown& step);
-    void write(const HelixDown& step);
     void write(const RampDown& step);
     void write(const PlungeDown& step);
     void write(const RampAlong& step);
@@ -43,7 +49,6 @@ class MoveWriter {
     void descendTo(const Vec2& at, Over over);
     double crossingZ(Over over) const;
     void along(const Path& path, MoveKind kind, double to_z_mm);
-    void turn(const HelixDown& helix, MoveKind kind, double to_z_mm);
     void add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc = std::nullopt,
              bool in_air = false);
 

@@ -22,6 +22,9 @@ constexpr std::size_t kLinkTrials = 8;
 constexpr double kNeighbourLink = 2.0;
 /// A helix or ramp smaller than this is not worth the name [mm].
 constexpr double kLeastEntryMm = 0.05;
+/// A ramp shorter than it should be by this share is none the steeper.
+constexpr double kLeastLeadShare = 1e-9;
+constexpr double kRounding = 1e-9;
 
 /// Where a pass would be joined.
 struct Joint {
@@ -32,37 +35,45 @@ struct Joint {
 
 class LayerPlanner {
   public:
-    LayerPlanner(const ClearingTask& task, const PassSet& set, double radius_mm, double step_over_mm,
-                 const LinkRates& rates, const Tolerances& tol)
+    LayerPlanner(const ClearingTask& task, const PassSet& set, int component, double radius_mm,
+                 double step_over_mm, const LinkRates& rates, const Tolerances& tol)
         : task_(task),
           set_(set),
+          region_(set.components[static_cast<std::size_t>(component)]),
+          entry_(task.entries[static_cast<std::size_t>(component)]),
           radius_mm_(radius_mm),
           step_over_mm_(step_over_mm),
           rates_(rates),
           tol_(tol),
           obstruction_(edgesOf(task.obstruction)),
-          swept_(task, radius_mm),
-          done_(set.passes.size(), false),
-          entered_(set.components.size(), false) {
-        for (const Region& component : set.components) {
-            walls_.emplace_back();
-            open_sides_.emplace_back();
-            for (const Edge& edge : edgesOf(component)) {
-                const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
-                const bool open = cutsNothing(task.target, radius_mm, middle, tol);
-                (open ? open_sides_ : walls_).back().push_back(edge);
-            }
+          passes_ground_(task, radius_mm),
+          swept_(task, radius_mm) {
+        for (const Edge& edge : edgesOf(region_)) {
+            const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
+            const bool open = cutsNothing(task.target, radius_mm, middle, tol);
+            (open ? open_sides_ : walls_).push_back(edge);
+        }
+        for (const Pass& pass : set.passes) {
+            done_.push_back(pass.component != component);
+            if (done_.back()) continue;
+            ++left_;
+            for (const Edge& edge : edgesOf(pass.path))
+                passes_ground_.add(edge);
         }
     }
 
-    std::vector<ScriptStep> plan() {
-        for (std::size_t left = set_.passes.size(); left > 0; --left)
+    LayerScript plan(const std::optional<Vec2>& from) {
+        while (left_ > 0)
             if (!linkOn()) goTo();
         // The layers after the first begin where this one ends.
-        if (!descents_.empty() && descents_.front().step == 0) descents_.front().from = at_;
+        STEPMILL_CHECK(!descents_.empty() && descents_.front().step == 0, "a layer begins from above");
+        LayerScript script;
+        if (from && isClearOfObstruction(*from, descents_.front().to)) script.first_over = Over::Top;
+        script.next_over = overWay(at_, descents_.front().to);
         for (const Descent& descent : descents_)
             setOver(script_[descent.step], overWay(descent.from, descent.to));
-        return std::move(script_);
+        script.steps = std::move(script_);
+        return script;
     }
 
   private:
@@ -71,7 +82,6 @@ class LayerPlanner {
     bool isReady(int i) const {
         return std::all_of(pass(i).after.begin(), pass(i).after.end(), [&](int j) { return isDone(j); });
     }
-    Entry entryOf(int component) const { return task_.entries[static_cast<std::size_t>(component)]; }
 
     Joint jointWith(int i, const Vec2& from) const {
         const Path& path = pass(i).path;
@@ -92,15 +102,14 @@ class LayerPlanner {
 
     /// May the axis go straight from a to b, both known to be free centres? Keeps the guard from walls;
     /// over open sides, where no guard is needed, the ends may lie on the boundary.
-    bool isFree(const Vec2& a, const Vec2& b, int component) const {
+    bool isFree(const Vec2& a, const Vec2& b) const {
         if ((a - b).norm() < kGridMm) return true;
-        const auto i = static_cast<std::size_t>(component);
         const Edge way = makeEdge(a, {b, {}});
-        if (anyNearer(walls_[i], way, tol_.guard_mm - 2 * kGridMm)) return false;
-        for (const Edge& side : open_sides_[i])
+        if (anyNearer(walls_, way, tol_.guard_mm - 2 * kGridMm)) return false;
+        for (const Edge& side : open_sides_)
             for (const Vec2& p : meetingPoints(way, side))
                 if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol_)) return false;
-        return open_sides_[i].empty() || contains(set_.components[i], (a + b) / 2);
+        return open_sides_.empty() || contains(region_, (a + b) / 2);
     }
 
     // At depth -------------------------------------------------------------------------------------------
@@ -115,11 +124,10 @@ class LayerPlanner {
 
     bool tryLink(const Joint& joint) {
         const Pass& next = pass(joint.pass);
-        if (next.component != pass(last_).component) return false;
         const bool neighbour = std::count(next.neighbours.begin(), next.neighbours.end(), last_) > 0 &&
                                joint.distance_mm <= kNeighbourLink * step_over_mm_;
         if (!neighbour && !isShorter(joint.distance_mm)) return false;
-        if (!isFree(at_, joint.at.point, next.component)) return false;
+        if (!isFree(at_, joint.at.point)) return false;
         const bool cleared = swept_.isClear(at_, joint.at.point);
         if (!neighbour && !cleared) return false;
         link(joint.at.point, cleared);
@@ -147,11 +155,14 @@ class LayerPlanner {
         }
         const std::vector<Joint> joints = waiting(at_, true);
         STEPMILL_CHECK(!joints.empty(), "the order of passes has a cycle");
-        const Joint& joint = joints.front();
-        const Pass& next = pass(joint.pass);
-        script_.push_back(RampAlong{rotated(joint), next.closed});
-        // The script's emission cuts the pass as part of coming down.
-        finish(joint.pass, rotated(joint));
+        rampInto(joints.front());
+    }
+
+    /// Down along the pass itself, which is then cut.
+    void rampInto(const Joint& joint) {
+        const RampAlong ramp = rampAlong(rotated(joint), pass(joint.pass).closed, rates_.descent_mm);
+        descend(ramp, ramp.lead.start);
+        finish(joint.pass, ramp.curve);
     }
 
     bool comeDownInAir(const Joint& joint) {
@@ -167,7 +178,7 @@ class LayerPlanner {
             const NearestPoint landing = nearestOn(pass(neighbour).path, joint.at.point);
             const Joint from_there = jointWith(joint.pass, landing.point);
             if (from_there.distance_mm > kNeighbourLink * step_over_mm_) continue;
-            if (!isFree(landing.point, from_there.at.point, next.component)) continue;
+            if (!isFree(landing.point, from_there.at.point)) continue;
             descend(ComeDown{landing.point}, landing.point);
             link(from_there.at.point, false);
             cut(from_there);
@@ -178,16 +189,21 @@ class LayerPlanner {
 
     bool enter(const Joint& joint, bool ready) {
         const Pass& next = pass(joint.pass);
-        const Entry entry = entryOf(next.component);
+        const Entry& entry = entry_;
         const bool open = entry.kind == EntryKind::OpenEdge;
         // Through material a component is entered once a layer, and only for a pass whose turn it is.
-        if (!open && (!ready || entered_[static_cast<std::size_t>(next.component)])) return false;
+        if (!open && (!ready || entered_)) return false;
+        if (!open && next.closed && entry.kind != EntryKind::Plunge && isAsWideAsEntry(next.path)) {
+            entered_ = true;
+            rampInto(joint);
+            return true;
+        }
         const Joint from_entry = jointWith(joint.pass, entry.at);
-        if (!isFree(entry.at, from_entry.at.point, next.component)) return false;
-        if (!goDown(entry, from_entry.at.point, next.component)) return false;
-        entered_[static_cast<std::size_t>(next.component)] = true;
+        if (!isFree(entry.at, from_entry.at.point)) return false;
+        if (!goDown(entry, from_entry.at.point)) return false;
+        entered_ = true;
         const Joint from_here = jointWith(joint.pass, at_);
-        const bool near = isFree(at_, from_here.at.point, next.component);
+        const bool near = isFree(at_, from_here.at.point);
         const Joint& best = near ? from_here : from_entry;
         if (!near) link(entry.at, true);
         if (open) linkThroughAir(best.at.point);
@@ -196,35 +212,66 @@ class LayerPlanner {
         return true;
     }
 
+    /// A curve narrower than the helix or ramp found for the tool would be steep for its middle, where it
+    /// may not cut.
+    bool isAsWideAsEntry(const Path& curve) const {
+        const double width = boundingBox(curve).size().maxCoeff();
+        const double entry_width = entry_.kind == EntryKind::Helix ? 2 * entry_.helix_radius_mm
+                                                                   : (entry_.ramp_to - entry_.at).norm();
+        return width >= entry_width;
+    }
+
     /// Adds the way down; false when the entry does not keep the guard from the walls.
-    bool goDown(const Entry& entry, const Vec2& towards, int component) {
-        const Vec2 away = towards - entry.at;
-        const std::vector<Edge>& walls = walls_[static_cast<std::size_t>(component)];
-        if (entry.kind == EntryKind::Helix) {
-            const double room =
-                distanceToBoundary(set_.components[static_cast<std::size_t>(component)], entry.at);
-            const double radius = snapToGrid(std::min(entry.helix_radius_mm, room - tol_.guard_mm - kGridMm));
-            if (radius < kLeastEntryMm) return false;
-            const Vec2 direction = away.norm() > kGridMm ? Vec2(away.normalized()) : Vec2(1, 0);
-            const Vec2 start = snapToGrid(Vec2(entry.at + radius * direction));
-            descend(HelixDown{entry.at, radius, start}, start);
-            const Vec2 opposite = 2 * entry.at - at_;
-            const Arc arc{entry.at, radius, true};
-            swept_.add(makeEdge(at_, {opposite, arc}));
-            swept_.add(makeEdge(opposite, {at_, arc}));
-        } else if (entry.kind == EntryKind::Ramp) {
-            const Edge ramp = makeEdge(entry.at, {entry.ramp_to, {}});
-            if ((entry.ramp_to - entry.at).norm() < kLeastEntryMm) return false;
-            if (anyNearer(walls, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
-            descend(RampDown{entry.at, entry.ramp_to}, entry.at);
-            swept_.add(ramp);
-        } else if (entry.kind == EntryKind::Plunge) {
-            descend(PlungeDown{entry.at}, entry.at);
-            swept_.add(makeEdge(entry.at, {entry.at, {}}));
-        } else {
-            descend(ComeDown{entry.at}, entry.at);
+    bool goDown(const Entry& entry, const Vec2& towards) {
+        switch (entry.kind) {
+            case EntryKind::Helix:
+                return goDownHelix(towards);
+            case EntryKind::Ramp:
+                return goDownRamp();
+            case EntryKind::Plunge:
+                descend(PlungeDown{entry.at}, entry.at);
+                swept_.add(makeEdge(entry.at, {entry.at, {}}));
+                return true;
+            case EntryKind::OpenEdge:
+                descend(ComeDown{entry.at}, entry.at);
+                return true;
         }
+        return false;
+    }
+
+    bool goDownHelix(const Vec2& towards) {
+        const double room = distanceToBoundary(region_, entry_.at);
+        const double radius = snapToGrid(std::min(entry_.helix_radius_mm, room - tol_.guard_mm - kGridMm));
+        if (radius < kLeastEntryMm) return false;
+        const Vec2 away = towards - entry_.at;
+        const Vec2 direction = away.norm() > kGridMm ? Vec2(away.normalized()) : Vec2(1, 0);
+        const Vec2 start = snapToGrid(Vec2(entry_.at + radius * direction));
+        const Vec2 opposite = snapToGrid(Vec2(2 * entry_.at - start));
+        const Arc arc{entry_.at, radius, true};
+        RampAlong helix = rampAlong(Path{start, {{opposite, arc}, {start, arc}}}, true, rates_.descent_mm);
+        helix.level = needsLevel(edgesOf(helix.curve));
+        descend(helix, helix.lead.start);
+        at_ = start;
         return true;
+    }
+
+    bool goDownRamp() {
+        const Edge ramp = makeEdge(entry_.at, {entry_.ramp_to, {}});
+        if ((entry_.ramp_to - entry_.at).norm() < kLeastEntryMm) return false;
+        if (anyNearer(walls_, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
+        descend(RampDown{entry_.at, entry_.ramp_to, needsLevel({ramp})}, entry_.at);
+        return true;
+    }
+
+    /// Does the slope a descent leaves have to be taken away, since no pass does? Ground that is not made
+    /// level does not count as swept.
+    bool needsLevel(const std::vector<Edge>& descent) {
+        const bool level = !std::all_of(descent.begin(), descent.end(),
+                                        [&](const Edge& edge) { return passes_ground_.isClear(edge); });
+        if (level)
+            for (const Edge& edge : descent)
+                swept_.add(edge);
+        return level;
     }
 
     /// The first part of a way in over an open edge, up to where the disc meets the target.
@@ -256,20 +303,17 @@ class LayerPlanner {
         at_ = to;
     }
 
-    /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
-    Over overWay(const Vec2& from, const Vec2& to) const {
+    /// Then it is clear at every height.
+    bool isClearOfObstruction(const Vec2& from, const Vec2& to) const {
         const Edge way = makeEdge(from, {to, {}});
-        if (anyNearer(obstruction_, way, radius_mm_ + tol_.guard_mm / 2) || contains(task_.obstruction, to))
-            return Over::Retract;
-        return swept_.isClear(from, to) ? Over::Layer : Over::Top;
+        return !anyNearer(obstruction_, way, radius_mm_ + tol_.guard_mm / 2) &&
+               !contains(task_.obstruction, to);
     }
 
-    static void setOver(ScriptStep& step, Over over) {
-        std::visit(
-            [over](auto& s) {
-                if constexpr (requires { s.over; }) s.over = over;
-            },
-            step);
+    /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
+    Over overWay(const Vec2& from, const Vec2& to) const {
+        if (!isClearOfObstruction(from, to)) return Over::Retract;
+        return swept_.isClear(from, to) ? Over::Layer : Over::Top;
     }
 
     // Script ---------------------------------------------------------------------------------------------
@@ -296,23 +340,28 @@ class LayerPlanner {
         for (const Edge& edge : edgesOf(path))
             swept_.add(edge);
         done_[static_cast<std::size_t>(i)] = true;
+        --left_;
         last_ = i;
         at_ = path.end();
     }
 
     const ClearingTask& task_;
     const PassSet& set_;
+    const Region& region_;
+    const Entry& entry_;
     double radius_mm_;
     double step_over_mm_;
     const LinkRates& rates_;
     const Tolerances& tol_;
-    /// Boundaries of the components of free centres, walled and open.
-    std::vector<std::vector<Edge>> walls_;
-    std::vector<std::vector<Edge>> open_sides_;
     std::vector<Edge> obstruction_;
-    SweptGround swept_;  ///< by this layer so far
+    SweptGround passes_ground_;  ///< what the passes will have swept
+    SweptGround swept_;          ///< what has been swept so far
+    /// Boundary of the component, walled and open.
+    std::vector<Edge> walls_;
+    std::vector<Edge> open_sides_;
     std::vector<bool> done_;
-    std::vector<bool> entered_;
+    int left_ = 0;  ///< passes not yet cut
+    bool entered_ = false;
     std::vector<ScriptStep> script_;
     std::vector<Descent> descents_;
     Vec2 at_ = Vec2::Zero();
@@ -321,11 +370,35 @@ class LayerPlanner {
 
 }  // namespace
 
-std::vector<ScriptStep> scriptLayer(const ClearingTask& task, const PassSet& set, double radius_mm,
-                                    double step_over_mm, const LinkRates& rates, const Tolerances& tol) {
+LayerScript scriptLayer(const ClearingTask& task, const PassSet& set, int component,
+                        const std::optional<Vec2>& from, double radius_mm, double step_over_mm,
+                        const LinkRates& rates, const Tolerances& tol) {
     STEPMILL_CHECK(task.entries.size() == set.components.size(),
                    "a clearing task has one entry per component of its free centres");
-    return LayerPlanner(task, set, radius_mm, step_over_mm, rates, tol).plan();
+    return LayerPlanner(task, set, component, radius_mm, step_over_mm, rates, tol).plan(from);
+}
+
+RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {
+    const double whole = length(curve);
+    if (!closed) {
+        const Path lead = descent_mm / 2 < whole ? firstPart(curve, descent_mm / 2) : curve;
+        const int turns = static_cast<int>(std::ceil(descent_mm / 2 / length(lead) - kRounding));
+        return {lead, curve, false, std::max(1, turns), true, Over::Retract};
+    }
+    const int turns = static_cast<int>(std::floor(descent_mm / whole));
+    const double rest = descent_mm - turns * whole;
+    // Too short a lead is not worth a block: the turns are a little steeper without, within rounding.
+    if (rest < kLeastLeadShare * descent_mm)
+        return {Path{curve.start, {}}, curve, true, turns, true, Over::Retract};
+    return {reversed(firstPart(reversed(curve), rest)), curve, true, turns, true, Over::Retract};
+}
+
+void setOver(ScriptStep& step, Over over) {
+    std::visit(
+        [over](auto& s) {
+            if constexpr (requires { s.over; }) s.over = over;
+        },
+        step);
 }
 
 }  // namespace stepmill::toolpath

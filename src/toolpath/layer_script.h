@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -22,17 +23,11 @@ struct ComeDown {
     Vec2 at;
     Over over = Over::Retract;
 };
-/// Down through material by a helix around `entry.at`, starting and ending at `start`.
-struct HelixDown {
-    Vec2 centre;
-    double radius_mm;
-    Vec2 start;
-    Over over = Over::Retract;
-};
 /// Down through material along a line, to and fro; ends at `from`.
 struct RampDown {
     Vec2 from;
     Vec2 to;
+    bool level = true;  ///< gone along once more at depth, so that no slope stays
     Over over = Over::Retract;
 };
 /// Straight down through material.
@@ -40,11 +35,16 @@ struct PlungeDown {
     Vec2 at;
     Over over = Over::Retract;
 };
-/// Down through material along the pass that follows, from over the retract height; the pass is `closed` or
-/// gone to and fro.
+/// Down through material along a curve, evenly; ends at its start.
 struct RampAlong {
-    Path pass;
-    bool closed;
+    /// Gone along first: the last part of a closed curve, or the first part of an open one.
+    Path lead;
+    Path curve;
+    bool closed = true;
+    /// How often then the whole closed curve, or the open lead to and fro.
+    int turns = 0;
+    bool level = true;  ///< the curve is gone along once more at depth: a pass, or a helix no pass covers
+    Over over = Over::Retract;
 };
 /// At depth along a straight line.
 struct Link {
@@ -55,10 +55,11 @@ struct Link {
 struct Cut {
     Path path;
 };
-using ScriptStep = std::variant<ComeDown, HelixDown, RampDown, PlungeDown, RampAlong, Link, Cut>;
+using ScriptStep = std::variant<ComeDown, RampDown, PlungeDown, RampAlong, Link, Cut>;
 
 /// What decides between a link at depth and going up and down again.
 struct LinkRates {
+    double descent_mm;  ///< length of a ramp at the ramp angle through one depth of cut
     double feed_mm_per_min;
     double plunge_feed_mm_per_min;
     double rapid_mm_per_min;
@@ -66,9 +67,23 @@ struct LinkRates {
     double approach_mm;  ///< the last of the way down is fed
 };
 
-/// Puts the passes in order (each after those it waits for, else nearest first) and finds the way to each.
-/// The first step's `over` is meant for the layers after the first, which begin where the last one ended.
-std::vector<ScriptStep> scriptLayer(const ClearingTask& task, const PassSet& set, double radius_mm,
-                                    double step_over_mm, const LinkRates& rates, const Tolerances& tol);
+/// A layer of one component of the free centres.
+struct LayerScript {
+    std::vector<ScriptStep> steps;
+    /// How to go over to the first step: from elsewhere, or from where the layer before ended.
+    Over first_over = Over::Retract;
+    Over next_over = Over::Retract;
+};
+
+/// Puts the component's passes in order (each after those it waits for, else nearest first) and finds the way
+/// to each. `from`: where the component before ended.
+LayerScript scriptLayer(const ClearingTask& task, const PassSet& set, int component,
+                        const std::optional<Vec2>& from, double radius_mm, double step_over_mm,
+                        const LinkRates& rates, const Tolerances& tol);
+
+/// Down along a curve of that many mm of ramp, so that it ends at the curve's start.
+RampAlong rampAlong(const Path& curve, bool closed, double descent_mm);
+
+void setOver(ScriptStep& step, Over over);
 
 }  // namespace stepmill::toolpath

@@ -9,8 +9,7 @@
 
 namespace stepmill::toolpath {
 
-bool SweptGround::isClear(const Vec2& a, const Vec2& b) const {
-    const Edge way = makeEdge(a, {b, {}});
+bool SweptGround::isClear(const Edge& way) const {
     const Box2 box = way.box.grown(radius_mm_);
     Edges near;
     for (const Edge& edge : swept_)

@@ -22,7 +22,9 @@ class SweptGround {
     void add(const Edge& edge) { swept_.push_back(edge); }
 
     /// Does the disc meet no material on the straight way from a to b?
-    bool isClear(const Vec2& a, const Vec2& b) const;
+    bool isClear(const Vec2& a, const Vec2& b) const { return isClear(makeEdge(a, {b, {}})); }
+    /// Does it along an edge?
+    bool isClear(const Edge& way) const;
 
   private:
     using Edges = std::vector<const Edge*>;

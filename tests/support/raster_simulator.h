@@ -80,6 +80,18 @@ class Raster {
         }
     }
 
+    /// Calls visit(column, row) for the cells whose centres lie in the box.
+    template <typename Visit>
+    void forBox(const Box2& box, Visit visit) const {
+        const Vec2 low = (box.min - box_.min) / cell_mm_ - Vec2(0.5, 0.5);
+        const Vec2 high = (box.max - box_.min) / cell_mm_ - Vec2(0.5, 0.5);
+        for (int row = std::max(0, static_cast<int>(std::ceil(low.y())));
+             row <= std::min(rows_ - 1, static_cast<int>(std::floor(high.y()))); ++row)
+            for (int column = std::max(0, static_cast<int>(std::ceil(low.x())));
+                 column <= std::min(columns_ - 1, static_cast<int>(std::floor(high.x()))); ++column)
+                visit(column, row);
+    }
+
   private:
     static constexpr double kFar = 1e12;
 

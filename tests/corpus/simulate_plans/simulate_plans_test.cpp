@@ -1,0 +1,134 @@
+// Whole plans of the sample parts, simulated on height maps made from the solids' facets.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+#include <BRep_Tool.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/part/part_shape.h"
+#include "stepmill/plan/plan.h"
+#include "support/height_map.h"
+
+namespace stepmill::test {
+namespace {
+
+constexpr double kCellMm = 0.2;
+/// Half a cell's diagonal at the wall, and the same at the cutter's rim.
+constexpr double kRimMm = 0.3;
+/// Facets lie no farther than this from the solid [mm].
+constexpr double kFacetMm = 0.005;
+/// Cells under the part's heights by more than this are cut into [mm].
+constexpr double kGougeMm = 0.02;
+/// A rest operation may run this share of its level feeds over ground that is down already.
+constexpr double kAirShare = 0.5;
+
+const Tolerances kTol;
+
+/// The finished part as the spindle sees it.
+void raisePart(HeightMap& map, const Setup& setup) {
+    const TopoDS_Shape& solid = setup.part.shape->solid;
+    BRepMesh_IncrementalMesh(solid, kFacetMm, false, 0.1, false);
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+        TopLoc_Location location;
+        const Handle(Poly_Triangulation) facets =
+            BRep_Tool::Triangulation(TopoDS::Face(faces.Current()), location);
+        if (facets.IsNull()) continue;
+        const auto node = [&](int index) -> Vec3 {
+            const gp_Pnt p = facets->Node(index).Transformed(location.Transformation());
+            return setup.part_to_setup * Vec3(p.X(), p.Y(), p.Z());
+        };
+        for (int i = 1; i <= facets->NbTriangles(); ++i) {
+            int a = 0;
+            int b = 0;
+            int c = 0;
+            facets->Triangle(i).Get(a, b, c);
+            map.raise(node(a), node(b), node(c));
+        }
+    }
+}
+
+Box2 mapBox(const Setup& setup) {
+    Box2 box;
+    box.add(setup.stock_bbox_mm.min().head<2>());
+    box.add(setup.stock_bbox_mm.max().head<2>());
+    return box;
+}
+
+/// Volume of what was cut deeper than the part allows, rims and walls left out [mm3].
+double gouged(const HeightMap& stock, const HeightMap& part) {
+    const std::vector<double> allowed = part.lowestWithin(kRimMm);
+    double sum = 0;
+    for (std::size_t i = 0; i < allowed.size(); ++i)
+        if (stock.heights()[i] < allowed[i] - kGougeMm) sum += allowed[i] - stock.heights()[i];
+    return sum * stock.cellMm2();
+}
+
+/// Area of the walls, which bounds what cells at them may be wrong by.
+double wallArea(const PlannedSetup& planned) {
+    double sum = 0;
+    for (const PlannedFeature& feature : planned.features)
+        sum += perimeter(feature.feature.target) * feature.feature.depth_mm();
+    return sum;
+}
+
+class SimulatePlan : public testing::TestWithParam<const char*> {
+  protected:
+    static Plan plan() {
+        const Part part =
+            readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + GetParam() + ".step").front();
+        PlanRequest request;
+        request.sequence.material = "aluminium";
+        return planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+    }
+};
+
+TEST_P(SimulatePlan, CutsWhatItSaysAndNothingElse) {
+    const Plan planned = plan();
+    double removed = 0;
+    double margin = 0;
+    for (const PlannedSetup& setup : planned.setups) {
+        const double bottom = setup.setup.stock_bbox_mm.min().z();
+        HeightMap part(mapBox(setup.setup), kCellMm, bottom);
+        raisePart(part, setup.setup);
+        HeightMap stock(mapBox(setup.setup), kCellMm, bottom);
+        const Box2 box = mapBox(setup.setup);
+        stock.raise(makeRectangle(box.min, box.max), setup.setup.stock_bbox_mm.max().z());
+        for (const Operation& operation : setup.operations) {
+            const ToolAssembly& tool = planned.library.tool(operation.tool_id);
+            const HeightMap::Cut cut = stock.run(operation.path, tool.radius_mm(), kRimMm);
+            removed += cut.removed_mm3;
+            fmt::print(
+                "{:<18} {:<7} {:<7} {:<6} {:<10} {:>8.0f} mm3 {:>8.0f} mm fed {:>5.1f} % air, level {:>5.1f} "
+                "%, longest "
+                "{:>5.1f} mm, marked {:>5.1f} %, {:>6.1f} s\n",
+                GetParam(), operation.id, operation.feature_id, toString(operation.role), operation.tool_id,
+                cut.removed_mm3, cut.feed_mm, 100 * cut.air_mm / cut.feed_mm,
+                100 * cut.level_air_mm / std::max(1.0, cut.level_mm), cut.longest_air_mm,
+                100 * operation.path.totals.feed_air_length_mm / operation.path.totals.cut_length_mm,
+                operation.path.totals.time_s());
+            EXPECT_EQ(cut.rapid_hits, 0) << operation.id << " first at " << cut.first_hit.transpose();
+            EXPECT_GT(cut.removed_mm3, 0) << operation.id;
+            EXPECT_LE(cut.level_air_mm, kAirShare * cut.level_mm) << operation.id;
+        }
+        EXPECT_EQ(gouged(stock, part), 0) << setup.setup.id;
+        margin += 0.02 * kCellMm * wallArea(setup);
+    }
+    fmt::print("{:<18} planned {:.1f} mm3, removed {:.1f} mm3, margin {:.1f} mm3\n", GetParam(),
+               planned.balance.planned_mm3, removed, margin);
+    EXPECT_NEAR(removed, planned.balance.planned_mm3, 1e-3 * planned.balance.planned_mm3 + margin);
+}
+
+INSTANTIATE_TEST_SUITE_P(SampleParts, SimulatePlan,
+                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity", "four_setups",
+                                         "nested_pockets", "open_slots", "plate_with_holes", "rounded_pocket",
+                                         "shoulder_block"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+}  // namespace
+}  // namespace stepmill::test
