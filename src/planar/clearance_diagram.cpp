@@ -48,7 +48,7 @@ std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double d
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Graph& used = finer ? *finer : graph;
         std::vector<TracedLoop> loops = clearance::trace(used, side, distance, tol.linear_mm / 2);
-        if (clearance::keepDistance(index, used.set, loops, band)) return loops;
+        if (clearance::keepDistance(index, toRegion(loops, false).loops, band)) return loops;
         chord /= kFiner;
         finer = makeGraph(region, chord);
     }

@@ -83,21 +83,16 @@ bool SiteIndex::closerThan(const Vec2& p, double distance_mm) const {
     return false;
 }
 
-bool keepDistance(const SiteIndex& index, const SiteSet& set, const std::vector<TracedLoop>& loops,
-                  const DistanceBand& band) {
-    for (const TracedLoop& traced : loops) {
-        const std::optional<Loop> loop = toLoop(traced);
-        if (!loop) continue;
-        Vec2 from = loop->start;
-        for (const Segment& segment : loop->segments) {
-            for (double share : {0.0, 0.25, 0.5, 0.75})
-                if (index.closerThan(pointAt(from, segment, share), band.least_mm)) return false;
+bool keepDistance(const SiteIndex& index, const std::vector<Loop>& loops, const DistanceBand& band) {
+    for (const Loop& loop : loops) {
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            for (double share : {0.0, 0.25, 0.5, 0.75}) {
+                const Vec2 p = pointAt(from, segment, share);
+                if (index.closerThan(p, band.least_mm) || !index.closerThan(p, band.most_mm)) return false;
+            }
             from = segment.to;
         }
-        for (const Piece& piece : traced.pieces)
-            if (distanceToSite(set.sites[static_cast<std::size_t>(piece.site)],
-                               project(piece.curve, piece.from)) > band.most_mm)
-                return false;
     }
     return true;
 }

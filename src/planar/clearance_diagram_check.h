@@ -37,9 +37,8 @@ struct DistanceBand {
     double most_mm = 0;
 };
 
-/// Do joints and points between them keep at least that distance from the whole boundary, and at most that
-/// from the site they belong to? Catches a topology that the chords got wrong.
-bool keepDistance(const SiteIndex& index, const SiteSet& set, const std::vector<TracedLoop>& loops,
-                  const DistanceBand& band);
+/// Do joints and points between them keep that distance from the whole boundary? Catches a topology that the
+/// chords got wrong.
+bool keepDistance(const SiteIndex& index, const std::vector<Loop>& loops, const DistanceBand& band);
 
 }  // namespace stepmill::clearance

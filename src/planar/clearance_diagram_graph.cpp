@@ -217,6 +217,9 @@ void Builder::splitWhereClearanceTurns(const VEdge* e, Chain& chain) {
         if (!best || (m - near).norm() < (*best - near).norm()) best = m;
     if (!best || (*best - near).norm() > (to - from).norm() + 4 * chord_mm_) return;
     const double clearance = std::abs(signedDistance(site(p), chain.sides.front(), *best));
+    // On the circle, but is it on the arc?
+    if (std::max(distanceToSite(site(p), *best), distanceToSite(site(q), *best)) > clearance + chord_mm_)
+        return;
     chain.vertices.insert(chain.vertices.begin() + 1, addVertex(*best, clearance));
     chain.sides.push_back(chain.sides.front());
 }

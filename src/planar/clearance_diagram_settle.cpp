@@ -62,11 +62,12 @@ void settle(Vertex& vertex, const SiteSet& set, Side side, const std::vector<int
     const auto site = [&](int k) -> const Site& { return set.sites[static_cast<std::size_t>(k)]; };
     const Vec2 start = vertex.point;
     if (sites.size() < 3) {
-        // Chords put their bisector off by part of a sagitta: one site seems nearer, the other farther.
-        double sum = 0;
-        for (int k : sites)
-            sum += std::max(0.0, signedDistance(site(k), side, start));
-        vertex.clearance = sum / static_cast<double>(sites.size());
+        const double a = distanceToSite(site(sites.front()), start),
+                     b = distanceToSite(site(sites.back()), start);
+        // Chords put the bisector of two sites that face each other off by part of a sagitta: one seems
+        // nearer, the other farther. Neighbours pass on to each other smoothly.
+        const bool neighbours = sharedNormal(set, sites.front(), sites.back(), side, start).has_value();
+        vertex.clearance = neighbours ? std::min(a, b) : (a + b) / 2;
         return;
     }
     std::vector<Pair> pairs;
