@@ -76,10 +76,11 @@ class ComponentWriter {
             if (!has_passes) continue;
             const toolpath::LayerScript layer =
                 scriptLayer(task_, set_, i, last_, radius_mm_, path_.step_over_mm, rates_, tol_);
+            if (layer.steps.empty()) continue;
             if (!writeLoneRing(layer)) writeLayers(layer);
             last_ = writer_.at();
         }
-        writer_.retract();
+        if (!path_.moves.empty()) writer_.retract();
     }
 
   private:

@@ -47,7 +47,8 @@ class LayerPlanner {
           tol_(tol),
           obstruction_(edgesOf(task.obstruction)),
           passes_ground_(task, radius_mm),
-          swept_(task, radius_mm) {
+          swept_(task, radius_mm),
+          looked_at_(set.passes.size(), false) {
         for (const Edge& edge : edgesOf(region_)) {
             const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
             const bool open = cutsNothing(task.target, radius_mm, middle, tol);
@@ -63,8 +64,9 @@ class LayerPlanner {
     }
 
     LayerScript plan(const std::optional<Vec2>& from) {
-        while (left_ > 0)
+        for (dropCleared(); left_ > 0; dropCleared())
             if (!linkOn()) goTo();
+        if (script_.empty()) return {};
         // The layers after the first begin where this one ends.
         STEPMILL_CHECK(!descents_.empty() && descents_.front().step == 0, "a layer begins from above");
         LayerScript script;
@@ -110,6 +112,20 @@ class LayerPlanner {
             for (const Vec2& p : meetingPoints(way, side))
                 if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol_)) return false;
         return open_sides_.empty() || contains(region_, (a + b) / 2);
+    }
+
+    /// Passes whose turn it is over ground that is proven clear by now: an open side's, when the next one in
+    /// has reached the edge before.
+    void dropCleared() {
+        for (std::size_t i = 0; i < set_.passes.size(); ++i) {
+            if (done_[i] || looked_at_[i] || !isReady(static_cast<int>(i))) continue;
+            looked_at_[i] = true;
+            const std::vector<Edge> edges = edgesOf(set_.passes[i].path);
+            const auto is_clear = [&](const Edge& edge) { return swept_.isClear(edge); };
+            if (!std::all_of(edges.begin(), edges.end(), is_clear)) continue;
+            done_[i] = true;
+            --left_;
+        }
     }
 
     // At depth -------------------------------------------------------------------------------------------
@@ -199,11 +215,15 @@ class LayerPlanner {
             return true;
         }
         const Joint from_entry = jointWith(joint.pass, entry.at);
-        if (!isFree(entry.at, from_entry.at.point)) return false;
+        // An open edge's entry may lie outside the component, clear of everything.
+        const auto is_free = [&](const Vec2& a, const Vec2& b) {
+            return open ? isClearOfObstruction(a, b) : isFree(a, b);
+        };
+        if (!is_free(entry.at, from_entry.at.point)) return false;
         if (!goDown(entry, from_entry.at.point)) return false;
         entered_ = true;
         const Joint from_here = jointWith(joint.pass, at_);
-        const bool near = isFree(at_, from_here.at.point);
+        const bool near = is_free(at_, from_here.at.point);
         const Joint& best = near ? from_here : from_entry;
         if (!near) link(entry.at, true);
         if (open) linkThroughAir(best.at.point);
@@ -360,7 +380,8 @@ class LayerPlanner {
     std::vector<Edge> walls_;
     std::vector<Edge> open_sides_;
     std::vector<bool> done_;
-    int left_ = 0;  ///< passes not yet cut
+    std::vector<bool> looked_at_;  ///< by dropCleared()
+    int left_ = 0;                 ///< passes not yet cut
     bool entered_ = false;
     std::vector<ScriptStep> script_;
     std::vector<Descent> descents_;
