@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -15,6 +16,9 @@ namespace stepmill {
 namespace {
 
 using access::Blocker;
+
+/// Areas of one tool that differ by no more than this share are the same.
+constexpr double kSameShare = 1e-5;
 
 /// C_t before the question how to get there.
 std::vector<Region> centreComponents(const FeatureGround& ground, double radius_mm) {
@@ -37,33 +41,6 @@ Exclusion noEntry(const ToolAssembly& tool) {
                 "fits, but there is no open edge, no room for a helix or a straight ramp of {:.4g} mm, and "
                 "it does not cut to its centre",
                 tool.diameter_mm)};
-}
-
-/// Fills in the collision-free area; the exclusion when it lacks something of the coverable area.
-std::optional<Exclusion> checkCollisions(const FeatureGround& ground, const ToolAssembly& tool,
-                                         AccessibleArea& found) {
-    found.collision_free_area_mm2 = found.coverable_area_mm2;
-    const std::vector<Blocker> blockers = access::blockers(ground.feature(), tool);
-    if (blockers.empty()) return std::nullopt;
-    const Tolerances& tol = ground.tolerances();
-    const Region centres = access::collisionFreeCentres(ground, blockers, found.free_centres);
-    const Region swept = access::swept(centres, found.radius_mm, tol);
-    const Region lost = access::withoutSliverComponents(subtract(found.coverable, swept, tol), tol);
-    if (lost.empty()) return std::nullopt;
-    found.collision_free_area_mm2 = std::max(0.0, found.coverable_area_mm2 - area(lost));
-    const double depth_mm = ground.feature().depth_mm();
-    if (swept.empty() && tool.stick_out_mm < depth_mm)
-        return Exclusion{
-            ExclusionReason::TooShort,
-            fmt::format("reaches {:.4g} mm, the floor is {:.4g} mm deep", tool.stick_out_mm, depth_mm)};
-    const Blocker& lowest =
-        *std::min_element(blockers.begin(), blockers.end(),
-                          [](const auto& a, const auto& b) { return a.height_mm < b.height_mm; });
-    return Exclusion{
-        ExclusionReason::HolderCollision,
-        fmt::format("shank or holder ({:.4g} mm wide at {:.4g} mm over the tip) would touch standing "
-                    "material over {:.4g} of {:.4g} mm2",
-                    2 * lowest.radius_mm, lowest.height_mm, area(lost), found.coverable_area_mm2)};
 }
 
 /// Keeps the components the tool can get into. Were any left out?
@@ -95,6 +72,85 @@ void measureAreas(const FeatureGround& ground, bool all_components, AccessibleAr
     found.access_volume_mm3 = found.coverable_area_mm2 * ground.feature().depth_mm();
 }
 
+/// The areas as the obstruction alone has them; the exclusion when there are none.
+std::optional<Exclusion> reachAreas(const FeatureGround& ground, const ToolAssembly& tool,
+                                    AccessibleArea& found) {
+    std::vector<Region> centres = centreComponents(ground, found.radius_mm);
+    if (centres.empty()) return tooWide(ground, tool);
+    const bool all_components = keepEnterable(ground, tool, std::move(centres), found);
+    if (found.free_centres.empty()) return noEntry(tool);
+    measureAreas(ground, all_components, found);
+    found.collision_free_area_mm2 = found.coverable_area_mm2;
+    return std::nullopt;
+}
+
+/// Does some cylinder come nearer to standing material than it may at an entry beside the free centres?
+bool touchesAtEntry(const FeatureGround& ground, const std::vector<Blocker>& blockers,
+                    const AccessibleArea& found) {
+    return std::any_of(found.entries.begin(), found.entries.end(), [&](const Entry& entry) {
+        return entry.kind == EntryKind::OpenEdge &&
+               std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
+                   const Region& section = ground.feature().obstacles[blocker.obstacle].section;
+                   return contains(section, entry.at) ||
+                          distanceToBoundary(section, entry.at) < blocker.radius_mm;
+               });
+    });
+}
+
+/// Areas and entries with shank and holder clear of everything; nothing when no centre is left.
+std::optional<AccessibleArea> clearOfHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers,
+                                            const ToolAssembly& tool) {
+    const FeatureGround kept_off(access::withoutHolder(ground, blockers, tool.radius_mm()),
+                                 ground.tolerances());
+    if (kept_off.feature().target.empty()) return std::nullopt;
+    AccessibleArea found;
+    found.tool_id = tool.id;
+    found.radius_mm = tool.radius_mm();
+    if (reachAreas(kept_off, tool, found)) return std::nullopt;
+    found.obstruction = std::make_shared<const Region>(kept_off.feature().obstruction);
+    return found;
+}
+
+Exclusion collides(const FeatureGround& ground, const ToolAssembly& tool,
+                   const std::vector<Blocker>& blockers, const AccessibleArea& found, double lost_mm2) {
+    const double depth_mm = ground.feature().depth_mm();
+    if (found.collision_free_area_mm2 <= ground.tolerances().area_mm2 && tool.stick_out_mm < depth_mm)
+        return {ExclusionReason::TooShort,
+                fmt::format("reaches {:.4g} mm, the floor is {:.4g} mm deep", tool.stick_out_mm, depth_mm)};
+    const Blocker& lowest =
+        *std::min_element(blockers.begin(), blockers.end(),
+                          [](const auto& a, const auto& b) { return a.height_mm < b.height_mm; });
+    return {ExclusionReason::HolderCollision,
+            fmt::format("shank or holder ({:.4g} mm wide at {:.4g} mm over the tip) would touch standing "
+                        "material over {:.4g} of {:.4g} mm2",
+                        2 * lowest.radius_mm, lowest.height_mm, lost_mm2, found.coverable_area_mm2)};
+}
+
+/// Fills in the collision-free area; the exclusion when it lacks something of the coverable area. Where
+/// shank or holder only cost centres that are not needed, the areas are made anew without these.
+std::optional<Exclusion> checkCollisions(const FeatureGround& ground, const ToolAssembly& tool,
+                                         AccessibleArea& found) {
+    const std::vector<Blocker> blockers = access::blockers(ground.feature(), tool);
+    if (blockers.empty()) return std::nullopt;
+    const Tolerances& tol = ground.tolerances();
+    const Region centres = access::collisionFreeCentres(ground, blockers, found.free_centres);
+    const bool all_centres =
+        access::withoutSliverComponents(subtract(found.free_centres, centres, tol), tol).empty();
+    if (all_centres && !touchesAtEntry(ground, blockers, found)) return std::nullopt;
+    const Region swept = access::swept(centres, found.radius_mm, tol);
+    const Region lost = access::withoutSliverComponents(subtract(found.coverable, swept, tol), tol);
+    if (lost.empty()) {
+        auto clear = clearOfHolder(ground, blockers, tool);
+        const double slack_mm2 = std::max(tol.area_mm2, kSameShare * found.coverable_area_mm2);
+        if (clear && clear->coverable_area_mm2 >= found.coverable_area_mm2 - slack_mm2) {
+            found = std::move(*clear);
+            return std::nullopt;
+        }
+    }
+    found.collision_free_area_mm2 = std::max(0.0, found.coverable_area_mm2 - area(lost));
+    return collides(ground, tool, blockers, found, area(lost));
+}
+
 }  // namespace
 
 AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool,
@@ -108,23 +164,43 @@ AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& t
     }
     found.excluded = access::unsuitable(ground, tool, material);
     if (found.excluded && found.excluded->reason == ExclusionReason::WrongType) return found;
-
-    const auto exclude = [&](Exclusion why) {
-        if (!found.excluded) found.excluded = std::move(why);
-    };
-    std::vector<Region> centres = centreComponents(ground, found.radius_mm);
-    if (centres.empty()) {
-        exclude(tooWide(ground, tool));
-        return found;
-    }
-    const bool all_components = keepEnterable(ground, tool, std::move(centres), found);
-    if (found.free_centres.empty()) {
-        exclude(noEntry(tool));
-        return found;
-    }
-    measureAreas(ground, all_components, found);
-    if (auto collision = checkCollisions(ground, tool, found)) exclude(std::move(*collision));
+    auto trouble = reachAreas(ground, tool, found);
+    if (!trouble) trouble = checkCollisions(ground, tool, found);
+    if (trouble && !found.excluded) found.excluded = std::move(trouble);
     return found;
+}
+
+std::optional<AccessibleArea> limitedArea(const FeatureGround& ground, const ToolAssembly& tool,
+                                          const AccessibleArea& excluded) {
+    if (!excluded.excluded || excluded.excluded->reason != ExclusionReason::HolderCollision)
+        return std::nullopt;
+    if (tool.isDrill() || excluded.free_centres.empty()) return std::nullopt;
+    auto clear = clearOfHolder(ground, access::blockers(ground.feature(), tool), tool);
+    if (clear) clear->limited = excluded.excluded->text;
+    return clear;
+}
+
+Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+    const Feature& feature = ground.feature();
+    Reach reach{feature.floor_z_mm, 0};
+    for (const HolderCylinder& cylinder : access::cylindersOf(tool)) {
+        // Standing material only shrinks upwards: the first obstacle that costs nothing ends the search.
+        double clear_z_mm = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < feature.obstacles.size(); ++i) {
+            const Blocker blocker{i, cylinder.diameter_mm / 2, cylinder.bottom_mm};
+            const double needed_mm = feature.obstacles[i].top_z_mm - feature.floor_z_mm;
+            const bool in_question =
+                feature.floor_z_mm + cylinder.bottom_mm < feature.obstacles[i].top_z_mm ||
+                needed_mm > reach.stick_out_mm;
+            if (!in_question) continue;
+            if (access::lostTo(ground, blocker, area.free_centres, area.coverable, area.radius_mm).empty())
+                break;
+            clear_z_mm = feature.obstacles[i].top_z_mm;
+            reach.stick_out_mm = std::max(reach.stick_out_mm, needed_mm);
+        }
+        reach.floor_z_mm = std::max(reach.floor_z_mm, clear_z_mm - cylinder.bottom_mm);
+    }
+    return reach;
 }
 
 }  // namespace stepmill

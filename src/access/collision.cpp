@@ -1,5 +1,9 @@
 #include "access/collision.h"
 
+#include <algorithm>
+
+#include "access/slivers.h"
+#include "access/swept.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::access {
@@ -13,16 +17,22 @@ std::optional<std::size_t> obstacleAt(const Feature& feature, double z_mm) {
 
 }  // namespace
 
-std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool) {
-    std::vector<Blocker> found;
+std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool) {
+    std::vector<HolderCylinder> found;
     const auto consider = [&](const HolderCylinder& cylinder) {
-        if (cylinder.diameter_mm <= tool.diameter_mm) return;
-        if (const auto obstacle = obstacleAt(feature, feature.floor_z_mm + cylinder.bottom_mm))
-            found.push_back({*obstacle, cylinder.diameter_mm / 2, cylinder.bottom_mm});
+        if (cylinder.diameter_mm > tool.diameter_mm) found.push_back(cylinder);
     };
     consider(tool.shank);
-    for (const HolderCylinder& cylinder : tool.holder)
-        consider(cylinder);
+    std::for_each(tool.holder.begin(), tool.holder.end(), consider);
+    return found;
+}
+
+std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool) {
+    std::vector<Blocker> found;
+    for (const HolderCylinder& cylinder : cylindersOf(tool)) {
+        if (const auto obstacle = obstacleAt(feature, feature.floor_z_mm + cylinder.bottom_mm))
+            found.push_back({*obstacle, cylinder.diameter_mm / 2, cylinder.bottom_mm});
+    }
     return found;
 }
 
@@ -34,6 +44,27 @@ Region collisionFreeCentres(const FeatureGround& ground, const std::vector<Block
                            ground.tolerances());
     }
     return centres;
+}
+
+Feature withoutHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers, double radius_mm) {
+    const Tolerances& tol = ground.tolerances();
+    std::vector<Region> kept_off{ground.feature().obstruction};
+    for (const Blocker& blocker : blockers)
+        kept_off.push_back(ground.obstacleOffset(blocker.obstacle, blocker.radius_mm - radius_mm));
+    Feature feature = ground.feature();
+    feature.obstruction = unite(kept_off, tol);
+    feature.target = subtract(feature.target, feature.obstruction, tol);
+    feature.area_mm2 = area(feature.target);
+    feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
+    feature.obstacles.clear();
+    return feature;
+}
+
+Region lostTo(const FeatureGround& ground, const Blocker& blocker, const Region& centres,
+              const Region& coverable, double radius_mm) {
+    const Tolerances& tol = ground.tolerances();
+    const Region clear = collisionFreeCentres(ground, {blocker}, centres);
+    return withoutSliverComponents(subtract(coverable, swept(clear, radius_mm, tol), tol), tol);
 }
 
 }  // namespace stepmill::access

@@ -207,7 +207,7 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.centres = decomposed.centres;
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;
-    clearing.obstruction = feature.obstruction;
+    clearing.obstruction = n.area->obstruction ? *n.area->obstruction : feature.obstruction;
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;

@@ -43,6 +43,11 @@ std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& dri
     return {rim};
 }
 
+std::string longerTool(double diameter_mm, double stick_out_mm) {
+    return fmt::format("an end mill of {:.4g} mm with a stick-out of {:.4g} mm or a slimmer holder",
+                       diameter_mm, stick_out_mm);
+}
+
 struct Vote {
     int count = 0;
     std::string text;  ///< of the first tool voted for
@@ -91,12 +96,28 @@ std::string adviceFor(ExclusionReason reason, double widest_mm, double depth_mm)
 
 }  // namespace
 
-std::vector<Residual> leftOver(const FeatureGround& ground, const Candidate& last) {
+std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<const Candidate*>& used,
+                               const std::optional<Withheld>& withheld) {
     const Feature& feature = ground.feature();
     const Tolerances& tol = ground.tolerances();
+    const Candidate& last = *used.back();
     if (last.drill()) return drillPoint(feature, *last.tool);
     if (feature.area_mm2 - last.coverable_mm2 <= sameArea(feature, tol)) return {};
 
+    Region rest = feature.target;
+    // With a free holder the last tool's area holds those of all before it.
+    for (const Candidate* tool : used) {
+        if (tool == &last || !tool->area->limited.empty() || !last.area->limited.empty())
+            rest = subtract(rest, tool->area->coverable, tol);
+    }
+    Residual held_off;
+    if (withheld) {
+        held_off.reason = "holder collision";
+        held_off.advice = longerTool(withheld->diameter_mm, withheld->stick_out_mm);
+        for (const Region& piece : components(intersect(rest, withheld->coverable, tol)))
+            if (area(piece) > tol.area_mm2) add(held_off, piece, feature.depth_mm());
+        if (!held_off.region.empty()) rest = subtract(rest, withheld->coverable, tol);
+    }
     // A cusp in a corner is smaller than the square over the cutter's radius; more than that lies behind a
     // neck or in a slot the cutter does not fit.
     const double cusp_mm2 = last.tool->radius_mm() * last.tool->radius_mm();
@@ -106,7 +127,7 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const Candidate& las
     Residual narrows;
     narrows.reason = "no cutter narrow enough";
     double narrowest_mm = std::numeric_limits<double>::infinity();
-    for (const Region& piece : components(subtract(feature.target, last.area->coverable, tol))) {
+    for (const Region& piece : components(rest)) {
         const double piece_mm2 = area(piece);
         if (piece_mm2 <= tol.area_mm2) continue;
         const bool corner = piece_mm2 <= cusp_mm2;
@@ -116,10 +137,21 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const Candidate& las
     narrows.advice = fmt::format("an end mill of {:.4g} mm or less", narrowest_mm);
 
     std::vector<Residual> result;
-    for (Residual* residual : {&narrows, &corners}) {
+    for (Residual* residual : {&held_off, &narrows, &corners}) {
         if (!residual->region.empty()) result.push_back(std::move(*residual));
     }
     return result;
+}
+
+Residual belowReach(const Feature& feature, const Shallower& reached) {
+    Residual below;
+    below.region = feature.target;
+    below.area_mm2 = feature.area_mm2;
+    below.volume_mm3 = feature.area_mm2 * (reached.floor_z_mm - feature.floor_z_mm);
+    below.reason = fmt::format("too deep (the tools reach {:.4g} of {:.4g} mm)",
+                               feature.top_z_mm - reached.floor_z_mm, feature.depth_mm());
+    below.advice = longerTool(reached.diameter_mm, reached.stick_out_mm);
+    return below;
 }
 
 Residual wholeFeature(const FeatureGround& ground, const std::vector<AccessibleArea>& areas,

@@ -3,11 +3,17 @@
 #include <vector>
 
 #include "sequence/candidate.h"
+#include "sequence/holder_limits.h"
 
 namespace stepmill {
 
-/// What stays of a feature after its last tool, by reason.
-std::vector<Residual> leftOver(const FeatureGround& ground, const Candidate& last);
+/// What stays of a feature after the tools of a sequence, by reason.
+/// \pre at least one tool
+std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<const Candidate*>& used,
+                               const std::optional<Withheld>& withheld);
+
+/// The part of a feature between its floor and the depth its tools reach.
+Residual belowReach(const Feature& feature, const Shallower& reached);
 
 /// The whole feature, because no tool can do anything in it: the reason most of the tools that are narrow
 /// enough were turned down for, or that none is.

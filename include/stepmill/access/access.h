@@ -93,6 +93,12 @@ struct AccessibleArea {
     double coverable_area_mm2 = 0;
     double collision_free_area_mm2 = 0;  ///< A'_t within the target [DSouza2006, Alg. 3]
     double access_volume_mm3 = 0;        ///< coverable area x depth [Lim2000]
+    /// What the axis keeps its radius from: the feature's obstruction, and around it where shank or holder
+    /// would touch. Null: the feature's obstruction alone.
+    std::shared_ptr<const Region> obstruction;
+    /// Where shank or holder hold the tool off part of what its cutter could reach, in words with the
+    /// numbers; empty when nothing does. Set by limitedArea().
+    std::string limited;
     /// Set when the tool cannot be used; the areas then tell what it could do without that.
     std::optional<Exclusion> excluded;
     /// Diagram of `accessible`, which every pair that starts with this tool shrinks; copies share it. May be
@@ -103,6 +109,20 @@ struct AccessibleArea {
 /// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.
 AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool,
                               const std::string& material);
+
+/// The areas of a tool that accessibleArea() excluded for collisions of its holder, shrunk to where the
+/// holder is clear, with `limited` instead of `excluded`. Nothing when the tool was turned down for
+/// something else, or when nothing is left for it.
+std::optional<AccessibleArea> limitedArea(const FeatureGround& ground, const ToolAssembly& tool,
+                                          const AccessibleArea& excluded);
+
+/// How deep a tool can go in a feature before its shank or holder costs it some of the area its cutter
+/// reaches.
+struct Reach {
+    double floor_z_mm = 0;    ///< lowest floor at which nothing is lost; the feature's own if that is
+    double stick_out_mm = 0;  ///< what would do for the feature's own floor
+};
+Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area);
 
 /// What tool n has to sweep after the larger tool m [algorithms.md, section 4].
 struct DecomposedArea {

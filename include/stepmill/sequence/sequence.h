@@ -59,6 +59,8 @@ struct SequenceStep {
 /// The cheapest sequence of tools for one feature, with all that was weighed.
 struct ToolSequence {
     std::string feature_id;
+    /// Depth the steps cut to: the feature's floor, or higher where no tool gets down to that.
+    double floor_z_mm = 0;
     std::vector<AccessibleArea> tools;  ///< every tool of the library, falling diameter, with exclusions
     std::vector<DagEdge> edges;         ///< evaluated edges, by from then to
     std::vector<SequenceStep> steps;    ///< empty when no tool can machine anything
@@ -87,6 +89,10 @@ double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea
 /// The optimal tool sequence for a feature: areas of all tools, costs of all DAG edges on real paths
 /// (evaluated in parallel), the cheapest path [algorithms.md, section 7]. The result does not depend on the
 /// number of threads. At most n(n+1)/2 edges are evaluated.
+///
+/// Tools whose holder only lets them do part of the feature take part with that part where they reach more
+/// than all others. Where going less deep machines more than that, the steps end at the depth the best tool
+/// reaches, and what is below is residual ("too deep").
 ToolSequence sequenceTools(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                            const SequenceOptions& options, const Tolerances& tol);
 

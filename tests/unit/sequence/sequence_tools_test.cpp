@@ -84,15 +84,68 @@ TEST(SequenceTools, NamesTheCutterThatWouldFitWhenNoneDoes) {
     EXPECT_DOUBLE_EQ(residualVolume(sequence), slot.volume_mm3);
 }
 
-TEST(SequenceTools, SaysThatAFeatureIsTooDeep) {
+TEST(SequenceTools, EndsAtTheDepthTheToolReachesWhereTheFloorIsTooDeep) {
     const Feature deep = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(40, 40), 6), 80);
     ToolAssembly mill = makeMill(10);
     mill.holder.push_back({40, 60, 100});
     const ToolSequence sequence =
         sequenceTools(deep, makeLibrary({mill}), makeMachine(), inAluminium(), kTol);
-    EXPECT_TRUE(sequence.steps.empty());
+    ASSERT_EQ(toolsOf(sequence), std::vector<std::string>{"EM10"});
+    EXPECT_NEAR(sequence.floor_z_mm, -60, 1e-3);
+    double deepest = 0;
+    for (const Move& move : sequence.steps[0].path.moves)
+        deepest = std::min(deepest, move.to.z());
+    EXPECT_DOUBLE_EQ(deepest, sequence.floor_z_mm);
     ASSERT_EQ(sequence.residual.size(), 1U);
     EXPECT_EQ(sequence.residual[0].reason.rfind("too deep", 0), 0U) << sequence.residual[0].reason;
+    EXPECT_NEAR(residualVolume(sequence), 20 * deep.area_mm2, 1e-2 * deep.area_mm2);
+    EXPECT_NE(sequence.residual[0].advice.find("stick-out of 80 mm"), std::string::npos)
+        << sequence.residual[0].advice;
+}
+
+TEST(SequenceTools, AToolItsHolderKeepsOffAWallMachinesTheRest) {
+    // 30 mm deep; the holder, 30 mm wide and 25 mm over the tip, keeps 10 mm of the walls from the cutter.
+    const Feature room = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(200, 200), 5), 30);
+    ToolAssembly mill = makeMill(10);
+    mill.stick_out_mm = 25;
+    mill.holder.push_back({30, 25, 80});
+    const ToolSequence sequence =
+        sequenceTools(room, makeLibrary({mill}), makeMachine(), inAluminium(), kTol);
+    // Going down 25 of 30 mm everywhere machines less than 180 x 180 of 200 x 200 mm2 to the floor would:
+    // 0.833 against 0.81, so the depth ends first here.
+    ASSERT_EQ(sequence.steps.size(), 1U);
+    EXPECT_NEAR(sequence.floor_z_mm, -25, 1e-3);
+
+    mill.holder[0].diameter_mm = 20;
+    const ToolSequence slimmer = sequenceTools(room, makeLibrary({mill}), makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(slimmer.steps.size(), 1U);
+    EXPECT_DOUBLE_EQ(slimmer.floor_z_mm, -30);
+    ASSERT_FALSE(slimmer.tools[0].excluded);
+    EXPECT_FALSE(slimmer.tools[0].limited.empty());
+    ASSERT_EQ(slimmer.residual.size(), 1U);
+    EXPECT_EQ(slimmer.residual[0].reason, "holder collision");
+    EXPECT_NE(slimmer.residual[0].advice.find("stick-out of 30 mm"), std::string::npos);
+    // A frame 5 mm wide, its inner corners as round as the cutter, its outer ones as round as the pocket's.
+    const double frame_mm2 = room.area_mm2 - (190.0 * 190.0 - (4 - kPi) * 25);
+    EXPECT_NEAR(slimmer.residual[0].area_mm2, frame_mm2, 0.1);
+    // The axis never comes nearer to the walls than the holder may.
+    for (const Move& move : slimmer.steps[0].path.moves) {
+        if (move.to.z() >= -5) continue;
+        EXPECT_LE((move.to.head<2>() - Vec2(100, 100)).cwiseAbs().maxCoeff(), 90.0 + 1e-6);
+    }
+}
+
+TEST(SequenceTools, AToolFreeEverywhereLeavesNoneToBeLimited) {
+    const Feature room = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(200, 200), 5), 30);
+    ToolAssembly stubby = makeMill(8);
+    stubby.stick_out_mm = 25;
+    stubby.holder.push_back({20, 25, 80});
+    const ToolSequence sequence =
+        sequenceTools(room, makeLibrary({makeMill(10), stubby}), makeMachine(), inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM10"});
+    ASSERT_TRUE(sequence.tools[1].excluded);
+    EXPECT_EQ(sequence.tools[1].excluded->reason, ExclusionReason::HolderCollision);
+    EXPECT_TRUE(sequence.residual.empty());
 }
 
 TEST(SequenceTools, NoEdgeFollowsAToolThatLeavesNothing) {
@@ -111,7 +164,7 @@ Feature makeHole(FeatureClass feature_class) {
 
 TEST(SequenceTools, DrillsAThroughHoleOfTheDrillsSizeBeyondItsFloor) {
     const ToolSequence sequence = sequenceTools(makeHole(FeatureClass::HoleThrough),
-                                                makeLibrary({makeDrill(8), makeDrill(7), makeMill(6)}),
+                                                makeLibrary({makeDrill(8), makeDrill(7), makeMill(6, 300)}),
                                                 makeMachine(), inAluminium(), kTol);
     ASSERT_EQ(toolsOf(sequence), std::vector<std::string>{"DR8"});
     EXPECT_EQ(sequence.steps[0].role, Role::Drill);

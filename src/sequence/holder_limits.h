@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stepmill/sequence/sequence.h"
+
+namespace stepmill {
+
+/// What the cutter that reaches most of a feature could clear, were it not for its holder.
+struct Withheld {
+    Region coverable;
+    double diameter_mm = 0;
+    double stick_out_mm = 0;  ///< with which it would
+};
+
+/// A smaller depth that one tool reaches with nothing lost to its holder.
+struct Shallower {
+    double floor_z_mm = 0;
+    double volume_mm3 = 0;  ///< that the tool clears down to there
+    double diameter_mm = 0;
+    double stick_out_mm = 0;  ///< that would do for the whole depth
+};
+
+/// Replaces the areas of tools that their holder keeps off part of the feature by what is left for them,
+/// where that is more than every tool reaches that is free everywhere. Nothing is withheld when the free
+/// tools reach as much as any cutter could.
+/// \param free_mm2  most that a tool free everywhere covers
+std::optional<Withheld> admitLimited(const FeatureGround& ground, const ToolLibrary& library, double free_mm2,
+                                     std::vector<AccessibleArea>& areas);
+
+/// The depth at which some tool of `areas` that was turned down for its reach clears most; nothing when
+/// none clears noticeably more than `known_mm3`.
+std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,
+                                   const std::vector<AccessibleArea>& areas, double known_mm3);
+
+/// The feature down to a higher floor only; target, obstruction and obstacles stay, which is on the safe
+/// side since what stands shrinks upwards.
+Feature withFloor(Feature feature, double floor_z_mm);
+
+}  // namespace stepmill
