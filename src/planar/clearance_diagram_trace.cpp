@@ -9,6 +9,8 @@ namespace stepmill::clearance {
 
 namespace {
 
+// Parts whose largest clearance exceeds the distance by no more are nothing.
+constexpr double kNothing_mm = 5e-6;
 // Loops on both sides of a closed neck keep this far from its vertex.
 constexpr double kStepBack_mm = 1e-3;
 
@@ -26,7 +28,7 @@ class Tracer {
     bool above(int n) const { return above_[static_cast<std::size_t>(n)] != 0; }
 
     void findAbove();
-    void closeTies();
+    void dropSpecks();
     void findCrossings();
     void pairUp();
     Vec2 rough(int h) const;
@@ -47,12 +49,12 @@ class Tracer {
 void Tracer::findAbove() {
     for (const Vertex& v : graph_.vertices)
         above_.push_back(v.clearance > distance_ + (v.neck ? std::max(tie_, kShort_mm) : kShort_mm));
-    closeTies();
+    dropSpecks();
 }
 
-/// What is nowhere farther from the boundary than a tie is nothing: else its opening, hardly more than the
+/// What is nowhere farther from the boundary than rounding is nothing: else its opening, hardly more than the
 /// disc itself, could be opened again or not as rounding decides.
-void Tracer::closeTies() {
+void Tracer::dropSpecks() {
     // Parts that hang together are sets with a root; the root knows the largest clearance.
     std::vector<int> parent(graph_.vertices.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -71,7 +73,7 @@ void Tracer::closeTies() {
         parent[static_cast<std::size_t>(a_higher ? b : a)] = a_higher ? a : b;
     }
     for (std::size_t n = 0; n < above_.size(); ++n)
-        if (above_[n] && vertex(root(static_cast<int>(n))).clearance <= distance_ + tie_) above_[n] = 0;
+        if (above_[n] && vertex(root(static_cast<int>(n))).clearance <= distance_ + kNothing_mm) above_[n] = 0;
 }
 
 void Tracer::findCrossings() {
