@@ -1,0 +1,85 @@
+// Draws what one cutter reaches in a pocket, what it leaves to a smaller one, and the rings of a
+// contour-parallel path: the pictures of docs/algorithms. Usage: draw_areas FOLDER
+
+#include <filesystem>
+
+#include <fmt/core.h>
+
+#include "stepmill/core/file.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/region_text.h"
+
+namespace stepmill {
+namespace {
+
+struct Layer {
+    std::string data;  ///< SVG path data
+    std::string fill;
+    std::string stroke;
+};
+
+std::string svg(const Box2& frame, const std::vector<Layer>& layers) {
+    constexpr double kMarginMm = 3;
+    const Box2 box = frame.grown(kMarginMm);
+    std::string text = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">"
+        "<g transform=\"scale(1,-1)\" stroke-width=\"0.35\" fill-rule=\"nonzero\">\n",
+        box.min.x(), -box.max.y(), box.size().x(), box.size().y());
+    for (const Layer& layer : layers)
+        text +=
+            fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", layer.data, layer.fill, layer.stroke);
+    return text + "</g></svg>\n";
+}
+
+/// The butterfly of step_parts: lobes joined by necks, and an island.
+Region butterfly(const Tolerances& tol) {
+    const Region lobes =
+        unite(makeRoundedRectangle({0, 0}, {34, 40}, 5), makeRoundedRectangle({42, 4}, {80, 36}, 5), tol);
+    const Region joined = unite(lobes, makeRectangle({30, 14}, {46, 25}), tol);
+    return subtract(joined, makeCircle({61, 20}, 6), tol);
+}
+
+void draw(const std::filesystem::path& folder) {
+    const Tolerances tol;
+    const Region pocket = butterfly(tol);
+    const Box2 frame = boundingBox(pocket);
+    const ClearanceDiagram diagram(pocket, tol);
+    constexpr double kLargeMm = 7;
+    constexpr double kSmallMm = 3;
+    const Region large_centres = diagram.offset(-kLargeMm);
+    const Region small_centres = diagram.offset(-kSmallMm);
+    const Layer walls{toSvgPath(pocket), "none", "#1d2733"};
+
+    writeFile(folder / "accessible-area.svg",
+              svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"},
+                          {toSvgPath(diagram.opening(kLargeMm)), "#8ec9e3", "none"},
+                          {toSvgPath(large_centres), "#4d9cc0", "#0b4f75"},
+                          walls}));
+
+    const Region rest_centres = subtract(small_centres, offset(large_centres, kLargeMm - kSmallMm, tol), tol);
+    writeFile(folder / "decomposed-area.svg",
+              svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"},
+                          {toSvgPath(offset(rest_centres, kSmallMm, tol)), "#f4c97a", "none"},
+                          {toSvgPath(rest_centres), "#d08a1e", "#8a5600"},
+                          walls}));
+
+    std::string rings;
+    for (const Region& ring : diagram.rings(kSmallMm, kSmallMm))
+        rings += toSvgPath(ring);
+    writeFile(folder / "rings.svg",
+              svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"}, {rings, "none", "#0b4f75"}, walls}));
+}
+
+}  // namespace
+}  // namespace stepmill
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        fmt::print(stderr, "usage: draw_areas FOLDER\n");
+        return 2;
+    }
+    std::filesystem::create_directories(argv[1]);
+    stepmill::draw(argv[1]);
+    return 0;
+}
