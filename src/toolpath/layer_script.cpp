@@ -48,6 +48,7 @@ class LayerPlanner {
           obstruction_(edgesOf(task.obstruction)),
           passes_ground_(task, radius_mm),
           swept_(task, radius_mm),
+          was_cut_(set.passes.size(), false),
           looked_at_(set.passes.size(), false) {
         for (const Edge& edge : edgesOf(region_)) {
             const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
@@ -56,11 +57,10 @@ class LayerPlanner {
         }
         for (const Pass& pass : set.passes) {
             done_.push_back(pass.component != component);
-            if (done_.back()) continue;
-            ++left_;
-            for (const Edge& edge : edgesOf(pass.path))
-                passes_ground_.add(edge);
+            if (!done_.back()) ++left_;
         }
+        dropNeedless();
+        passes_ground_ = groundOfPasses(-1);
     }
 
     LayerScript plan(const std::optional<Vec2>& from) {
@@ -114,17 +114,46 @@ class LayerPlanner {
         return open_sides_.empty() || contains(region_, (a + b) / 2);
     }
 
+    /// What the passes still to be cut will sweep, but for one.
+    SweptGround groundOfPasses(int without) const {
+        SweptGround ground(task_, radius_mm_);
+        for (int i = 0; i < static_cast<int>(set_.passes.size()); ++i) {
+            if (isDone(i) || i == without) continue;
+            for (const Edge& edge : edgesOf(pass(i).path))
+                ground.add(edge);
+        }
+        return ground;
+    }
+
+    static bool isClearAlong(const SweptGround& ground, const Path& path) {
+        const std::vector<Edge> edges = edgesOf(path);
+        return std::all_of(edges.begin(), edges.end(),
+                           [&](const Edge& edge) { return ground.isClear(edge); });
+    }
+
+    void settle(int i) {
+        done_[static_cast<std::size_t>(i)] = true;
+        --left_;
+    }
+
+    /// Innermost rings whose ground the next ones out take as well: these are then the ones that cut full
+    /// width, as the innermost always does.
+    void dropNeedless() {
+        for (int i = 0; i < static_cast<int>(set_.passes.size()); ++i) {
+            const bool innermost = pass(i).closed && pass(i).after.empty() && !pass(i).neighbours.empty() &&
+                                   std::all_of(pass(i).neighbours.begin(), pass(i).neighbours.end(),
+                                               [&](int j) { return pass(j).level < pass(i).level; });
+            if (!isDone(i) && innermost && isClearAlong(groundOfPasses(i), pass(i).path)) settle(i);
+        }
+    }
+
     /// Passes whose turn it is over ground that is proven clear by now: an open side's, when the next one in
     /// has reached the edge before.
     void dropCleared() {
         for (std::size_t i = 0; i < set_.passes.size(); ++i) {
             if (done_[i] || looked_at_[i] || !isReady(static_cast<int>(i))) continue;
             looked_at_[i] = true;
-            const std::vector<Edge> edges = edgesOf(set_.passes[i].path);
-            const auto is_clear = [&](const Edge& edge) { return swept_.isClear(edge); };
-            if (!std::all_of(edges.begin(), edges.end(), is_clear)) continue;
-            done_[i] = true;
-            --left_;
+            if (isClearAlong(swept_, set_.passes[i].path)) settle(static_cast<int>(i));
         }
     }
 
@@ -189,7 +218,7 @@ class LayerPlanner {
             return true;
         }
         for (const int neighbour : next.neighbours) {
-            if (!isDone(neighbour)) continue;
+            if (!was_cut_[static_cast<std::size_t>(neighbour)]) continue;
             // The pair of points that is nearest from the pass' start or, when closed, from the last place.
             const NearestPoint landing = nearestOn(pass(neighbour).path, joint.at.point);
             const Joint from_there = jointWith(joint.pass, landing.point);
@@ -204,12 +233,11 @@ class LayerPlanner {
     }
 
     bool enter(const Joint& joint, bool ready) {
-        const Pass& next = pass(joint.pass);
         const Entry& entry = entry_;
         const bool open = entry.kind == EntryKind::OpenEdge;
         // Through material a component is entered once a layer, and only for a pass whose turn it is.
         if (!open && (!ready || entered_)) return false;
-        if (!open && next.closed && entry.kind != EntryKind::Plunge && isAsWideAsEntry(next.path)) {
+        if (rampIsBetter(entry, joint)) {
             entered_ = true;
             rampInto(joint);
             return true;
@@ -232,13 +260,23 @@ class LayerPlanner {
         return true;
     }
 
+    /// A ring saves the way from a helix or ramp; from an open edge the way to it may be longer than a ramp.
+    bool rampIsBetter(const Entry& entry, const Joint& joint) const {
+        const Path& path = pass(joint.pass).path;
+        if (!pass(joint.pass).closed || entry.kind == EntryKind::Plunge) return false;
+        if (entry.kind != EntryKind::OpenEdge) return isAsWideAsEntry(path);
+        return jointWith(joint.pass, entry.at).distance_mm > rates_.descent_mm &&
+               boundingBox(path).size().maxCoeff() >= 2 * radius_mm_;
+    }
+
     /// A curve narrower than the helix or ramp found for the tool would be steep for its middle, where it
     /// may not cut.
     bool isAsWideAsEntry(const Path& curve) const {
         const double width = boundingBox(curve).size().maxCoeff();
         const double entry_width = entry_.kind == EntryKind::Helix ? 2 * entry_.helix_radius_mm
                                                                    : (entry_.ramp_to - entry_.at).norm();
-        return width >= entry_width;
+        // A helix that fills its room is a ring but for the guard.
+        return width >= entry_width - 2 * onBoundaryMm(tol_);
     }
 
     /// Adds the way down; false when the entry does not keep the guard from the walls.
@@ -359,8 +397,8 @@ class LayerPlanner {
     void finish(int i, const Path& path) {
         for (const Edge& edge : edgesOf(path))
             swept_.add(edge);
-        done_[static_cast<std::size_t>(i)] = true;
-        --left_;
+        settle(i);
+        was_cut_[static_cast<std::size_t>(i)] = true;
         last_ = i;
         at_ = path.end();
     }
@@ -379,7 +417,8 @@ class LayerPlanner {
     /// Boundary of the component, walled and open.
     std::vector<Edge> walls_;
     std::vector<Edge> open_sides_;
-    std::vector<bool> done_;
+    std::vector<bool> done_;  ///< cut, found needless, or another component's
+    std::vector<bool> was_cut_;
     std::vector<bool> looked_at_;  ///< by dropCleared()
     int left_ = 0;                 ///< passes not yet cut
     bool entered_ = false;

@@ -31,12 +31,12 @@ bool SweptGround::isClear(const Edge& way, const Square& square, const Edges& ne
         nearest = std::min(nearest, distance);
         if (distance - reach < radius_mm_) still_near.push_back(edge);
     }
-    if (!task_.cleared_centres.empty()) {
-        const double distance = distanceToRegion(task_.cleared_centres, p);
+    if (!task_->cleared_centres.empty()) {
+        const double distance = distanceToRegion(task_->cleared_centres, p);
         if (distance + reach <= radius_mm_) return true;
         nearest = std::min(nearest, distance);
     }
-    const double off_target = distanceToRegion(task_.target, p);
+    const double off_target = distanceToRegion(task_->target, p);
     if (off_target >= reach) return true;
     if (off_way < inner && off_target == 0 && nearest > radius_mm_) return false;
     // Covers that end within half a cusp of the way's rim are no covers.

@@ -17,7 +17,8 @@ inline constexpr double kCuspShare = 0.01;
 /// within one disc that has been there. They err towards "not cleared", and by cusps of kCuspShare.
 class SweptGround {
   public:
-    SweptGround(const ClearingTask& task, double radius_mm) : task_(task), radius_mm_(radius_mm) {}
+    /// Keeps `task`.
+    SweptGround(const ClearingTask& task, double radius_mm) : task_(&task), radius_mm_(radius_mm) {}
 
     void add(const Edge& edge) { swept_.push_back(edge); }
 
@@ -34,7 +35,7 @@ class SweptGround {
     };
     bool isClear(const Edge& way, const Square& square, const Edges& near) const;
 
-    const ClearingTask& task_;
+    const ClearingTask* task_;
     double radius_mm_;
     std::vector<Edge> swept_;
 };

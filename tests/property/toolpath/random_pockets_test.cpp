@@ -99,5 +99,8 @@ TEST_P(RandomPockets, AreFinishedByASmallerTool) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPockets, testing::Range(1U, 61U));
 
+/// Regions whose offsets once came out wrong: near-tangent arcs, crescents, closed necks.
+INSTANTIATE_TEST_SUITE_P(HardOffsets, RandomPockets, testing::Values(115U, 165U, 179U, 269U));
+
 }  // namespace
 }  // namespace stepmill

@@ -93,6 +93,39 @@ TEST(ClearArea, StaysBelowTheTopBetweenDepthsOfAPocket) {
     EXPECT_EQ(at_retract, 1) << "the last move alone goes up to the retract height";
 }
 
+TEST(ClearArea, BoresAHoleAsOneHelixAndALevelTurn) {
+    const Region hole = makeCircle({0, 0}, 6);
+    const ClearingTask task = fullTask(hole, blockAround(hole, {}, kTol), 4, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(4, 2), kMachine, kTol);
+    ASSERT_EQ(path.layers, 3);
+    expectSound(path, task, 4);
+    const double helix_mm = 6.2 / std::sin(degToRad(3));
+    EXPECT_NEAR(path.totals.cut_length_mm, 0.8 + helix_mm + 2 * kPi * 2, 0.02);
+    for (const Move& move : path.moves)
+        EXPECT_TRUE(move.kind != MoveKind::Feed || move.to.z() == -6);
+}
+
+TEST(ClearArea, GoesRoundALongRingOnceADepthAndLevelsItsLastRamp) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {80, 14}, 6);
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
+    expectSound(path, task, 5);
+    const double ring_mm = perimeter(task.free_centres);
+    const double ramp_mm = 2.2 / std::tan(degToRad(3));
+    EXPECT_NEAR(path.totals.cut_length_mm, 3 * ring_mm + ramp_mm, 1.5);
+}
+
+TEST(ClearArea, LeavesOutAnInnermostRingThatTheNextOneCovers) {
+    // Centres of 74 x 9.8: the ring one step-over in would be 0.8 wide, and the cutter is 10.
+    const Region pocket = makeRoundedRectangle({0, 0}, {84, 19.8}, 5.5);
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4.5, 6), kMachine, kTol);
+    expectSound(path, task, 5);
+    for (const Path& chain : topView(path))
+        for (const Segment& segment : chain.segments)
+            EXPECT_NEAR(distanceToBoundary(pocket, segment.to), 5, 0.01);
+}
+
 TEST(ClearArea, GoesOverTheRetractHeightBetweenPockets) {
     const Region pockets =
         unite(makeRoundedRectangle({0, 0}, {30, 40}, 6), makeRoundedRectangle({40, 0}, {70, 40}, 6), kTol);
