@@ -15,7 +15,9 @@ using clearance::TracedLoop;
 
 // A topology that fails its check is built again with chords this many times finer.
 constexpr double kFiner = 16;
-constexpr int kAttempts = 3;
+// The first attempt's chords are coarser than asked for: they only decide which sites meet.
+constexpr double kCoarser = 3;
+constexpr int kAttempts = 4;
 
 Graph makeGraph(const Region& region, double chord_mm) {
     return clearance::buildGraph(clearance::makeSites(region, chord_mm), chord_mm);
@@ -43,7 +45,7 @@ struct ClearanceDiagram::Impl {
 /// Traces, and where the self check finds chords too coarse, again on finer ones.
 std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double distance) const {
     const clearance::DistanceBand band{distance - tol.gouge_mm / 2, distance + tol.linear_mm};
-    double chord = tol.chord_mm;
+    double chord = kCoarser * tol.chord_mm;
     std::optional<Graph> finer;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         const Graph& used = finer ? *finer : graph;
@@ -59,7 +61,7 @@ std::vector<TracedLoop> ClearanceDiagram::Impl::traceChecked(Side side, double d
 ClearanceDiagram::ClearanceDiagram(const Region& region, const Tolerances& tol)
     : impl_(std::make_unique<Impl>(Impl{region, tol, {}, {}})) {
     if (region.empty()) return;
-    impl_->graph = makeGraph(region, tol.chord_mm);
+    impl_->graph = makeGraph(region, kCoarser * tol.chord_mm);
     impl_->index = clearance::SiteIndex(impl_->graph.set);
 }
 ClearanceDiagram::~ClearanceDiagram() = default;

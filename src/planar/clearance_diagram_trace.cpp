@@ -73,7 +73,8 @@ void Tracer::dropSpecks() {
         parent[static_cast<std::size_t>(a_higher ? b : a)] = a_higher ? a : b;
     }
     for (std::size_t n = 0; n < above_.size(); ++n)
-        if (above_[n] && vertex(root(static_cast<int>(n))).clearance <= distance_ + kNothing_mm) above_[n] = 0;
+        if (above_[n] && vertex(root(static_cast<int>(n))).clearance <= distance_ + kNothing_mm)
+            above_[n] = 0;
 }
 
 void Tracer::findCrossings() {

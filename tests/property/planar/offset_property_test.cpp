@@ -133,6 +133,18 @@ TEST_P(OffsetLaws, OpeningLiesInsideAndShrinksAsTheCutterGrows) {
     }
 }
 
+TEST_P(OffsetLaws, OpeningTwiceIsOpeningOnce) {
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed) + 4000);
+        const Region region = randomRegion(random, GetParam());
+        const double radius = coordinate(random, GetParam(), 0.5, 2.5);
+        const Region once = ClearanceDiagram(region, kTol).opening(radius);
+        const Region twice = ClearanceDiagram(once, kTol).opening(radius);
+        EXPECT_NEAR(area(twice), area(once), 1e-6 * std::max(1.0, area(once)));
+    }
+}
+
 TEST_P(OffsetLaws, TranslationAndStartVertexDoNotMatter) {
     for (int seed = 0; seed < kSeeds; ++seed) {
         SCOPED_TRACE(seed);
