@@ -48,8 +48,9 @@ class ProgressLine {
 };
 
 bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol) {
-    const bool doubtful = std::any_of(plan.warnings.begin(), plan.warnings.end(),
-                                      [](const Warning& warning) { return warning.code == "unit-doubt"; });
+    const bool doubtful = std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const Warning& warning) {
+        return warning.code == "unit-doubt" || warning.code == "input-doubt";
+    });
     return !plan.complete(tol) || doubtful || (options.strict && !plan.warnings.empty());
 }
 

@@ -12,6 +12,11 @@
 namespace stepmill {
 namespace {
 
+/// Codes of remarks.
+constexpr const char* kUnitDoubt = "unit-doubt";
+constexpr const char* kInputDoubt = "input-doubt";
+constexpr const char* kForTheRecord = "part";
+
 /// Longer than the travel of common machining centres, shorter than what a cutter can follow: taken, but
 /// a wrong unit is likelier than such a part.
 constexpr double kDoubtfulLarge_mm = 3000;
@@ -101,7 +106,7 @@ std::string plural(int count, const std::string& one) {
     return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-void remarkStrays(const Strays& strays, std::vector<std::string>& remarks) {
+void remarkStrays(const Strays& strays, std::vector<Remark>& remarks) {
     std::string list;
     const auto add = [&](int count, const std::string& one) {
         if (count > 0) list += (list.empty() ? "" : ", ") + plural(count, one);
@@ -110,25 +115,27 @@ void remarkStrays(const Strays& strays, std::vector<std::string>& remarks) {
     add(strays.faces, "free face");
     add(strays.edges, "wire edge");
     add(strays.points, "point");
-    if (!list.empty()) remarks.push_back("ignored beside the solids: " + list);
+    if (!list.empty()) remarks.push_back({kForTheRecord, "ignored beside the solids: " + list});
 }
 
-std::vector<std::string> fileRemarks(const StepText& text, const StepImport& import,
-                                     const ReadOptions& options) {
-    std::vector<std::string> remarks = text.remarks;
+std::vector<Remark> fileRemarks(const StepText& text, const StepImport& import, const ReadOptions& options) {
+    std::vector<Remark> remarks;
+    for (const std::string& remark : text.remarks)
+        remarks.push_back({kForTheRecord, remark});
     remarkStrays(import.strays, remarks);
     if (import.units.empty() && options.unit.empty())
-        remarks.emplace_back(
-            "the file names no length unit; millimetre assumed, --unit inch if inches were meant");
+        remarks.push_back(
+            {kUnitDoubt,
+             "the file names no length unit; millimetre assumed, --unit inch if inches were meant"});
     if (import.units.size() > 1)
-        remarks.emplace_back("the file mixes length units; each shape is converted by its own");
+        remarks.push_back({kForTheRecord, "the file mixes length units; each shape is converted by its own"});
     if (const std::string schema = schemaName(text.schemas); !schema.starts_with("AP"))
-        remarks.push_back(fmt::format("unknown schema {}; read as AP214", schema));
+        remarks.push_back({kInputDoubt, fmt::format("unknown schema {}; read as AP214", schema)});
     const int distinct = static_cast<int>(import.solids.size());
     if (text.solid_bodies > distinct)
-        remarks.push_back(fmt::format("the file names {} but {} of them {} closed",
-                                      plural(text.solid_bodies, "solid"), distinct,
-                                      distinct == 1 ? "is" : "are"));
+        remarks.push_back({kForTheRecord, fmt::format("the file names {} but {} of them {} closed",
+                                                      plural(text.solid_bodies, "solid"), distinct,
+                                                      distinct == 1 ? "is" : "are")});
     return remarks;
 }
 
@@ -147,9 +154,10 @@ void checkSize(Part& part, const ReadOptions& options, const std::string& subjec
                 shown, options.smallest_mm, part.unit_in_file));
     const bool large = size.maxCoeff() > kDoubtfulLarge_mm;
     if (!large && size.maxCoeff() > kDoubtfulSmall_mm) return;
-    part.remarks.push_back(fmt::format("doubtful size: unit {} makes the part {}; --unit {} if {} were meant",
-                                       part.unit_in_file, shown, large ? "mm" : "inch",
-                                       large ? "millimetres" : "inches"));
+    part.remarks.push_back(
+        {kUnitDoubt,
+         fmt::format("doubtful size: unit {} makes the part {}; --unit {} if {} were meant",
+                     part.unit_in_file, shown, large ? "mm" : "inch", large ? "millimetres" : "inches")});
 }
 
 void checkFit(const Part& part, const std::string& subject) {
@@ -171,7 +179,10 @@ Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, 
     part.count = solid.count;
     part.name = solid.name.empty() ? std::filesystem::path(common.file).stem().string() : solid.name;
     guardOcct(ErrorCode::InvalidSolid, subject, [&] {
-        TopoDS_Shape shape = healSolid(solid.shape, subject, names, part.remarks);
+        std::vector<std::string> changes;
+        TopoDS_Shape shape = healSolid(solid.shape, subject, names, changes);
+        for (std::string& change : changes)
+            part.remarks.push_back({kForTheRecord, std::move(change)});
         if (factor != 1) shape = scaleSolid(shape, factor, names);
         describeShape(part, shape);
         const std::vector<TopoDS_Face> faces = facesOf(shape);
@@ -205,8 +216,8 @@ std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions&
     common.unit_in_file = import.units.empty() ? "none" : shortUnit(import.units.front());
     common.remarks = fileRemarks(text, import, options);
     if (factor != 1)
-        common.remarks.push_back(
-            fmt::format("unit {} overridden with {}", common.unit_in_file, shortUnit(options.unit)));
+        common.remarks.push_back({kForTheRecord, fmt::format("unit {} overridden with {}",
+                                                             common.unit_in_file, shortUnit(options.unit))});
 
     std::vector<Part> parts;
     for (int i = 0; i < solids; ++i) {

@@ -28,7 +28,7 @@ double slabGap(const Layer& layer, const PlannedSetup& setup) {
 }  // namespace
 
 double VolumeBalance::gapShare() const {
-    if (stock_minus_part_mm3 <= 0) return 0;
+    if (stock_minus_part_mm3 <= kVolumeRoundingMm3) return 0;
     const double gap = stock_minus_part_mm3 - planned_mm3 - residual_mm3 - unreachable_mm3;
     return std::abs(gap) / stock_minus_part_mm3;
 }

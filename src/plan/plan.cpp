@@ -1,5 +1,7 @@
 #include "stepmill/plan/plan.h"
 
+#include <algorithm>
+
 namespace stepmill {
 
 bool Plan::complete(const Tolerances& tol) const {
@@ -8,7 +10,7 @@ bool Plan::complete(const Tolerances& tol) const {
             if (!planned.sequence.residual.empty()) return false;
         }
     }
-    const double rounding_mm3 = tol.volume_share * balance.stock_minus_part_mm3;
+    const double rounding_mm3 = std::max(kVolumeRoundingMm3, tol.volume_share * balance.stock_minus_part_mm3);
     return balance.unreachable_mm3 <= rounding_mm3 && balance.gapShare() <= tol.volume_share;
 }
 

@@ -1,12 +1,11 @@
+#include <map>
 #include <mutex>
-#include <set>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
-#include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
@@ -51,10 +50,10 @@ Residual wholeAsResidual(const Feature& feature, std::string reason, std::string
 
 /// The feature's sequence, or the feature as a residual with the reason when its planning fails: one bad
 /// pocket must not lose the plan.
-ToolSequence sequenceOrResidual(const Feature& feature, const Request& request, std::string& failure) {
+ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
+                                const std::function<ToolSequence()>& work) {
     try {
-        return sequenceTools(feature, request.library, request.machine, request.options.sequence,
-                             request.tol);
+        return work();
     } catch (const Error& error) {
         if (error.code() == ErrorCode::TimedOut) throw;
         failure = error.what();
@@ -68,64 +67,101 @@ ToolSequence sequenceOrResidual(const Feature& feature, const Request& request, 
     return sequence;
 }
 
-std::vector<PlannedFeature> sequenceAll(FeatureSet&& found, const Request& request, double start_share,
-                                        double end_share, std::vector<Warning>& warnings) {
-    std::vector<PlannedFeature> planned(found.features.size());
-    std::vector<std::string> failures(planned.size());
-    std::mutex progress_mutex;
-    std::size_t started = 0;
-    tbb::parallel_for(std::size_t{0}, planned.size(), [&](std::size_t i) {
-        planned[i].feature = std::move(found.features[i]);
-        {
-            const std::lock_guard lock(progress_mutex);
-            const double done = static_cast<double>(started++) / static_cast<double>(planned.size());
-            request.report(planned[i].feature.id, start_share + (end_share - start_share) * done);
-        }
-        planned[i].sequence = sequenceOrResidual(planned[i].feature, request, failures[i]);
-    });
-    for (std::size_t i = 0; i < planned.size(); ++i) {
-        if (!failures[i].empty()) warnings.push_back({"feature-failed", planned[i].feature.id, failures[i]});
+/// Parents come first, so one pass finds how many generations lie above each feature.
+std::vector<std::vector<std::size_t>> generations(const std::vector<Feature>& features) {
+    std::map<std::string, std::size_t> depth;
+    std::vector<std::vector<std::size_t>> result;
+    for (std::size_t i = 0; i < features.size(); ++i) {
+        std::size_t own = 0;
+        for (const std::string& parent : features[i].parents)
+            own = std::max(own, depth.at(parent) + 1);
+        depth[features[i].id] = own;
+        if (own >= result.size()) result.resize(own + 1);
+        result[own].push_back(i);
     }
-    return planned;
+    return result;
 }
 
-/// A feature below one that is not machined lies under solid material: it stays as well.
-void dropBuriedFeatures(std::vector<PlannedFeature>& features) {
-    std::set<std::string> not_machined;
-    for (PlannedFeature& planned : features) {
-        const std::vector<std::string>& parents = planned.feature.parents;
-        const auto buried = std::find_if(parents.begin(), parents.end(),
-                                         [&](const std::string& id) { return not_machined.count(id) > 0; });
-        if (buried != parents.end()) {
-            planned.sequence.steps.clear();
-            planned.sequence.time_s = planned.sequence.cost = 0;
-            planned.sequence.residual = {wholeAsResidual(planned.feature,
-                                                         "below " + *buried + ", which cannot be machined",
-                                                         "what " + *buried + " needs")};
+/// Plans features generation by generation: one has to know what those above it leave.
+class FeaturePlanner {
+  public:
+    FeaturePlanner(std::vector<Feature>&& features, const Request& request, double start_share,
+                   double end_share)
+        : request_(request), start_share_(start_share), end_share_(end_share) {
+        generations_ = generations(features);
+        planned_.resize(features.size());
+        failures_.resize(features.size());
+        for (std::size_t i = 0; i < features.size(); ++i) {
+            planned_[i].feature = std::move(features[i]);
+            number_[planned_[i].feature.id] = i;
         }
-        if (planned.sequence.steps.empty()) not_machined.insert(planned.feature.id);
     }
-}
 
-/// Where a parent leaves material over a child, the child's cutter meets more than its own depth.
-void warnOfMaterialAbove(const std::vector<PlannedFeature>& features, const Tolerances& tol,
-                         std::vector<Warning>& warnings) {
-    std::map<std::string, const PlannedFeature*> by_id;
-    for (const PlannedFeature& planned : features)
-        by_id[planned.feature.id] = &planned;
-    for (const PlannedFeature& planned : features) {
-        if (planned.sequence.steps.empty()) continue;
-        for (const std::string& parent : planned.feature.parents) {
-            double above_mm2 = 0;
-            for (const Residual& left : by_id.at(parent)->sequence.residual)
-                above_mm2 += area(intersect(left.region, planned.feature.target, tol));
-            if (above_mm2 <= tol.area_mm2) continue;
-            warnings.push_back(
-                {"material-above", planned.feature.id,
-                 fmt::format("{} leaves {:.3g} mm2 of material standing over it", parent, above_mm2)});
+    std::vector<PlannedFeature> plan(std::vector<Warning>& warnings) {
+        for (const std::vector<std::size_t>& generation : generations_) {
+            tbb::parallel_for(std::size_t{0}, generation.size(), [&](std::size_t i) {
+                reportStart(planned_[generation[i]].feature.id);
+                planOne(generation[i]);
+            });
         }
+        for (std::size_t i = 0; i < planned_.size(); ++i) {
+            if (!failures_[i].empty())
+                warnings.push_back({"feature-failed", planned_[i].feature.id, failures_[i]});
+        }
+        return std::move(planned_);
     }
-}
+
+  private:
+    void reportStart(const std::string& id) {
+        const std::lock_guard lock(progress_mutex_);
+        const double done = static_cast<double>(started_++) / static_cast<double>(planned_.size());
+        request_.report(id, start_share_ + (end_share_ - start_share_) * done);
+    }
+
+    std::vector<const PlannedFeature*> parentsOf(const Feature& feature) const {
+        std::vector<const PlannedFeature*> parents;
+        for (const std::string& id : feature.parents)
+            parents.push_back(&planned_[number_.at(id)]);
+        return parents;
+    }
+
+    std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature) const {
+        std::vector<const PlannedFeature*> found = parentsOf(feature);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            for (const PlannedFeature* parent : parentsOf(found[i]->feature)) {
+                if (std::find(found.begin(), found.end(), parent) == found.end()) found.push_back(parent);
+            }
+        }
+        return found;
+    }
+
+    void planOne(std::size_t index) {
+        PlannedFeature& planned = planned_[index];
+        std::string& failure = failures_[index];
+        planned.sequence = sequenceOrResidual(planned.feature, failure, [&] {
+            const ReducedFeature reduced = belowResiduals(planned.feature, parentsOf(planned.feature),
+                                                          ancestorsOf(planned.feature), request_.tol);
+            ToolSequence sequence;
+            sequence.feature_id = planned.feature.id;
+            sequence.floor_z_mm = planned.feature.floor_z_mm;
+            if (!reduced.feature.target.empty())
+                sequence = sequenceTools(reduced.feature, request_.library, request_.machine,
+                                         request_.options.sequence, request_.tol);
+            if (reduced.below) sequence.residual.push_back(*reduced.below);
+            return sequence;
+        });
+    }
+
+    const Request& request_;
+    double start_share_;
+    double end_share_;
+    std::vector<std::vector<std::size_t>> generations_;
+    std::vector<PlannedFeature> planned_;
+    std::vector<std::string> failures_;
+    std::map<std::string, std::size_t> number_;
+    std::mutex progress_mutex_;
+    std::size_t started_ = 0;
+};
 
 /// The steps of all features become operations, in machining order and numbered in it.
 std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machine) {
@@ -142,7 +178,7 @@ std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machin
             operation.path = std::move(step.path);
             operation.proof = step.proof;
             operation.z_top_mm = planned.feature.top_z_mm;
-            operation.z_floor_mm = planned.feature.floor_z_mm;
+            operation.z_floor_mm = planned.sequence.floor_z_mm;
             operation.speed_rpm = step.speed_rpm;
             step.path = Toolpath{};
             operations.push_back(std::move(operation));
@@ -172,20 +208,15 @@ PlannedStage planSetup(const Setup& setup, const Request& request, double start_
     FeatureSet found = recogniseFeatures(stage.layers, request.tol);
     stage.setup.setup = setup;
     stage.setup.unplanned = std::move(found.unplanned);
-    stage.setup.features =
-        sequenceAll(std::move(found), request, at(kSequencesShare), end_share, stage.warnings);
-    dropBuriedFeatures(stage.setup.features);
-    warnOfMaterialAbove(stage.setup.features, request.tol, stage.warnings);
+    FeaturePlanner planner(std::move(found.features), request, at(kSequencesShare), end_share);
+    stage.setup.features = planner.plan(stage.warnings);
     stage.setup.operations = makeOperations(stage.setup, request.machine);
     return stage;
 }
 
 void warnOfPart(Plan& plan) {
-    if (plan.part.unit_in_file == "none")
-        plan.warnings.push_back(
-            {"unit-doubt", plan.part.file, "the file names no unit of length; read as mm"});
-    for (const std::string& remark : plan.part.remarks)
-        plan.warnings.push_back({"part", plan.part.file, remark});
+    for (const Remark& remark : plan.part.remarks)
+        plan.warnings.push_back({remark.code, plan.part.file, remark.text});
 }
 
 }  // namespace
@@ -220,6 +251,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     }
     addUpTotals(plan);
     balanceBooks(plan, plan.stock.volume_mm3 - part.volume_mm3);
+    warnOfShape(plan);
     if (plan.balance.gapShare() > tol.volume_share) {
         for (std::size_t i = 0; i < stacks.size(); ++i) {
             plan.warnings.push_back(

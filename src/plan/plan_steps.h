@@ -7,6 +7,19 @@
 
 namespace stepmill {
 
+/// A feature as it can be planned below others that left material standing.
+struct ReducedFeature {
+    Feature feature;                ///< with an empty target when nothing of it is free
+    std::optional<Residual> below;  ///< what of the feature lies below material that stays
+};
+
+/// Takes what the features above left out of a feature's target and adds it to what cutter and holder must
+/// keep clear of, so that no tool meets material that was believed gone.
+/// \param parents    the feature's own parents, planned
+/// \param ancestors  all features it waits for, planned
+ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
+                              const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol);
+
 /// Joins operations in their order: each begins with the rapid from where the one before it ended, so that
 /// an operation's lengths and times are those of its part of the program.
 void linkOperations(std::vector<Operation>& operations, const Machine& machine);
@@ -28,5 +41,8 @@ std::string largestGap(const LayerStack& layers, const PlannedSetup& setup, cons
 void warnOfInput(Plan& plan, const LayerStack& layers);
 /// Residuals, travel, magazine.
 void warnOfSetup(Plan& plan, const PlannedSetup& setup);
+/// Says so when much of what is to be removed, or of the part's surface, asks for more than 2.5 axes.
+/// \pre the books are made up
+void warnOfShape(Plan& plan);
 
 }  // namespace stepmill

@@ -21,6 +21,21 @@ void warnOfResiduals(Plan& plan, const PlannedFeature& planned) {
     }
 }
 
+/// A part is called not 2.5D when more than this share of stock minus part is out of reach from above, ...
+constexpr double kUnreachableShare = 0.1;
+/// ... or when more than this share of its faces is neither flat nor a cylinder.
+constexpr double kCurvedFaceShare = 0.2;
+
+/// Faces that no vertical wall and no flat floor can be. Cylinders count as walls: where one lies on its
+/// side, what it hides shows in the volumes.
+int curvedFaces(const Part& part) {
+    int count = 0;
+    for (const auto& [kind, faces] : part.surfaces) {
+        if (kind != "plane" && kind != "cylinder") count += faces;
+    }
+    return count;
+}
+
 /// One warning a reason, however many slabs it shows in.
 void warnOfUnplanned(Plan& plan, const PlannedSetup& setup) {
     std::map<std::string, Unplanned> by_reason;
@@ -85,6 +100,27 @@ void warnOfMagazine(Plan& plan, const PlannedSetup& setup) {
 void warnOfInput(Plan& plan, const LayerStack& layers) {
     for (const std::string& remark : layers.remarks)
         plan.warnings.push_back({"section", layers.setup_id, remark});
+}
+
+void warnOfShape(Plan& plan) {
+    const VolumeBalance& books = plan.balance;
+    if (books.stock_minus_part_mm3 <= kVolumeRoundingMm3) return;
+    const double unreachable = books.unreachable_mm3 / books.stock_minus_part_mm3;
+    const int curved = curvedFaces(plan.part);
+    int faces = 0;
+    for (const auto& [kind, count] : plan.part.surfaces)
+        faces += count;
+    const bool sculpted = curved > kCurvedFaceShare * faces;
+    if (unreachable <= kUnreachableShare && !sculpted) return;
+    std::string axes;
+    for (const PlannedSetup& setup : plan.setups)
+        axes += (axes.empty() ? "" : ", ") + axisName(setup.setup.axis);
+    plan.warnings.push_back(
+        {"not-2.5d", plan.part.file,
+         fmt::format("not a 2.5D part from {}: {:.4g} mm3 ({:.3g} % of what is to be removed) lie under "
+                     "overhangs or behind walls that are not vertical, and {} of {} faces are neither flat "
+                     "nor cylindrical; other setups or a 3-axis finishing pass must make these",
+                     axes, books.unreachable_mm3, 100 * unreachable, curved, faces)});
 }
 
 void warnOfSetup(Plan& plan, const PlannedSetup& setup) {

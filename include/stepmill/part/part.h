@@ -22,6 +22,13 @@ struct PartFace {
     std::string surface;    ///< "plane", "cylinder", "cone", "sphere", "torus", "bspline", ...
 };
 
+/// Something about a file or a solid that its reader should know. Codes are stable words for programs:
+/// "unit-doubt" and "input-doubt" say that the part may not be what was meant, "part" is for the record.
+struct Remark {
+    std::string code;
+    std::string text;
+};
+
 /// One healed solid in millimetres and what the file held beside it. A value: copies share the immutable
 /// OCCT shape.
 struct Part {
@@ -36,7 +43,7 @@ struct Part {
     double volume_mm3 = 0;
     std::map<std::string, int> surfaces;  ///< surface kind -> number of faces
     std::vector<PartFace> faces;
-    std::vector<std::string> remarks;  ///< ignored wires, points, shells; what healing changed; unit doubts
+    std::vector<Remark> remarks;  ///< ignored wires, points, shells; what healing changed; unit doubts
     std::shared_ptr<const PartShape> shape;
 };
 

@@ -16,7 +16,7 @@ namespace stepmill {
 
 /// Something the reader of a plan must know. Codes are stable words for programs.
 struct Warning {
-    std::string code;     ///< "unit-doubt", "residual", "no-tool", "feature-failed", "travel", ...
+    std::string code;     ///< "unit-doubt", "input-doubt", "not-2.5d", "residual", "no-tool", ...
     std::string subject;  ///< "S1.F2", "part.step"
     std::string text;
 };
@@ -58,6 +58,9 @@ struct PlanTotals {
     double lower_bound_s = 0;
 };
 
+/// Solids' volumes are sums over their faces; a difference below this is rounding, nothing to machine [mm3].
+inline constexpr double kVolumeRoundingMm3 = 1e-2;
+
 /// The books: stock minus part, and where each part of it went.
 struct VolumeBalance {
     double stock_minus_part_mm3 = 0;
@@ -65,7 +68,7 @@ struct VolumeBalance {
     double residual_mm3 = 0;
     double unreachable_mm3 = 0;
 
-    /// What no entry accounts for, as a share of stock minus part.
+    /// What no entry accounts for, as a share of stock minus part; 0 where that is no more than rounding.
     double gapShare() const;
 };
 

@@ -72,8 +72,8 @@ Supervised readSupervised(const fs::path& path) {
                 for (const Part& part : readStep(path)) {
                     solids += part.count;
                     names += fmt::format("{} x {}, {:.6g} mm3; ", part.count, part.name, part.volume_mm3);
-                    for (const std::string& remark : part.remarks)
-                        names += "(" + remark + ") ";
+                    for (const Remark& remark : part.remarks)
+                        names += "(" + remark.text + ") ";
                 }
                 fmt::print("| {:<30} | loaded  | {}|\n", path.filename().string(), names);
                 return kLoaded + solids;

@@ -57,7 +57,7 @@ class ReadStepTest : public ::testing::Test {
 
     static bool hasRemark(const Part& part, const std::string& text) {
         return std::any_of(part.remarks.begin(), part.remarks.end(),
-                           [&](const std::string& remark) { return remark.find(text) != std::string::npos; });
+                           [&](const Remark& remark) { return remark.text.find(text) != std::string::npos; });
     }
 
     fs::path folder_;

@@ -1,0 +1,98 @@
+#include <algorithm>
+
+#include "plan/plan_steps.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill {
+namespace {
+
+/// Material left by features above, seen from above, and how high it may stand.
+struct Standing {
+    Region region;
+    double top_z_mm = 0;
+};
+
+std::vector<Standing> standingOf(const std::vector<const PlannedFeature*>& planned) {
+    std::vector<Standing> found;
+    for (const PlannedFeature* feature : planned) {
+        for (const Residual& residual : feature->sequence.residual) {
+            if (!residual.region.empty()) found.push_back({residual.region, feature->feature.top_z_mm});
+        }
+    }
+    return found;
+}
+
+Region unionOf(const std::vector<Standing>& standing, const Tolerances& tol) {
+    std::vector<Region> regions;
+    for (const Standing& one : standing)
+        regions.push_back(one.region);
+    return regions.empty() ? Region{} : unite(regions, tol);
+}
+
+/// Adds to every obstacle what stands at its height or above; above the last one a new one.
+void raiseObstacles(Feature& feature, const std::vector<Standing>& standing, const Tolerances& tol) {
+    double top_z_mm = feature.obstacles.empty() ? feature.floor_z_mm : feature.obstacles.back().top_z_mm;
+    double highest_mm = top_z_mm;
+    for (const Standing& one : standing)
+        highest_mm = std::max(highest_mm, one.top_z_mm);
+    if (highest_mm > top_z_mm) feature.obstacles.push_back({top_z_mm, highest_mm, {}});
+    for (Obstacle& obstacle : feature.obstacles) {
+        std::vector<Region> sections{obstacle.section};
+        for (const Standing& one : standing) {
+            if (one.top_z_mm > obstacle.bottom_z_mm) sections.push_back(one.region);
+        }
+        if (sections.size() > 1) obstacle.section = unite(sections, tol);
+    }
+}
+
+/// A hole with something left over it is no hole: its target is no circle any more.
+FeatureClass withoutHoles(FeatureClass feature_class) {
+    if (feature_class == FeatureClass::HoleBlind) return FeatureClass::ClosedPocket;
+    if (feature_class == FeatureClass::HoleThrough) return FeatureClass::ThroughPocket;
+    return feature_class;
+}
+
+std::string namesOf(const std::vector<const PlannedFeature*>& parents) {
+    std::string names;
+    for (const PlannedFeature* parent : parents) {
+        if (parent->sequence.residual.empty()) continue;
+        names += (names.empty() ? "" : ", ") + parent->feature.id;
+    }
+    return names;
+}
+
+}  // namespace
+
+ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
+                              const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol) {
+    ReducedFeature reduced{feature, std::nullopt};
+    const std::vector<Standing> standing = standingOf(ancestors);
+    if (standing.empty()) return reduced;
+    Feature& free = reduced.feature;
+    raiseObstacles(free, standing, tol);
+    const Region above = unionOf(standing, tol);
+    free.obstruction = unite(free.obstruction, above, tol);
+
+    Residual below;
+    below.region = intersect(feature.target, above, tol);
+    below.area_mm2 = area(below.region);
+    if (below.area_mm2 <= tol.area_mm2) return reduced;
+    below.volume_mm3 = below.area_mm2 * feature.depth_mm();
+    below.reason = "below material that stays in " + namesOf(parents);
+    below.advice = "what " + namesOf(parents) + " needs";
+    free.target = subtract(feature.target, above, tol);
+    free.area_mm2 = area(free.target);
+    if (free.area_mm2 <= tol.area_mm2) {
+        free.target = {};
+        free.area_mm2 = 0;
+        below.region = feature.target;
+        below.area_mm2 = feature.area_mm2;
+        below.volume_mm3 = feature.volume_mm3;
+    }
+    free.volume_mm3 = free.area_mm2 * free.depth_mm();
+    free.feature_class = withoutHoles(free.feature_class);
+    reduced.below = std::move(below);
+    return reduced;
+}
+
+}  // namespace stepmill
