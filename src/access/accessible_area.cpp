@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -184,20 +183,16 @@ Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const Acces
     const Feature& feature = ground.feature();
     Reach reach{feature.floor_z_mm, 0};
     for (const HolderCylinder& cylinder : access::cylindersOf(tool)) {
-        // Standing material only shrinks upwards: the first obstacle that costs nothing ends the search.
-        double clear_z_mm = -std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < feature.obstacles.size(); ++i) {
-            const Blocker blocker{i, cylinder.diameter_mm / 2, cylinder.bottom_mm};
-            const double needed_mm = feature.obstacles[i].top_z_mm - feature.floor_z_mm;
-            const bool in_question =
-                feature.floor_z_mm + cylinder.bottom_mm < feature.obstacles[i].top_z_mm ||
-                needed_mm > reach.stick_out_mm;
-            if (!in_question) continue;
-            if (access::lostTo(ground, blocker, area.free_centres, area.coverable, area.radius_mm).empty())
-                break;
-            clear_z_mm = feature.obstacles[i].top_z_mm;
-            reach.stick_out_mm = std::max(reach.stick_out_mm, needed_mm);
-        }
+        const auto blocks = [&](const Obstacle& obstacle) {
+            const auto index = static_cast<std::size_t>(&obstacle - feature.obstacles.data());
+            const Blocker blocker{index, cylinder.diameter_mm / 2, cylinder.bottom_mm};
+            return access::losesCentres(ground, blocker, area.free_centres);
+        };
+        // Standing material only shrinks upwards, so those that block lie below those that do not.
+        const auto free = std::partition_point(feature.obstacles.begin(), feature.obstacles.end(), blocks);
+        if (free == feature.obstacles.begin()) continue;
+        const double clear_z_mm = std::prev(free)->top_z_mm;
+        reach.stick_out_mm = std::max(reach.stick_out_mm, clear_z_mm - feature.floor_z_mm);
         reach.floor_z_mm = std::max(reach.floor_z_mm, clear_z_mm - cylinder.bottom_mm);
     }
     return reach;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "access/slivers.h"
-#include "access/swept.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::access {
@@ -60,11 +58,9 @@ Feature withoutHolder(const FeatureGround& ground, const std::vector<Blocker>& b
     return feature;
 }
 
-Region lostTo(const FeatureGround& ground, const Blocker& blocker, const Region& centres,
-              const Region& coverable, double radius_mm) {
-    const Tolerances& tol = ground.tolerances();
+bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres) {
     const Region clear = collisionFreeCentres(ground, {blocker}, centres);
-    return withoutSliverComponents(subtract(coverable, swept(clear, radius_mm, tol), tol), tol);
+    return area(centres) - area(clear) > ground.tolerances().area_mm2;
 }
 
 }  // namespace stepmill::access

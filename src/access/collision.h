@@ -30,8 +30,7 @@ Region collisionFreeCentres(const FeatureGround& ground, const std::vector<Block
 /// by R - r. Target and obstruction change, the obstacles are gone.
 Feature withoutHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers, double radius_mm);
 
-/// Area of `coverable`, reached from `centres`, that is lost when a cylinder must keep off an obstacle.
-Region lostTo(const FeatureGround& ground, const Blocker& blocker, const Region& centres,
-              const Region& coverable, double radius_mm);
+/// Must the axis leave some of `centres` to keep a cylinder off an obstacle?
+bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres);
 
 }  // namespace stepmill::access

@@ -64,6 +64,7 @@ std::optional<Withheld> admitLimited(const FeatureGround& ground, const ToolLibr
     const Withheld result{widest->coverable, tool.diameter_mm, reachOf(ground, tool, *widest).stick_out_mm};
 
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+        if (areas[i].collision_free_area_mm2 <= free_mm2 + same_mm2) return;
         if (withheld(areas[i])) limited[i] = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
     });
     for (std::size_t i = 0; i < areas.size(); ++i) {

@@ -116,8 +116,7 @@ AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& t
 std::optional<AccessibleArea> limitedArea(const FeatureGround& ground, const ToolAssembly& tool,
                                           const AccessibleArea& excluded);
 
-/// How deep a tool can go in a feature before its shank or holder costs it some of the area its cutter
-/// reaches.
+/// How deep a tool can go in a feature before its shank or holder keeps it off some of its free centres.
 struct Reach {
     double floor_z_mm = 0;    ///< lowest floor at which nothing is lost; the feature's own if that is
     double stick_out_mm = 0;  ///< what would do for the feature's own floor
