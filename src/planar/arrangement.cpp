@@ -184,6 +184,20 @@ Segment Arrangement::segment(const Piece& piece) const {
     return result;
 }
 
+const Vec2& Arrangement::place(int index) const {
+    return places_.empty() ? node(index) : places_[at(index)];
+}
+
+Segment Arrangement::onCurve(const Piece& piece) const {
+    if (chord_mm_ == 0) return segment(piece);
+    Segment result{place(piece.end), curves_[at(piece.curve)].segment.arc};
+    if (!result.arc) return result;
+    if (!piece.along) result.arc->ccw = !result.arc->ccw;
+    // Rounding can turn a short chord about the centre the wrong way.
+    if (std::abs(sweepAngle(place(piece.begin), result.to, *result.arc)) > 1.5 * kPi) result.arc.reset();
+    return result;
+}
+
 void Arrangement::addPiece(int begin, int end, int curve) {
     // Shorter than the snapping distance: a point.
     if (begin == end) return;
@@ -208,11 +222,10 @@ void Arrangement::addPiece(int begin, int end, int curve) {
 }
 
 void Arrangement::dropDeadPieces() {
-    const auto dead = [](const Piece& piece) { return piece.step == std::array<int, 2>{}; };
-    const auto first = std::find_if(pieces_.begin(), pieces_.end(), dead);
-    if (first == pieces_.end()) return;
-    cancelled_at_ = node(first->begin);
-    pieces_.erase(std::remove_if(first, pieces_.end(), dead), pieces_.end());
+    const auto alive = [](const Piece& piece) { return piece.step != std::array<int, 2>{}; };
+    const auto dead = std::stable_partition(pieces_.begin(), pieces_.end(), alive);
+    cancelled_.assign(dead, pieces_.end());
+    pieces_.erase(dead, pieces_.end());
 }
 
 // Inside and outside ---------------------------------------------------------------------------------------

@@ -46,6 +46,10 @@ class Arrangement {
   public:
     Arrangement(const std::vector<Curve>& curves, double snap_mm);
 
+    /// The same on chords, with GEOS' snap rounding: slower and true to `chord_mm` only, but the pieces
+    /// never contradict each other. Equal circles have equal chords; pieces keep the name of their curve.
+    static Arrangement onChords(const std::vector<Curve>& curves, double chord_mm);
+
     /// All pieces with what lies on their sides. O(pieces times chains between junctions).
     std::vector<LabelledPiece> labelled() const;
 
@@ -58,9 +62,15 @@ class Arrangement {
                                        const std::function<bool(int, int)>& inside);
 
     const std::vector<Curve>& curves() const { return curves_; }
-    /// A place where two stretches run along each other in opposite directions and so are no boundary.
-    const std::optional<Vec2>& cancelledAt() const { return cancelled_at_; }
+    /// Stretches along which two curves run in opposite directions, which so are no boundary.
+    const std::vector<Piece>& cancelled() const { return cancelled_; }
     const Vec2& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
+    /// How far chords may lie off their curves [mm]; 0 when the pieces are the curves' own.
+    double chordMm() const { return chord_mm_; }
+    /// The corner that the node stands for, where it was before it was rounded to the grid of the chords.
+    const Vec2& place(int index) const;
+    /// The piece as part of its line or arc again.
+    Segment onCurve(const Piece& piece) const;
     /// The piece as a segment from node(piece.begin).
     Segment segment(const Piece& piece) const;
     double lengthOf(const Piece& piece) const;
@@ -69,6 +79,9 @@ class Arrangement {
 
   private:
     struct NodeIndex;
+    class ChordNoder;
+
+    Arrangement() = default;
 
     void cutCurves();
     void addPiece(int begin, int end, int curve);
@@ -86,10 +99,12 @@ class Arrangement {
     };
 
     std::vector<Curve> curves_;
-    double snap_mm_;
+    double snap_mm_ = 0;
+    double chord_mm_ = 0;  // 0 when pieces lie on their curves
     std::vector<Vec2> nodes_;
+    std::vector<Vec2> places_;  // per node; of chords only
     std::vector<Piece> pieces_;
-    std::optional<Vec2> cancelled_at_;
+    std::vector<Piece> cancelled_;
     std::array<Strips, 2> strips_;             // along x, along y
     std::vector<std::vector<int>> pieces_at_;  // per lower node of a piece
 };

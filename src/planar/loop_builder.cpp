@@ -184,6 +184,55 @@ std::vector<Edge> mergedEdges(std::vector<Edge> edges) {
     return merged;
 }
 
+/// Does the edge run along the line or circle of the other, to within slack?
+bool runsAlong(const Edge& edge, const Edge& other, double slack_mm) {
+    const auto near = [&](const Vec2& p) {
+        return distanceToCarrier(p, other.carrier_from, other.carrier()) <= slack_mm;
+    };
+    const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
+    return near(edge.from) && near(edge.segment.to) && near(middle) &&
+           std::all_of(edge.passed.begin(), edge.passed.end(), near);
+}
+
+/// Where two curves run within a chord of each other, chords take turns in coming from one and the other.
+/// The longer stretch takes over the shorter one next to it.
+std::vector<Edge> withoutSwitches(std::vector<Edge> edges, double slack_mm) {
+    for (std::size_t i = 0, unchanged = 0; unchanged < edges.size() && edges.size() > 2;) {
+        const std::size_t next = (i + 1) % edges.size();
+        Edge& a = edges[i];
+        Edge& b = edges[next];
+        const double la = length(a.from, a.segment);
+        const double lb = length(b.from, b.segment);
+        const bool a_stays = la >= lb;
+        Edge& longer = a_stays ? a : b;
+        const Edge& shorter = a_stays ? b : a;
+        const Vec2 whole = b.segment.to - a.from;
+        if (!mergeable(a, b) &&
+            (!runsAlong(shorter, longer, slack_mm) || whole.norm() < std::max(la, lb) / 2)) {
+            i = next;
+            ++unchanged;
+            continue;
+        }
+        if (longer.segment.arc) {
+            const Vec2 centre = longer.segment.arc->centre;
+            const Vec2 u = shorter.from - centre;
+            const Vec2 v = shorter.segment.to - centre;
+            const double turn = std::atan2(cross(u, v), u.dot(v));
+            longer.sweep_rad += longer.segment.arc->ccw ? turn : -turn;
+        }
+        longer.passed.push_back(b.from);
+        longer.passed.insert(longer.passed.end(), shorter.passed.begin(), shorter.passed.end());
+        if (a_stays)
+            a.segment.to = b.segment.to;
+        else
+            b.from = a.from;
+        edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(a_stays ? next : i));
+        unchanged = 0;
+        i = edges.empty() ? 0 : i % edges.size();
+    }
+    return edges;
+}
+
 /// Where two edges that follow each other meet, near their common node.
 Vec2 jointOf(const Edge& a, const Edge& b, double reach_mm) {
     const Vec2 node = b.from;
@@ -292,13 +341,17 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
         for (const int index : walk) {
             const Piece& piece = pieces[at(index)];
             const Curve& curve = arrangement.curves()[at(piece.curve)];
-            const Vec2& from = arrangement.node(piece.begin);
-            const Segment segment = arrangement.segment(piece);
+            const Vec2& from = arrangement.place(piece.begin);
+            const Segment segment = arrangement.onCurve(piece);
+            if (from == segment.to) continue;
             const double piece_mm = (segment.to - from).norm();
             edges.push_back({from, segment, curve.from, curve.segment.to, piece.curve, piece_mm, 0, {}});
             if (segment.arc) edges.back().sweep_rad = std::abs(sweepAngle(from, segment.to, *segment.arc));
         }
-        Loop loop = loopOf(mergedEdges(std::move(edges)), 100 * thin_mm);
+        if (edges.empty()) continue;
+        edges = mergedEdges(std::move(edges));
+        if (arrangement.chordMm() > 0) edges = withoutSwitches(std::move(edges), 2 * arrangement.chordMm());
+        Loop loop = loopOf(edges, 100 * thin_mm);
         removeSpikes(loop, thin_mm);
         if (loop.segments.size() == 1 && loop.segments[0].arc) loop = circleLoop(*loop.segments[0].arc);
         if (loop.segments.size() < 2) continue;

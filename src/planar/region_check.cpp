@@ -75,22 +75,26 @@ Trouble diagnoseLoop(const Loop& loop) {
 }
 
 /// Every stretch of boundary must have the region, winding 1, on its left and nothing on its right.
-Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm) {
+/// Stretches no longer than `short_mm` are let off.
+Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm, double short_mm) {
     const planar::Arrangement arrangement(curves, snap_mm);
     std::vector<bool> clean(curves.empty() ? 0 : static_cast<std::size_t>(curves.back().loop) + 1, false);
     const std::vector<planar::LabelledPiece> pieces = arrangement.labelled();
     const auto loopOf = [&](const planar::LabelledPiece& p) {
         return static_cast<std::size_t>(arrangement.curves()[static_cast<std::size_t>(p.piece.curve)].loop);
     };
-    if (arrangement.cancelledAt())
-        return fmt::format("two edges run along each other at {}", text(*arrangement.cancelledAt()));
+    const auto counts = [&](const planar::Piece& piece) { return arrangement.lengthOf(piece) > short_mm; };
+    const auto along = [&](const planar::Piece& piece) {
+        return fmt::format("two edges run along each other at {}", text(arrangement.node(piece.begin)));
+    };
+    for (const planar::Piece& piece : arrangement.cancelled())
+        if (counts(piece)) return along(piece);
     for (const auto& p : pieces) {
-        if (p.piece.step[0] != 1)
-            return fmt::format("two edges run along each other at {}", text(arrangement.node(p.piece.begin)));
+        if (p.piece.step[0] != 1 && counts(p.piece)) return along(p.piece);
         if (p.left[0] == 1) clean[loopOf(p)] = true;
     }
     for (const auto& p : pieces) {
-        if (p.left[0] == 1) continue;
+        if (p.left[0] == 1 || !counts(p.piece)) continue;
         const std::string where = text(arrangement.node(p.piece.begin));
         if (clean[loopOf(p)]) return fmt::format("edges cross at {}", where);
         if (p.left[0] > 1)
@@ -107,12 +111,12 @@ std::optional<std::string> diagnose(const Region& region) {
         if (auto trouble = diagnoseLoop(loop)) return trouble;
     std::vector<planar::Curve> curves;
     planar::appendCurves(region, 0, curves);
-    // Loops that touch do so to within the tolerance of the boolean that made them: an overlap that goes
-    // away when points that close are taken as one is no crossing.
+    // Loops that touch do so to within the tolerance of the boolean that made them. Touching corners may
+    // overlap by a stretch of two such distances, one per loop. Touching arcs overlap by far longer
+    // stretches, which go away when points that close are taken as one.
     const double linear_mm = Tolerances().linear_mm;
-    const Trouble trouble = diagnoseCrossings(curves, kOffCircleMm);
-    if (!trouble || !diagnoseCrossings(curves, linear_mm) || !diagnoseCrossings(curves, 3 * linear_mm))
-        return std::nullopt;
+    const Trouble trouble = diagnoseCrossings(curves, kOffCircleMm, 2 * linear_mm);
+    if (!trouble || !diagnoseCrossings(curves, linear_mm, 2 * linear_mm)) return std::nullopt;
     return trouble;
 }
 
