@@ -38,6 +38,24 @@ void requireMaterial(const ToolLibrary& library, const std::string& material) {
                 "no tool of " + library.file + " has cutting data for it; the library knows: " + known);
 }
 
+/// A part this many times larger than the machine's travel is a unit gone wrong, not a job.
+constexpr double kLargestTravelMultiple = 10;
+
+void requireMachinableSize(const Part& part, const std::vector<Setup>& setups, const Machine& machine) {
+    for (const Setup& setup : setups) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const double size_mm = setup.stock_bbox_mm.sizes()[axis];
+            const double travel_mm = machine.travel_mm[axis];
+            if (travel_mm <= 0 || size_mm <= kLargestTravelMultiple * travel_mm) continue;
+            throw Error(
+                ErrorCode::ImplausibleSize, part.file,
+                fmt::format("the stock is {:.4g} mm long where {} travels {:.4g} mm; the file's unit is {}: "
+                            "if that is wrong, say --unit mm",
+                            size_mm, machine.name, travel_mm, part.unit_in_file));
+        }
+    }
+}
+
 Residual wholeAsResidual(const Feature& feature, std::string reason, std::string advice) {
     Residual residual;
     residual.region = feature.target;
@@ -236,6 +254,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     job.report("setups", 0);
     const std::vector<Setup> setups = chooseSetups(part, request.setup);
     STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
+    requireMachinableSize(part, setups, machine);
     plan.stock = setups.front().stock;
 
     std::vector<LayerStack> stacks;

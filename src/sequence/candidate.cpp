@@ -10,9 +10,9 @@ constexpr double kFullAccessShare = 1e-5;
 
 /// Upper bound of the material one tool can remove per second.
 ///
-/// Moving level, a cutter sweeps its diameter times the depth of cut. Descending it also removes its own
-/// cross-section; the two together are largest along the steepest sum, at the plunge feed. A drill only
-/// descends.
+/// Moving level, a cutter sweeps its diameter times the depth of cut, at most at the cutting feed.
+/// Descending, it also removes its own cross-section, at most at the plunge feed: a ramp's vertical part is
+/// held to that (rampFeed). The sum of both is an upper bound for every mixture. A drill only descends.
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
     const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
     if (tool.isDrill()) {
@@ -21,9 +21,8 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
     }
     const double depth_of_cut = feature.depth_mm() / depthsOfCut(feature.depth_mm(), cutting.step_down_mm);
     const double slot_mm2 = tool.diameter_mm * depth_of_cut;
-    const double level = slot_mm2 * cutting.feed_mm_per_min;
-    const double descending = std::hypot(slot_mm2, disc_mm2) * cutting.plunge_feed_mm_per_min;
-    return std::max(level, descending) / kSecondsPerMinute;
+    const double swept = slot_mm2 * cutting.feed_mm_per_min + disc_mm2 * cutting.plunge_feed_mm_per_min;
+    return swept / kSecondsPerMinute;
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ using Progress = std::function<void(const std::string& stage, double share)>;
 
 /// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books.
 /// A feature whose planning fails becomes a residual with a warning; the rest of the plan stands.
-/// \throws Error for input the plan cannot go on with (stock too small, no tool for the material).
+/// \throws Error for input the plan cannot go on with (stock too small, a part many times larger than the
+///         machine, no tool for the material).
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});
 
