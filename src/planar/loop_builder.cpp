@@ -46,6 +46,9 @@ class Walker {
         return true;
     }
 
+    /// Do more than two edges of the result meet at the node?
+    bool touchesAt(int node) const { return leaving_[at(node)].size() > 1; }
+
     std::vector<std::vector<int>> loops() {
         std::vector<std::vector<int>> result;
         std::vector<int> place(leaving_.size(), -1);  // of a node in the walk
@@ -130,6 +133,7 @@ struct Edge {
     double piece_mm = 0;       ///< length of the longest piece in it
     double sweep_rad = 0;      ///< of all its arcs, without sign
     std::vector<Vec2> passed;  ///< joints merged away
+    bool touches = false;      ///< other edges of the result meet where this one starts
 
     Segment carrier() const { return {carrier_to, segment.arc}; }
 };
@@ -234,7 +238,10 @@ std::vector<Edge> withoutSwitches(std::vector<Edge> edges, double slack_mm) {
 }
 
 /// Where two edges that follow each other meet, near their common node.
-Vec2 jointOf(const Edge& a, const Edge& b, double reach_mm) {
+Vec2 jointOf(const Edge& a, const Edge& b, double thin_mm) {
+    // Where boundaries touch, intersections of different pairs lie micrometres apart if the edges meet at
+    // small angles, and loops would overlap: there the joint stays at the node.
+    double reach_mm = b.touches ? 2 * thin_mm : 100 * thin_mm;
     const Vec2 node = b.from;
     const auto off = [&](const Edge& edge, const Vec2& p) {
         return distanceToCarrier(p, edge.carrier_from, edge.carrier());
@@ -284,14 +291,14 @@ void append(Loop& loop, const Edge& edge, const Vec2& to) {
     if (end != to) loop.segments.push_back({to, std::nullopt});
 }
 
-Loop loopOf(const std::vector<Edge>& edges, double reach_mm) {
+Loop loopOf(const std::vector<Edge>& edges, double thin_mm) {
     if (edges.size() == 1) {
         if (!edges.front().segment.arc) return {};
         return circleLoop(*edges.front().segment.arc);
     }
     std::vector<Vec2> joints;  // joint i: end of edge i
     for (std::size_t i = 0; i < edges.size(); ++i)
-        joints.push_back(jointOf(edges[i], edges[(i + 1) % edges.size()], reach_mm));
+        joints.push_back(jointOf(edges[i], edges[(i + 1) % edges.size()], thin_mm));
     Loop loop{joints.back(), {}};
     for (std::size_t i = 0; i < edges.size(); ++i)
         append(loop, edges[i], joints[i]);
@@ -345,13 +352,21 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
             const Segment segment = arrangement.onCurve(piece);
             if (from == segment.to) continue;
             const double piece_mm = (segment.to - from).norm();
-            edges.push_back({from, segment, curve.from, curve.segment.to, piece.curve, piece_mm, 0, {}});
+            edges.push_back({from,
+                             segment,
+                             curve.from,
+                             curve.segment.to,
+                             piece.curve,
+                             piece_mm,
+                             0,
+                             {},
+                             walker.touchesAt(piece.begin)});
             if (segment.arc) edges.back().sweep_rad = std::abs(sweepAngle(from, segment.to, *segment.arc));
         }
         if (edges.empty()) continue;
         edges = mergedEdges(std::move(edges));
         if (arrangement.chordMm() > 0) edges = withoutSwitches(std::move(edges), 2 * arrangement.chordMm());
-        Loop loop = loopOf(edges, 100 * thin_mm);
+        Loop loop = loopOf(edges, thin_mm);
         removeSpikes(loop, thin_mm);
         if (loop.segments.size() == 1 && loop.segments[0].arc) loop = circleLoop(*loop.segments[0].arc);
         if (loop.segments.size() < 2) continue;

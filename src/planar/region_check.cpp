@@ -75,8 +75,9 @@ Trouble diagnoseLoop(const Loop& loop) {
 }
 
 /// Every stretch of boundary must have the region, winding 1, on its left and nothing on its right.
-/// Stretches no longer than `short_mm` are let off.
-Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm, double short_mm) {
+/// Stretches no longer than `short_mm` are let off, and edges that run along each other for `touch_mm`.
+Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm, double short_mm,
+                          double touch_mm) {
     const planar::Arrangement arrangement(curves, snap_mm);
     std::vector<bool> clean(curves.empty() ? 0 : static_cast<std::size_t>(curves.back().loop) + 1, false);
     const std::vector<planar::LabelledPiece> pieces = arrangement.labelled();
@@ -88,9 +89,9 @@ Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_
         return fmt::format("two edges run along each other at {}", text(arrangement.node(piece.begin)));
     };
     for (const planar::Piece& piece : arrangement.cancelled())
-        if (counts(piece)) return along(piece);
+        if (arrangement.lengthOf(piece) > touch_mm) return along(piece);
     for (const auto& p : pieces) {
-        if (p.piece.step[0] != 1 && counts(p.piece)) return along(p.piece);
+        if (p.piece.step[0] != 1 && arrangement.lengthOf(p.piece) > touch_mm) return along(p.piece);
         if (p.left[0] == 1) clean[loopOf(p)] = true;
     }
     for (const auto& p : pieces) {
@@ -112,11 +113,16 @@ std::optional<std::string> diagnose(const Region& region) {
     std::vector<planar::Curve> curves;
     planar::appendCurves(region, 0, curves);
     // Loops that touch do so to within the tolerance of the boolean that made them. Touching corners may
-    // overlap by a stretch of two such distances, one per loop. Touching arcs overlap by far longer
-    // stretches, which go away when points that close are taken as one.
+    // overlap by a stretch of two such distances, one per loop. Arcs and lines that touch at small angles
+    // overlap by far longer stretches, but no deeper: those are one stretch when points that close are
+    // taken as one. Which distance shows that depends on what else is near, as it does in the booleans.
+    constexpr double kTouchMm = 0.02;
     const double linear_mm = Tolerances().linear_mm;
-    const Trouble trouble = diagnoseCrossings(curves, kOffCircleMm, 2 * linear_mm);
-    if (!trouble || !diagnoseCrossings(curves, linear_mm, 2 * linear_mm)) return std::nullopt;
+    const double short_mm = 2 * linear_mm;
+    const Trouble trouble = diagnoseCrossings(curves, kOffCircleMm, short_mm, short_mm);
+    if (!trouble) return std::nullopt;
+    for (const double snap_mm : {linear_mm, 0.3 * linear_mm})
+        if (!diagnoseCrossings(curves, snap_mm, short_mm, kTouchMm)) return std::nullopt;
     return trouble;
 }
 
