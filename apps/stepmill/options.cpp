@@ -44,6 +44,24 @@ bool isNumber(const std::string& text) {
 
 }  // namespace
 
+void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
+    command.add_option("PART", options.part_file, "STEP file (AP203, AP214 or AP242)")->required();
+    command.add_option("-o,--output", options.out_dir, "folder to write to; default: <part>" + folder_suffix);
+    command.add_option("--stock", options.stock, "box, or a STEP file in the part's coordinates")
+        ->capture_default_str();
+    command.add_option("--stock-margin", options.stock_margin, "side,top,bottom over the part's box [mm]")
+        ->capture_default_str();
+    command.add_option("--setup", options.setup, "tool axis: auto, +z, -z, +x, -x, +y, -y or x,y,z")
+        ->capture_default_str();
+    command.add_option("--solid", options.solid, "which solid of a file with several: a number, or all");
+    command.add_option("--unit", options.unit, "read lengths in this unit, whatever the file says")
+        ->check(CLI::IsMember({"mm", "inch", "m", "cm"}));
+    command.add_option("--jobs", options.jobs, "threads; 0: one per core")->check(CLI::NonNegativeNumber);
+    command.add_option("--timeout", options.timeout_s, "seconds after which the run ends for good")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+}
+
 Shop loadShop(const PlanOptions& options) {
     Shop shop;
     shop.library = options.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.tools_file);
@@ -56,24 +74,30 @@ Shop loadShop(const PlanOptions& options) {
     return shop;
 }
 
-PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
-    PlanRequest request;
+SetupRequest setupRequest(const PlanOptions& options) {
+    SetupRequest request;
     if (options.setup != "auto") {
         const std::optional<Vec3> axis = parseAxis(options.setup);
         if (!axis)
             throw Error(
                 ErrorCode::Usage, "--setup",
                 fmt::format("expected auto, +x, -x, +y, -y, +z, -z or x,y,z; found '{}'", options.setup));
-        request.setup.axes = {*axis};
+        request.axes = {*axis};
     }
-    request.setup.margin = parseMargin(options.stock_margin);
+    request.margin = parseMargin(options.stock_margin);
     if (options.stock != "box") {
         std::vector<Part> stocks = readStep(options.stock);
         if (stocks.size() != 1)
             throw Error(ErrorCode::Usage, "--stock",
                         fmt::format("expected one solid in {}, found {}", options.stock, stocks.size()));
-        request.setup.stock_part = std::move(stocks.front());
+        request.stock_part = std::move(stocks.front());
     }
+    return request;
+}
+
+PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
+    PlanRequest request;
+    request.setup = setupRequest(options);
     request.sequence.material = options.material;
     request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;
     request.sequence.retract_mm = machine.safe_height_mm;

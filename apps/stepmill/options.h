@@ -3,13 +3,15 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {
 
-/// The options of `stepmill plan`, as typed.
+/// The options of the commands on a part, as typed.
 struct PlanOptions {
     std::string part_file;
     std::string out_dir;       ///< empty: "<part>-plan" in the current folder
@@ -28,6 +30,10 @@ struct PlanOptions {
     bool json = false;
 };
 
+/// Adds the part, where to write and the options about stock, setup, unit, threads and time that every
+/// command on a part has.
+void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix);
+
 /// Library and machine a run uses. \throws Error as readToolLibrary and readMachine do; Error(Usage) when
 /// no tool has cutting data for the material.
 struct Shop {
@@ -35,6 +41,9 @@ struct Shop {
     Machine machine;
 };
 Shop loadShop(const PlanOptions& options);
+
+/// Axis, margins and stock as asked for. \throws Error(Usage) naming the option; what readStep throws.
+SetupRequest setupRequest(const PlanOptions& options);
 
 /// What the words of the command line mean for the planner. \throws Error(Usage) naming the option.
 PlanRequest planRequest(const PlanOptions& options, const Machine& machine);
