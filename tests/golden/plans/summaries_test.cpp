@@ -23,6 +23,7 @@ TEST(Golden, SummariesOfTheSampleParts) {
         const fs::path golden =
             fs::path(STEPMILL_SOURCE_DIR) / "tests/golden/summaries" / fs::path(part).stem().concat(".txt");
         if (rewrite) {
+            fs::create_directories(golden.parent_path());
             std::ofstream(golden) << summary;
             continue;
         }
