@@ -1,5 +1,5 @@
 # Short names for the CMake presets; CI uses these same words.
-.PHONY: all plan test test-all asan tidy format bench golden clean deps
+.PHONY: all plan test test-all asan fuzz tidy format bench golden clean deps
 PART ?= step_parts/rounded_pocket.step
 OUT ?= out/$(basename $(notdir $(PART)))
 STEPMILL = build/release/bin/stepmill
@@ -19,6 +19,10 @@ test-all: all
 asan: build/dev/build.ninja
 	cmake --build --preset dev
 	ctest --test-dir build/dev -L 'unit' --output-on-failure -j2
+
+fuzz: build/dev/build.ninja
+	cmake --build --preset dev
+	ctest --test-dir build/dev -L fuzz --output-on-failure
 
 tidy: build/tidy/build.ninja
 	cmake --build --preset tidy
