@@ -17,11 +17,11 @@ test-all: all
 	ctest --test-dir build/release --output-on-failure -j2
 
 asan: build/dev/build.ninja
-	cmake --build --preset dev
+	cmake --build --preset dev --target unit_tests
 	ctest --test-dir build/dev -L 'unit' --output-on-failure -j2
 
 fuzz: build/dev/build.ninja
-	cmake --build --preset dev
+	cmake --build --preset dev --target region_text_fuzz
 	ctest --test-dir build/dev -L fuzz --output-on-failure
 
 tidy: build/tidy/build.ninja
