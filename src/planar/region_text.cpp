@@ -14,6 +14,9 @@ namespace stepmill {
 
 namespace {
 
+/// A kilometre: the 1 nm grid still has all its digits in a double there.
+constexpr double kLargestMm = 1e6;
+
 /// Shortest decimal of the 1 nm grid: "12.5", "0", "-0.000001".
 std::string number(double value_mm) {
     std::string text = fmt::format("{:.6f}", value_mm);
@@ -101,6 +104,7 @@ class LineReader {
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (code != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
             fail("a number");
+        if (std::abs(value) > kLargestMm) fail("a length of a kilometre at most");
         ++next_;
         return snapToGrid(value);
     }

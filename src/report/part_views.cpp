@@ -78,6 +78,17 @@ struct Lines {
     }
 };
 
+/// Sharp edges and outlines, visible and hidden; smooth edges are left out.
+template <typename Shapes>
+Lines sharpAndOutlines(Shapes& shapes, double deflection_mm) {
+    Lines lines;
+    lines.addVisible(shapes.VCompound(), deflection_mm);
+    lines.addVisible(shapes.OutLineVCompound(), deflection_mm);
+    lines.addHidden(shapes.HCompound(), deflection_mm);
+    lines.addHidden(shapes.OutLineHCompound(), deflection_mm);
+    return lines;
+}
+
 Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm) {
     Handle(HLRBRep_Algo) algorithm = new HLRBRep_Algo();
     algorithm->Add(solid);
@@ -85,12 +96,7 @@ Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     algorithm->Update();
     algorithm->Hide();
     HLRBRep_HLRToShape shapes(algorithm);
-    Lines lines;
-    lines.addVisible(shapes.VCompound(), deflection_mm);
-    lines.addVisible(shapes.OutLineVCompound(), deflection_mm);
-    lines.addHidden(shapes.HCompound(), deflection_mm);
-    lines.addHidden(shapes.OutLineHCompound(), deflection_mm);
-    return lines;
+    return sharpAndOutlines(shapes, deflection_mm);
 }
 
 Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm) {
@@ -100,12 +106,7 @@ Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     algorithm->Update();
     HLRBRep_PolyHLRToShape shapes;
     shapes.Update(algorithm);
-    Lines lines;
-    lines.addVisible(shapes.VCompound(), deflection_mm);
-    lines.addVisible(shapes.OutLineVCompound(), deflection_mm);
-    lines.addHidden(shapes.HCompound(), deflection_mm);
-    lines.addHidden(shapes.OutLineHCompound(), deflection_mm);
-    return lines;
+    return sharpAndOutlines(shapes, deflection_mm);
 }
 
 std::string drawing(const Lines& lines) {

@@ -64,6 +64,11 @@ TEST(RegionText, ErrorsNameLineAndExpectation) {
     expectComplaint("circle nan 0 radius 1 cw", "expected a number, found 'nan'");
 }
 
+TEST(RegionText, RefusesLengthsTheGridCannotHold) {
+    expectComplaint("loop 0 0 line 1e109 0 line 0 5 close",
+                    "line 1: expected a length of a kilometre at most");
+}
+
 TEST(RegionText, SvgKeepsArcs) {
     const Region slot =
         regionFromText("loop 0 0  line 10 0  arc 10 2 centre 10 1 ccw  line 0 2  close\n", "slot");
