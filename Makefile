@@ -18,7 +18,8 @@ test-all: all
 
 asan: build/dev/build.ninja
 	cmake --build --preset dev --target unit_tests
-	ctest --test-dir build/dev -L 'unit' --output-on-failure -j2
+	LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp \
+	  ctest --test-dir build/dev -L 'unit' --output-on-failure -j2
 
 fuzz: build/dev/build.ninja
 	cmake --build --preset dev --target region_text_fuzz

@@ -16,8 +16,9 @@ Program sampleProgram() {
 }
 
 PathTotals sampleTotals() {
+    const Plan plan = samplePlan();
     PathTotals totals;
-    for (const Operation& operation : samplePlan().setups[0].operations)
+    for (const Operation& operation : plan.setups[0].operations)
         totals += operation.path.totals;
     return totals;
 }
