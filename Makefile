@@ -7,7 +7,8 @@ STEPMILL = build/release/bin/stepmill
 all: build/release/build.ninja
 	cmake --build --preset release
 
-plan: all
+plan: build/release/build.ninja
+	cmake --build --preset release --target stepmill-app
 	$(STEPMILL) plan $(PART) -o $(OUT) || test $$? -eq 1
 
 test: all
