@@ -134,6 +134,36 @@ Arrangement::Arrangement(const std::vector<Curve>& curves, double snap_mm)
     sortIntoStrips();
 }
 
+/// Points sorted along x and along y: those in a long thin box are found along its short side.
+class Arrangement::NodesInBox {
+  public:
+    explicit NodesInBox(const std::vector<Vec2>& nodes) : nodes_(nodes) {
+        for (const int axis : {0, 1}) {
+            std::vector<std::pair<double, int>>& list = sorted_[at(axis)];
+            list.reserve(nodes.size());
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                list.emplace_back(nodes[i][axis], static_cast<int>(i));
+            std::sort(list.begin(), list.end());
+        }
+    }
+
+    template <typename Visit>
+    void forEachIn(const Box2& box, Visit visit) const {
+        const int axis = box.size().x() <= box.size().y() ? 0 : 1;
+        const int across = 1 - axis;
+        const std::vector<std::pair<double, int>>& list = sorted_[at(axis)];
+        auto it = std::lower_bound(list.begin(), list.end(), std::pair{box.min[axis], 0});
+        for (; it != list.end() && it->first <= box.max[axis]; ++it) {
+            const double y = nodes_[at(it->second)][across];
+            if (y >= box.min[across] && y <= box.max[across]) visit(it->second);
+        }
+    }
+
+  private:
+    const std::vector<Vec2>& nodes_;
+    std::array<std::vector<std::pair<double, int>>, 2> sorted_;
+};
+
 void Arrangement::cutCurves() {
     NodeIndex index(nodes_, snap_mm_);
     struct Cut {
@@ -141,16 +171,18 @@ void Arrangement::cutCurves() {
         int node;
     };
     std::vector<std::vector<Cut>> cuts(curves_.size());
+    std::vector<Path> snapped;  // the curves between the nodes of their ends
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         cuts[i].push_back({0, index.add(curves_[i].from)});
         cuts[i].push_back({1, index.add(curves_[i].segment.to)});
+        snapped.push_back(betweenNodes(curves_[i], cuts[i][0].node, cuts[i][1].node));
     }
     const auto cut = [&](int curve, int node) {
-        const Curve& c = curves_[at(curve)];
+        const Path& c = snapped[at(curve)];
         std::vector<Cut>& list = cuts[at(curve)];
         if (std::any_of(list.begin(), list.end(), [&](const Cut& known) { return known.node == node; }))
             return;
-        const double share = shareOf(nodes_[at(node)], c.from, c.segment);
+        const double share = shareOf(nodes_[at(node)], c.start, c.segments.front());
         if (share > 0 && share < 1) list.push_back({share, node});
     };
     std::vector<std::pair<int, int>> pairs;
@@ -167,6 +199,19 @@ void Arrangement::cutCurves() {
             cut(j, node);
         }
     }
+    // A curve passes through every node within the snapping distance, its own or not. Otherwise two curves
+    // that snapped onto each other could be cut at different nodes, and their pieces would lie on each other
+    // without being one.
+    const NodesInBox nodes(nodes_);
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const Curve& c = curves_[i];
+        nodes.forEachIn(c.box.grown(2 * snap_mm_), [&](int node) {
+            const Path& bent = snapped[i];
+            if (distanceTo(nodes_[at(node)], c.from, c.segment) <= snap_mm_ ||
+                distanceTo(nodes_[at(node)], bent.start, bent.segments.front()) <= snap_mm_)
+                cut(static_cast<int>(i), node);
+        });
+    }
     pieces_at_.resize(nodes_.size());
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         std::stable_sort(cuts[i].begin(), cuts[i].end(),
@@ -174,6 +219,14 @@ void Arrangement::cutCurves() {
         for (std::size_t k = 1; k < cuts[i].size(); ++k)
             addPiece(cuts[i][k - 1].node, cuts[i][k].node, static_cast<int>(i));
     }
+}
+
+Path Arrangement::betweenNodes(const Curve& curve, int begin, int end) const {
+    const Segment bent{node(end), curve.segment.arc};
+    // Snapping can turn a short arc about its centre the wrong way, and short curves into points.
+    const bool turned = bent.arc && std::abs(sweepAngle(node(begin), bent.to, *bent.arc)) > 1.5 * kPi;
+    if (begin == end || turned) return {curve.from, {curve.segment}};
+    return {node(begin), {bent}};
 }
 
 Segment Arrangement::segment(const Piece& piece) const {
@@ -201,7 +254,7 @@ Segment Arrangement::onCurve(const Piece& piece) const {
 void Arrangement::addPiece(int begin, int end, int curve) {
     // Shorter than the snapping distance: a point.
     if (begin == end) return;
-    Piece piece{begin, end, curve, true, false, {}};
+    Piece piece{begin, end, curve, true, false, {}, -1};
     const std::optional<Arc>& arc = curves_[at(curve)].segment.arc;
     // Snapping can turn the ends of a short arc about its centre until the arc seems to go all the way round.
     piece.straight = arc && std::abs(sweepAngle(node(begin), node(end), *arc)) > 1.5 * kPi;
@@ -214,6 +267,7 @@ void Arrangement::addPiece(int begin, int end, int curve) {
         if (!same_way && !other_way) continue;
         if ((pointAt(node(other.begin), segment(other), 0.5) - middle).norm() > snap_mm_) continue;
         other.step[at(operand)] += same_way ? 1 : -1;
+        other.twin = curve;
         return;
     }
     piece.step[at(operand)] = 1;
@@ -339,45 +393,83 @@ std::vector<LabelledPiece> Arrangement::labelled() const {
 }
 
 bool Arrangement::consistent(const std::vector<LabelledPiece>& labels) const {
-    struct Ray {
-        const LabelledPiece* label;
-        bool leaves;
-        double angle_rad = 0;
+    struct Around {
+        std::vector<End> ends;
+        std::vector<const LabelledPiece*> labels;
     };
-    std::vector<std::vector<Ray>> rays(nodes_.size());
+    std::vector<Around> nodes(nodes_.size());
+    const auto note = [&](int node, const LabelledPiece& label, bool leaves) {
+        nodes[at(node)].ends.push_back({&label.piece, leaves});
+        nodes[at(node)].labels.push_back(&label);
+    };
     for (const LabelledPiece& label : labels) {
-        rays[at(label.piece.begin)].push_back({&label, true});
-        rays[at(label.piece.end)].push_back({&label, false});
+        note(label.piece.begin, label, true);
+        note(label.piece.end, label, false);
     }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        if (rays[i].size() < 3) continue;
-        double reach_mm = std::numeric_limits<double>::infinity();
-        for (const Ray& ray : rays[i])
-            reach_mm = std::min(reach_mm, lengthOf(ray.label->piece) / 2);
-        for (Ray& ray : rays[i]) {
-            const Vec2 seen = pointAlong(ray.label->piece, ray.leaves, reach_mm) - nodes_[i];
-            ray.angle_rad = std::atan2(seen.y(), seen.x());
-        }
-        std::sort(rays[i].begin(), rays[i].end(),
-                  [](const Ray& a, const Ray& b) { return a.angle_rad < b.angle_rad; });
-        for (std::size_t k = 0; k < rays[i].size(); ++k) {
-            const Ray& ray = rays[i][k];
-            const Ray& next = rays[i][(k + 1) % rays[i].size()];
-            const auto& after = ray.leaves ? ray.label->left : ray.label->right;
-            const auto& before = next.leaves ? next.label->right : next.label->left;
+    for (const Around& node : nodes) {
+        if (node.ends.size() < 3) continue;
+        const std::vector<std::size_t> order = counterClockwise(node.ends);
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            const std::size_t here = order[k];
+            const std::size_t next = order[(k + 1) % order.size()];
+            const auto& after = node.ends[here].leaves ? node.labels[here]->left : node.labels[here]->right;
+            const auto& before = node.ends[next].leaves ? node.labels[next]->right : node.labels[next]->left;
             if (after != before) return false;
         }
     }
     return true;
 }
 
-double Arrangement::lengthOf(const Piece& piece) const {
-    return length(node(piece.begin), segment(piece));
+Vec2 Arrangement::seen(const End& end, double reach_mm) const {
+    const Piece& piece = *end.piece;
+    const double share = reach_mm / lengthOf(piece);
+    const Vec2 p = pointAt(node(piece.begin), segment(piece), end.leaves ? share : 1 - share);
+    return p - node(end.leaves ? piece.begin : piece.end);
 }
 
-Vec2 Arrangement::pointAlong(const Piece& piece, bool from_begin, double reach_mm) const {
-    const double share = reach_mm / lengthOf(piece);
-    return pointAt(node(piece.begin), segment(piece), from_begin ? share : 1 - share);
+std::vector<std::size_t> Arrangement::counterClockwise(std::span<const End> ends) const {
+    std::vector<std::size_t> order(ends.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    sortAround(ends, order);
+    return order;
+}
+
+void Arrangement::sortAround(std::span<const End> ends, std::span<std::size_t> order) const {
+    // All are looked at from the same distance: of two tangent pieces the one that bends away to the left
+    // comes later. A short piece forces short sight on all; rounding then hides which way the others bend,
+    // so those that seem to run together are looked at once more without it.
+    constexpr double kTogetherRad = 0.3;
+    double reach_mm = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : order)
+        reach_mm = std::min(reach_mm, lengthOf(*ends[i].piece) / 2);
+    std::vector<std::pair<double, std::size_t>> by_angle;
+    for (const std::size_t i : order) {
+        const Vec2 direction = seen(ends[i], reach_mm);
+        by_angle.emplace_back(std::atan2(direction.y(), direction.x()), i);
+    }
+    std::sort(by_angle.begin(), by_angle.end());
+    // Start after the widest gap, so that no bundle lies across the start.
+    const auto gapBefore = [&](std::size_t k) {
+        return k == 0 ? by_angle.front().first + 2 * kPi - by_angle.back().first
+                      : by_angle[k].first - by_angle[k - 1].first;
+    };
+    std::size_t start = 0;
+    for (std::size_t k = 1; k < by_angle.size(); ++k)
+        if (gapBefore(k) > gapBefore(start)) start = k;
+    std::size_t bundle = 0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        order[k] = by_angle[(start + k) % order.size()].second;
+        const bool ends_here =
+            k + 1 == order.size() || gapBefore((start + k + 1) % order.size()) > kTogetherRad;
+        if (!ends_here) continue;
+        const std::size_t count = k + 1 - bundle;
+        if (count > 1 && count < order.size()) sortAround(ends, order.subspan(bundle, count));
+        bundle = k + 1;
+    }
+}
+
+double Arrangement::lengthOf(const Piece& piece) const {
+    return length(node(piece.begin), segment(piece));
 }
 
 std::vector<Piece> Arrangement::boundary(const std::vector<LabelledPiece>& labels,

@@ -29,6 +29,7 @@ struct Piece {
     bool straight = false;  ///< so short a part of an arc that it counts as a line
     /// How many more windings operand k has on the left of the piece than on its right.
     std::array<int, 2> step{};
+    int twin = -1;  ///< another curve that coincides with it; the last one of several
 };
 
 /// A piece with the winding numbers of both operands on its two sides.
@@ -74,21 +75,32 @@ class Arrangement {
     /// The piece as a segment from node(piece.begin).
     Segment segment(const Piece& piece) const;
     double lengthOf(const Piece& piece) const;
-    /// The point so far along the piece from its begin, or back from its end.
-    Vec2 pointAlong(const Piece& piece, bool from_begin, double reach_mm) const;
+    /// The end of a piece at a node: where it begins, or where it comes in.
+    struct End {
+        const Piece* piece;
+        bool leaves;
+    };
+    /// Indices of ends that share a node, counter-clockwise around it. Ends in nearly one direction are told
+    /// apart by how their pieces go on, as far as the shorter one of these goes.
+    std::vector<std::size_t> counterClockwise(std::span<const End> ends) const;
 
   private:
     struct NodeIndex;
+    class NodesInBox;
     class ChordNoder;
 
     Arrangement() = default;
 
     void cutCurves();
+    Path betweenNodes(const Curve& curve, int begin, int end) const;
     void addPiece(int begin, int end, int curve);
     void dropDeadPieces();
     void sortIntoStrips();
     std::array<int, 2> windingsOnTheRight(const Piece& piece) const;
     std::vector<int> chains() const;
+    /// From the end's node to the point so far along its piece.
+    Vec2 seen(const End& end, double reach_mm) const;
+    void sortAround(std::span<const End> ends, std::span<std::size_t> order) const;
 
     struct Strips {
         std::size_t of(double value_mm) const;

@@ -111,7 +111,7 @@ class Arrangement::ChordNoder {
         const auto ends = key(static_cast<std::uint64_t>(std::min(begin, end)),
                               static_cast<std::uint64_t>(std::max(begin, end)));
         const auto [found, is_new] = pieces_.emplace(ends, result_.pieces_.size());
-        if (is_new) result_.pieces_.push_back({begin, end, curve, true, true, {}});
+        if (is_new) result_.pieces_.push_back({begin, end, curve, true, true, {}, -1});
         Piece& piece = result_.pieces_[found->second];
         const auto operand =
             static_cast<std::size_t>(result_.curves_[static_cast<std::size_t>(curve)].operand);

@@ -165,33 +165,6 @@ Box2 boundingBox(const Region& region) {
     return box;
 }
 
-Vec2 centroid(const Region& region) {
-    STEPMILL_CHECK(!region.empty(), "the empty region has no centre of area");
-    const Vec2 origin = region.loops.front().start;
-    double sum = 0;
-    Vec2 moment = Vec2::Zero();
-    forEachSegment(region, [&](const Vec2& from, const Segment& segment) {
-        const Vec2 a = from - origin;
-        const Vec2 b = segment.to - origin;
-        const double triangle = cross(a, b) / 2;
-        sum += triangle;
-        moment += triangle * (a + b) / 3;
-        if (!segment.arc) return;
-        // Circular segment: area r^2 (theta - sin theta) / 2, and its first moment about the circle's
-        // centre is 2/3 r^3 sin^3(theta / 2) towards the middle of the arc.
-        const double r = segment.arc->radius_mm;
-        const double sweep = sweepAngle(from, segment.to, *segment.arc);
-        const double cap = r * r * angleMinusSine(sweep) / 2;
-        const double half_sine = std::sin(sweep / 2);
-        const Vec2 middle = (pointAt(from, segment, 0.5) - segment.arc->centre) / r;
-        sum += cap;
-        moment += cap * (segment.arc->centre - origin);
-        moment += 2.0 / 3.0 * r * r * r * half_sine * half_sine * half_sine * middle;
-    });
-    STEPMILL_CHECK(sum > 0, "centre of area of a region without area");
-    return origin + moment / sum;
-}
-
 namespace planar {
 
 int windingNumber(const Loop& loop, const Vec2& p) {

@@ -17,8 +17,8 @@ namespace {
 
 using Trouble = std::optional<std::string>;
 
-/// Rounding of an end point and of a centre to the grid.
-constexpr double kOffCircleMm = 2 * kGridMm;
+/// Rounding of an end point, of a centre and of a radius to the grid, and of the centre two arcs share.
+constexpr double kOffCircleMm = 3 * kGridMm;
 
 std::string text(const Vec2& p) {
     return fmt::format("({:.6f}, {:.6f})", p.x(), p.y());
@@ -74,8 +74,21 @@ Trouble diagnoseLoop(const Loop& loop) {
     return std::nullopt;
 }
 
+/// Do two edges that lie on each other for a while part by a micrometre elsewhere? Then they touch there
+/// and do not share a wall, however long the stretch is that two flat curves need to part.
+bool partElsewhere(const planar::Curve& a, const planar::Curve& b) {
+    constexpr double kApartMm = 1e-3;
+    const auto leaves = [&](const planar::Curve& one, const planar::Curve& other) {
+        for (const Vec2& p : {one.from, pointAt(one.from, one.segment, 0.5), one.segment.to})
+            if (planar::distanceToCarrier(p, other.from, other.segment) > kApartMm) return true;
+        return false;
+    };
+    return leaves(a, b) && leaves(b, a);
+}
+
 /// Every stretch of boundary must have the region, winding 1, on its left and nothing on its right.
-/// Stretches no longer than `short_mm` are let off, and edges that run along each other for `touch_mm`.
+/// Stretches no longer than `short_mm` are let off, and edges that run along each other for `touch_mm` or
+/// that part from each other.
 Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm, double short_mm,
                           double touch_mm) {
     const planar::Arrangement arrangement(curves, snap_mm);
@@ -88,10 +101,15 @@ Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_
     const auto along = [&](const planar::Piece& piece) {
         return fmt::format("two edges run along each other at {}", text(arrangement.node(piece.begin)));
     };
+    const auto shareAWall = [&](const planar::Piece& piece) {
+        if (arrangement.lengthOf(piece) <= touch_mm) return false;
+        const auto curve = [&](int index) { return arrangement.curves()[static_cast<std::size_t>(index)]; };
+        return piece.twin < 0 || !partElsewhere(curve(piece.curve), curve(piece.twin));
+    };
     for (const planar::Piece& piece : arrangement.cancelled())
-        if (arrangement.lengthOf(piece) > touch_mm) return along(piece);
+        if (shareAWall(piece)) return along(piece);
     for (const auto& p : pieces) {
-        if (p.piece.step[0] != 1 && arrangement.lengthOf(p.piece) > touch_mm) return along(p.piece);
+        if (p.piece.step[0] != 1 && shareAWall(p.piece)) return along(p.piece);
         if (p.left[0] == 1) clean[loopOf(p)] = true;
     }
     for (const auto& p : pieces) {

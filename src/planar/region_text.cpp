@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 
@@ -14,8 +15,8 @@ namespace stepmill {
 
 namespace {
 
-/// A kilometre: the 1 nm grid still has all its digits in a double there.
-constexpr double kLargestMm = 1e6;
+using planar::kLargestMm;
+using planar::radiusThrough;
 
 /// Shortest decimal of the 1 nm grid: "12.5", "0", "-0.000001".
 std::string number(double value_mm) {
@@ -27,10 +28,6 @@ std::string number(double value_mm) {
 
 std::string numbers(const Vec2& p) {
     return number(p.x()) + " " + number(p.y());
-}
-
-double radiusThrough(const Vec2& to, const Vec2& centre) {
-    return snapToGrid((to - centre).norm());
 }
 
 bool equal(const Path& a, const Path& b) {

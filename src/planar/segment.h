@@ -4,6 +4,9 @@
 
 namespace stepmill::planar {
 
+/// A kilometre: the 1 nm grid still has all its digits in a double there. Readers refuse more.
+inline constexpr double kLargestMm = 1e6;
+
 inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
@@ -13,6 +16,11 @@ bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p);
 
 /// Where on the segment p lies, as a share of its length; outside [0, 1] beyond its ends.
 double shareOf(const Vec2& p, const Vec2& from, const Segment& segment);
+
+/// The radius of a circle on the grid, told from one point on it. Rounding may make it another than meant.
+inline double radiusThrough(const Vec2& on_circle, const Vec2& centre) {
+    return snapToGrid((on_circle - centre).norm());
+}
 
 /// Number of equal chords of at most that sagitta for an arc of that sweep; at least 1.
 int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm);

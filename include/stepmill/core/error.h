@@ -19,7 +19,7 @@ enum class ErrorCode {
     OutputUnwritable,  ///< the output folder or file cannot be written
     TimedOut,          ///< the time limit ended the run
     InvalidRegion,     ///< a planar region breaks the rules of region.h
-    GeometryKernel,    ///< OpenCASCADE, GEOS or Boost failed on good input
+    GeometryKernel,    ///< OpenCASCADE or GEOS failed on good input
     Internal           ///< a Stepmill invariant does not hold: a bug
 };
 

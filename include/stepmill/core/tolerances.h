@@ -11,8 +11,8 @@ struct Tolerances {
     /// A hundred times the 1 nm grid that planar points live on.
     double linear_mm = 1e-4;
 
-    /// Sagitta of the chords that stand for arcs inside the clearance diagram [mm]. Decides only the
-    /// diagram's topology; positions come from the true arcs.
+    /// Sagitta of the chords on which shapes are judged, as in classes and wall thickness [mm]. No area and
+    /// no position comes from them.
     double chord_mm = 2e-3;
 
     /// Extra distance tool paths keep from walls, so that rounding never gouges [mm].

@@ -9,17 +9,52 @@
 
 namespace stepmill {
 
-/// One segment Voronoi diagram of a region's boundary, inside and outside, that answers every offset.
+/// A radius at which the discs that fit a region change.
+struct ClearanceEvent {
+    enum class Kind {
+        Neck,          ///< walls opposite each other come closest: larger discs do not pass
+        CornerRadius,  ///< centre of a concave wall arc: larger discs leave material in it
+        Branch,        ///< a disc that touches three edges on its way into a corner: larger ones miss one
+        Room           ///< the widest disc of a room: larger discs do not fit
+    };
+    Kind kind = Kind::Neck;
+    double radius_mm = 0;
+    Vec2 at = Vec2::Zero();  ///< the disc's centre
+};
+
+/// Centres of the discs that touch the boundary at two or more places, as a graph.
+struct MedialAxis {
+    struct Node {
+        Vec2 point = Vec2::Zero();
+        double clearance_mm = 0;
+    };
+    /// A stretch equally far from two boundary edges. Between its nodes the clearance rises or falls only,
+    /// or stays the same.
+    struct Edge {
+        std::size_t from = 0;
+        std::size_t to = 0;
+    };
+    std::vector<Node> nodes;
+    std::vector<Edge> edges;
+};
+
+/// How large a disc fits at every point of a region's boundary: one diagram that answers every cutter.
 ///
-/// Arcs enter as chords of `tol.chord_mm` laid into the free side, each tagged with the edge it stands
-/// for; the diagram decides which boundary pieces meet, the pieces themselves are offset as true lines
-/// and arcs and their joints recomputed. So arcs stay arcs and nothing drifts, however many offsets are
-/// taken. See docs/algorithms/clearance-diagram.md and docs/adr/0001-planar-kernel.md.
+/// A disc that touches the boundary at a point and grows into the region stops at the first other contact:
+/// the point's clearance. As a function along lines, arcs and reflex corners it is piecewise analytic, its
+/// pieces named by the edge that stops the disc; it holds the whole Voronoi diagram of lines and arcs. The
+/// offset by d follows the boundary where the clearance exceeds d, the opening too; so arcs stay arcs,
+/// walls are shared and nothing drifts, however many radii are asked. See
+/// docs/algorithms/clearance-diagram.md and docs/adr/0004-clearance-profile.md.
 ///
-/// Build O(n log n) in tessellated edges, one offset O(n). Immutable; safe to share between threads.
+/// Tie rule: a disc passes a neck when the neck is wider, by more than 2 nm (what rounding to the grid
+/// leaves of equality); equal is not
+/// passable. A disc fills a concave arc of its own radius.
+///
+/// Build O(n log n) for n edges, a query O(n). Immutable; safe to share between threads.
 class ClearanceDiagram {
   public:
-    /// \throws Error(GeometryKernel) if the diagram cannot be built.
+    /// \throws Error(Internal) if the boundary's pieces do not fit together.
     ClearanceDiagram(const Region& region, const Tolerances& tol);
     ~ClearanceDiagram();
     ClearanceDiagram(ClearanceDiagram&&) noexcept;
@@ -28,9 +63,8 @@ class ClearanceDiagram {
     const Region& region() const;
 
     /// The region grown (distance > 0, round joins) or shrunk (distance < 0) by |distance|.
-    ///
-    /// Tie rule: a neck exactly 2 |distance| wide (within `tol.linear_mm`) is not passable when shrinking
-    /// and is closed when growing. Empty when nothing is left: a result, not an error.
+    /// Empty when nothing is left: a result, not an error. Every point is checked against the boundary.
+    /// \throws Error(Internal) rather than return a boundary that comes closer than it should.
     Region offset(double distance_mm) const;
 
     /// offset(-first), offset(-(first + step)), ... until nothing is left. \pre step_mm > 0
@@ -40,12 +74,27 @@ class ClearanceDiagram {
     /// the region.
     Region opening(double radius_mm) const;
 
+    /// Centres a disc of radius `small` has left to visit after one of radius `large` has swept what it can:
+    /// offset(-small) without the opening(large) shrunk by `small` [DSouza2006, Alg. 2, C = B_nn - B_mn].
+    /// Exactly empty where the two openings are equal. \pre small <= large
+    Region restCentres(double large_mm, double small_mm) const;
+
+    /// Area of opening(radius) [mm2]. Between neighbouring events an analytic function of the radius.
+    double accessibleArea(double radius_mm) const;
+    /// Where that function jumps or bends, by rising radius; equal ones by place.
+    std::vector<ClearanceEvent> events() const;
+
+    MedialAxis medialAxis() const;
+
     /// Largest disc inside the region; nothing for the empty region.
     struct Disc {
         Vec2 centre;
         double radius_mm = 0;
     };
     std::optional<Disc> largestInscribedDisc() const;
+
+    /// Distance from p to the boundary [mm]; infinity for the empty region. O(log n) for ordinary regions.
+    double distanceToBoundary(const Vec2& p) const;
 
   private:
     struct Impl;

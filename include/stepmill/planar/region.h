@@ -92,6 +92,16 @@ double length(const Path& path);
 double perimeter(const Region& region);
 Box2 boundingBox(const Path& path);
 Box2 boundingBox(const Region& region);
+/// Area and its moments about the centre of area. Integrals along the lines and arcs about a local origin:
+/// exact to about twelve digits of what a region of that size can have, wherever it lies.
+struct Moments {
+    double area_mm2 = 0;
+    Vec2 centroid = Vec2::Zero();
+    /// Integrals of x x, x y, y y from the centroid [mm4]: the trace is the polar moment.
+    Eigen::Matrix2d second_mm4 = Eigen::Matrix2d::Zero();
+};
+/// \pre area > 0
+Moments moments(const Region& region);
 /// Centre of area. \pre area > 0
 Vec2 centroid(const Region& region);
 

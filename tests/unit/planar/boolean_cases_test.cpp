@@ -26,6 +26,7 @@ struct Case {
 std::vector<Case> cases() {
     std::vector<Case> result;
     for (const auto& entry : std::filesystem::directory_iterator(STEPMILL_SOURCE_DIR "/tests/planar_cases")) {
+        if (entry.path().filename().string().rfind("clearance_", 0) == 0) continue;  // cases of one region
         std::ifstream file(entry.path());
         std::string line;
         std::string text[2];

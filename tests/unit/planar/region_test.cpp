@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -75,6 +77,112 @@ TEST(Region, CentroidOfAHalfDiscLiesFourThirdsOfRadiusOverPi) {
     const Region half = fromText("loop 7 2  line 13 2  arc 7 2 centre 10 2 ccw  close");
     EXPECT_NEAR(centroid(half).x(), 10, 1e-9);
     EXPECT_NEAR(centroid(half).y(), 2 + 4 * 3 / (3 * kPi), 1e-9);
+}
+
+/// Relative to the moment, and to what the coordinates' own last digits make of it.
+void expectMoments(const Region& region, double area_mm2, const Vec2& centre, double xx, double xy,
+                   double yy) {
+    const Moments m = moments(region);
+    constexpr double kDigits = 1e-12;
+    EXPECT_NEAR(m.area_mm2, area_mm2, kDigits * area_mm2);
+    EXPECT_NEAR(m.area_mm2, area(region), kDigits * area_mm2);
+    const double size = boundingBox(region).size().norm();
+    EXPECT_NEAR((m.centroid - centre).norm(), 0, kDigits * size);
+    const double polar = xx + yy;
+    EXPECT_NEAR(m.second_mm4(0, 0), xx, kDigits * polar);
+    EXPECT_NEAR(m.second_mm4(0, 1), xy, kDigits * polar);
+    EXPECT_NEAR(m.second_mm4(1, 0), xy, kDigits * polar);
+    EXPECT_NEAR(m.second_mm4(1, 1), yy, kDigits * polar);
+}
+
+TEST(RegionMoments, OfARectangleAndATriangleAreThoseOfTheBook) {
+    expectMoments(makeRectangle({-1, 2}, {5, 6}), 24, {2, 4}, 4 * 216 / 12.0, 0, 6 * 64 / 12.0);
+    const double b = 6, h = 9;
+    expectMoments(makePolygon({{0, 0}, {b, 0}, {0, h}}), 27, {2, 3}, h * b * b * b / 36, -b * b * h * h / 72,
+                  b * h * h * h / 36);
+}
+
+TEST(RegionMoments, OfDiscsRingsAndHalfDiscsAreExact) {
+    const double disc = kPi * 625 / 4;
+    expectMoments(makeCircle({3, -2}, 5), kPi * 25, {3, -2}, disc, 0, disc);
+    Region ring = makeCircle({3, -2}, 5);
+    ring.loops.push_back(reversed(makeCircle({3, -2}, 3).loops.front()));
+    const double hollow = kPi * (625 - 81) / 4;
+    expectMoments(ring, kPi * 16, {3, -2}, hollow, 0, hollow);
+    const double r = 3;
+    const double above = 4 * r / (3 * kPi);
+    expectMoments(fromText("loop 7 2  line 13 2  arc 7 2 centre 10 2 ccw  close"), kPi * r * r / 2,
+                  {10, 2 + above}, kPi * r * r * r * r / 8, 0,
+                  kPi * r * r * r * r / 8 - kPi * r * r / 2 * above * above);
+}
+
+TEST(RegionMoments, DoNotDependOnWhereTheRegionLies) {
+    const Region region = makeRoundedRectangle({0, 0}, {8, 4}, 1);
+    const Moments here = moments(region);
+    const Moments there = moments(translated(region, {4096, -8192}));
+    EXPECT_NEAR(there.area_mm2, here.area_mm2, 1e-12 * here.area_mm2);
+    EXPECT_NEAR((there.second_mm4 - here.second_mm4).norm(), 0, 1e-12 * here.second_mm4.norm());
+}
+
+TEST(RegionMoments, OfAShallowArcKeepTheirDigits) {
+    // A parabola to fifteen digits: chord c, sagitta s, area 2/3 c s, centre at 2/5 s above the chord.
+    const double r = 4e5;
+    const Vec2 a(-0.5, 0), b(0.5, 0);
+    const double up = std::sqrt(r * r - 0.25);
+    const Region cap{{Loop{a, {{b, Arc{{0, up}, r, true}}, {a, std::nullopt}}}}};
+    const Moments m = moments(cap);
+    const double s = 0.25 / (r + up);
+    EXPECT_NEAR(m.area_mm2, 2.0 / 3 * s, 1e-9 * s);
+    EXPECT_NEAR(m.centroid.y(), -0.4 * s, 1e-9 * s);
+    EXPECT_NEAR(m.second_mm4(0, 0), s / 30, 1e-9 * s);
+}
+
+/// The winding of the polygon through many points of the loop.
+int windingOfPolygon(const std::vector<Vec2>& points, const Vec2& p) {
+    int winding = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec2 a = points[i - 1] - p;
+        const Vec2 b = points[i] - p;
+        if ((a.y() <= 0) == (b.y() <= 0)) continue;
+        const double left = a.x() * b.y() - a.y() * b.x();
+        if (b.y() > 0 && left > 0) ++winding;
+        if (b.y() <= 0 && left < 0) --winding;
+    }
+    return winding;
+}
+
+TEST(Region, ContainsIsRightBesideArcsOfAFewNanometres) {
+    std::mt19937 random(1);
+    const auto real = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.0); };
+    int asked = 0;
+    for (int i = 0; i < 20000; ++i) {
+        // Radii from 2 nm to 10 mm, arcs from 1 nm length; the ends are on the grid and so off the circle.
+        const double r = std::max(2 * kGridMm, snapToGrid(std::pow(10.0, real(-5.7, 1))));
+        const double sweep = std::min(std::pow(10.0, real(-6, -3.5)) / r, real(0.1, 6));
+        const double begin = real(0, 2 * kPi);
+        const auto at = [&](double angle) {
+            return snapToGrid(Vec2(r * std::cos(angle), r * std::sin(angle)));
+        };
+        const Arc arc{{0, 0}, r, i % 2 == 0};
+        const Vec2 p = at(begin);
+        const Vec2 q = at(begin + (arc.ccw ? sweep : -sweep));
+        if (p == q || std::abs(std::abs(sweepAngle(p, q, arc)) - sweep) > 1.5) continue;
+        const Vec2 third = snapToGrid(Vec2(q + Vec2(real(-5, 5), real(-5, 5))));
+        Loop loop{p, {{q, arc}, {third, std::nullopt}, {p, std::nullopt}}};
+        if (signedArea(loop) < 0) loop = reversed(loop);
+        const std::vector<Vec2> polygon = tessellate(loop, 1e-9);
+        for (int k = 0; k < 10; ++k) {
+            const double away = std::pow(10.0, real(-5.5, 0.5));
+            const double angle = real(0, 2 * kPi);
+            Vec2 seen = p + away * Vec2(std::cos(angle), std::sin(angle));
+            if (k % 3 == 0) seen.y() = k % 2 ? p.y() : q.y();
+            if (distanceToBoundary(Region{{loop}}, seen) < 5 * kGridMm) continue;
+            ++asked;
+            ASSERT_EQ(contains(Region{{loop}}, seen), windingOfPolygon(polygon, seen) > 0)
+                << toText(Region{{loop}}) << seen.transpose();
+        }
+    }
+    EXPECT_GT(asked, 100000);
 }
 
 TEST(Region, ContainsKnowsHolesIslandsAndTheBoundary) {

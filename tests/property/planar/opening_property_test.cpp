@@ -1,0 +1,167 @@
+// Laws of the openings of one ClearanceDiagram, of their areas, and of what a smaller cutter has left to do.
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/region_text.h"
+#include "support/diagram_laws.h"
+
+namespace stepmill {
+namespace {
+
+using test::kRoundingMm;
+using test::kTieMm;
+using test::Random;
+using test::RandomRegion;
+
+const Tolerances kTol;
+
+class OpeningLaws : public test::DiagramLaws {};
+
+double slackOf(const RandomRegion& which) {
+    return kRoundingMm * perimeter(which.region);
+}
+
+TEST_P(OpeningLaws, LiesInsideAndShrinksAsTheCutterGrows) {
+    forSeeds(150, [](const RandomRegion& which, Random& random) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        std::vector<double> radii;
+        for (int k = 0; k < 5; ++k)
+            radii.push_back(radius(which, diagram, random));
+        std::sort(radii.begin(), radii.end());
+        double last = area(which.region);
+        for (const double r : radii) {
+            SCOPED_TRACE(fmt::format("opening {:.6f}", r));
+            const Region opened = diagram.opening(r);
+            const auto trouble = diagnose(opened);
+            EXPECT_EQ(trouble, std::nullopt);
+            EXPECT_LE(area(opened), last + slackOf(which));
+            last = area(opened);
+            for (const Loop& loop : opened.loops) {
+                Vec2 from = loop.start;
+                for (const Segment& s : loop.segments) {
+                    for (const double t : {0.0, 0.5}) {
+                        const Vec2 p = pointAt(from, s, t);
+                        EXPECT_GT(test::signedClearance(which.region, p), -kRoundingMm) << p.transpose();
+                    }
+                    from = s.to;
+                }
+            }
+        }
+    });
+}
+
+TEST_P(OpeningLaws, HoldsWhatDiscsSweepAndNothingElse) {
+    forSeeds(200, [](const RandomRegion& which, Random& random) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        for (int k = 0; k < 3; ++k) {
+            const double r = radius(which, diagram, random);
+            SCOPED_TRACE(fmt::format("opening {:.6f}", r));
+            const Region opened = diagram.opening(r);
+            // At a tie a neck or a room may count either way.
+            const Region surely = diagram.offset(-(r + kTieMm));
+            const Region perhaps = diagram.offset(-std::max(r / 2, r - kTieMm));
+            for (int i = 0; i < 24; ++i) {
+                const Vec2 p = test::probePoint(which.region, 0, random);
+                if (test::sweptBy(surely, r, p) > kTieMm) {
+                    EXPECT_TRUE(contains(opened, p)) << p.transpose() << " is swept";
+                }
+                if (test::sweptBy(perhaps, r, p) < -kTieMm) {
+                    EXPECT_FALSE(contains(opened, p)) << p.transpose() << " is not swept";
+                }
+            }
+        }
+    });
+}
+
+TEST_P(OpeningLaws, OpeningTwiceIsOpeningOnce) {
+    forSeeds(100, [](const RandomRegion& which, Random& random) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        const double r = radius(which, diagram, random);
+        SCOPED_TRACE(fmt::format("opening {:.6f}", r));
+        const Region once = diagram.opening(r);
+        const Region twice = ClearanceDiagram(once, kTol).opening(r);
+        EXPECT_NEAR(area(twice), area(once), slackOf(which));
+    });
+}
+
+TEST_P(OpeningLaws, AccessibleAreaIsTheOpeningsArea) {
+    forSeeds(150, [](const RandomRegion& which, Random& random) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        for (int k = 0; k < 6; ++k) {
+            const double r = radius(which, diagram, random);
+            SCOPED_TRACE(fmt::format("radius {:.6f}", r));
+            EXPECT_NEAR(diagram.accessibleArea(r), area(diagram.opening(r)), slackOf(which));
+        }
+    });
+}
+
+/// restCentres against its definition by Booleans and, point by point, without them.
+void expectRest(const RandomRegion& which, const ClearanceDiagram& diagram, double large, double small,
+                Random& random) {
+    SCOPED_TRACE(fmt::format("restCentres {:.6f} {:.6f}", large, small));
+    const Region rest = diagram.restCentres(large, small);
+    const Region centres = diagram.offset(-small);
+    const Region done = diagram.opening(large);
+    const auto trouble = diagnose(rest);
+    EXPECT_EQ(trouble, std::nullopt);
+    for (int i = 0; i < 24; ++i) {
+        const Vec2 p = test::probePoint(which.region, 0, random);
+        const double free = test::signedClearance(which.region, p) - small;
+        const double swept = test::signedClearance(done, p) - small;
+        if (std::abs(free) < kTieMm || std::abs(swept) < kTieMm) continue;
+        EXPECT_EQ(contains(rest, p), free > 0 && swept < 0)
+            << p.transpose() << " free by " << free << ", swept by " << swept;
+    }
+    if (toText(done) == toText(diagram.opening(small))) {
+        EXPECT_TRUE(rest.empty()) << "equal openings";
+    }
+    const test::Deviation off = test::deviation(rest, which.region, small);
+    EXPECT_LT(off.too_close_mm, kRoundingMm) << "at " << off.closest_at.transpose();
+    // Strips along shared walls, thinner than the tolerance, are in one of the two and not in the other.
+    const Region expected = subtract(centres, offset(done, -small, kTol), kTol);
+    EXPECT_NEAR(area(rest), area(expected), kTol.linear_mm * perimeter(centres) + slackOf(which));
+}
+
+TEST_P(OpeningLaws, RestCentresAreWhatTheyAreSaidToBe) {
+    forSeeds(120, [](const RandomRegion& which, Random& random) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        for (int k = 0; k < 3; ++k) {
+            const double a = radius(which, diagram, random);
+            const double b = radius(which, diagram, random);
+            expectRest(which, diagram, std::max(a, b), std::min(a, b), random);
+        }
+        const double r = radius(which, diagram, random);
+        EXPECT_TRUE(diagram.restCentres(r, r).empty()) << r;
+    });
+}
+
+TEST_P(OpeningLaws, LargeAndRestTogetherSweepWhatTheSmallCutterSweeps) {
+    forSeeds(120, [](const RandomRegion& which, Random& random) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        const double a = radius(which, diagram, random);
+        const double b = radius(which, diagram, random);
+        const double large = std::max(a, b);
+        const double small = std::min(a, b);
+        SCOPED_TRACE(fmt::format("large {:.6f} small {:.6f}", large, small));
+        const Region first = diagram.opening(large);
+        const Region rest = offset(diagram.restCentres(large, small), small, kTol);
+        const Region whole = diagram.opening(small);
+        EXPECT_NEAR(area(unite(first, rest, kTol)), area(whole),
+                    slackOf(which) + 2 * kTol.linear_mm * perimeter(rest));
+        for (int i = 0; i < 16; ++i) {
+            const Vec2 p = test::probePoint(which.region, 0, random);
+            if (std::abs(test::signedClearance(whole, p)) < kTieMm) continue;
+            if (std::min(distanceToBoundary(first, p), distanceToBoundary(rest, p)) < kTieMm) continue;
+            EXPECT_EQ(contains(first, p) || contains(rest, p), contains(whole, p)) << p.transpose();
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(On, OpeningLaws, testing::ValuesIn(test::kRegionKinds), test::kindName);
+
+}  // namespace
+}  // namespace stepmill

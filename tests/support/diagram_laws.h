@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "stepmill/core/tolerances.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "support/random_regions.h"
+#include "support/region_checks.h"
+
+namespace stepmill::test {
+
+/// A point rounded to the grid lies up to 0.7 nm off, a joint at a shallow angle a few more; never 10 nm.
+inline constexpr double kRoundingMm = 1e-5;
+
+/// Points closer to the level than this may lie on either side.
+inline constexpr double kTieMm = 2e-5;
+
+/// No cutter is smaller than a tenth of a micrometre.
+inline constexpr double kSmallestRadiusMm = 1e-4;
+
+/// Base of the laws that must hold on random regions of every kind.
+class DiagramLaws : public testing::TestWithParam<RegionKind> {
+  protected:
+    /// Two free radii, then one that ties, on average.
+    static double radius(const RandomRegion& which, Random& random) {
+        return random.below(3) == 0 ? which.tieRadius(random) : which.freeRadius(random);
+    }
+
+    /// As above, and as often one at or just beside an event, where necks have closed and corners unfold.
+    static double radius(const RandomRegion& which, const ClearanceDiagram& diagram, Random& random) {
+        const std::vector<ClearanceEvent> events = diagram.events();
+        if (random.below(2) || events.empty()) return radius(which, random);
+        const double beside[] = {1, 1, 1 - 1e-4, 1 + 1e-4, 1.003, 1.02};
+        const double at =
+            events[static_cast<std::size_t>(random.below(static_cast<int>(events.size())))].radius_mm;
+        return std::max(kSmallestRadiusMm, snapToGrid(at * beside[random.below(6)]));
+    }
+
+    /// Calls law(which, random) for that many regions, until one fails.
+    template <typename Law>
+    void forSeeds(int count, Law law) {
+        for (int seed = 0; seed < count && !HasFailure(); ++seed) {
+            const RandomRegion which = randomRegion(GetParam(), static_cast<std::uint64_t>(seed));
+            Random random(static_cast<std::uint64_t>(seed) + 77);
+            const CaseTrace trace(which);
+            try {
+                law(which, random);
+            } catch (const std::exception& error) {
+                ADD_FAILURE() << error.what();
+            }
+        }
+    }
+};
+
+inline std::string kindName(const testing::TestParamInfo<RegionKind>& which) {
+    return name(which.param);
+}
+
+}  // namespace stepmill::test
