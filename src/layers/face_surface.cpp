@@ -117,24 +117,27 @@ double innerExtreme(const MeshFace& face, double node_z, double edge_z, int dire
     return node_z;
 }
 
-void widenByCurve(const Geom_Curve& curve, double t0, double t1, double& low, double& high) {
+void widenByCurve(const Geom_Curve& curve, const Vec3& along, double t0, double t1, double& low,
+                  double& high) {
     if (curve.IsKind(STANDARD_TYPE(Geom_Line))) return;
-    // Golden section on one stretch between facet nodes, on which the height has at most one extreme.
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    const double z0 = curve.Value(t0).Z();
-    const double z1 = curve.Value(t1).Z();
-    const double zm = curve.Value((t0 + t1) / 2).Z();
-    const double sign = zm > std::max(z0, z1) ? 1 : (zm < std::min(z0, z1) ? -1 : 0);
-    if (sign == 0) return;
+    const auto reach = [&](double t) {
+        const gp_Pnt p = curve.Value(t);
+        return along.dot(Vec3(p.X(), p.Y(), p.Z()));
+    };
+    const auto slope = [&](double t) {
+        const gp_Vec d = curve.DN(t, 1);
+        return along.dot(Vec3(d.X(), d.Y(), d.Z()));
+    };
+    // On a stretch between facet nodes the reach turns at most once: where its slope changes sign.
     double a = t0;
     double b = t1;
-    for (int i = 0; i < 45; ++i) {
-        const double c = b - golden * (b - a);
-        const double d = a + golden * (b - a);
-        (sign * curve.Value(c).Z() > sign * curve.Value(d).Z() ? b : a) =
-            sign * curve.Value(c).Z() > sign * curve.Value(d).Z() ? d : c;
+    const double slope_a = slope(a);
+    if (slope_a * slope(b) >= 0) return;
+    for (int i = 0; i < 50; ++i) {
+        const double middle = (a + b) / 2;
+        (slope_a * slope(middle) > 0 ? a : b) = middle;
     }
-    const double extreme = curve.Value((a + b) / 2).Z();
+    const double extreme = reach((a + b) / 2);
     low = std::min(low, extreme);
     high = std::max(high, extreme);
 }

@@ -2,10 +2,34 @@
 
 #include "stepmill/layers/layer_stack.h"
 
-#include "layers/slab.h"
 #include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
 
 namespace stepmill {
+
+namespace {
+
+/// Is one of the path's segments, at a quarter, half or three quarters of its length, within reach of the
+/// other path?
+bool runsAlong(const Path& path, const Path& other, double reach_mm) {
+    const auto near = [&](const Vec2& p) {
+        Vec2 from = other.start;
+        for (const Segment& segment : other.segments) {
+            if (distanceTo(p, from, segment) <= reach_mm) return true;
+            from = segment.to;
+        }
+        return false;
+    };
+    Vec2 from = path.start;
+    for (const Segment& segment : path.segments) {
+        for (const double share : {0.25, 0.5, 0.75})
+            if (near(pointAt(from, segment, share))) return true;
+        from = segment.to;
+    }
+    return false;
+}
+
+}  // namespace
 
 Region LayerStack::partAbove(double z_mm, const Tolerances& tol) const {
     // The shadow of a layer is the union of it and all above; the lowest layer that reaches above z has it.
@@ -22,6 +46,30 @@ const Region& LayerStack::stockAt(double z_mm) const {
     for (const Layer& layer : layers)
         if (z_mm > layer.bottom_z_mm) return layer.stock;
     return layers.back().stock;
+}
+
+std::vector<int> LayerStack::wallsAlong(const Path& path, double top_z_mm, double bottom_z_mm,
+                                        double reach_mm) const {
+    std::vector<int> found;
+    for (const FaceTrace& trace : traces) {
+        if (trace.stand != FaceStand::Wall || trace.footprint.segments.empty()) continue;
+        if (trace.bottom_z_mm >= top_z_mm || trace.top_z_mm <= bottom_z_mm) continue;
+        if (!boundingBox(trace.footprint).grown(reach_mm).overlaps(boundingBox(path))) continue;
+        if (runsAlong(path, trace.footprint, reach_mm) || runsAlong(trace.footprint, path, reach_mm))
+            found.push_back(trace.face);
+    }
+    return found;
+}
+
+std::vector<int> LayerStack::floorsUnder(const Region& region, double z_mm, double reach_mm,
+                                         const Tolerances& tol) const {
+    std::vector<int> found;
+    for (const FaceTrace& trace : traces) {
+        if (trace.stand != FaceStand::Floor || std::abs(trace.top_z_mm - z_mm) > reach_mm) continue;
+        if (!boundingBox(trace.region).overlaps(boundingBox(region))) continue;
+        if (area(intersect(region, trace.region, tol)) > tol.area_mm2) found.push_back(trace.face);
+    }
+    return found;
 }
 
 }  // namespace stepmill

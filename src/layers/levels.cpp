@@ -17,14 +17,14 @@ void addLevels(const SolidMesh& mesh, std::vector<Level>& levels) {
         levels.push_back({z, Level::Rank::Silhouette});
 }
 
-std::vector<double> mergeLevels(std::vector<Level> levels, double top_mm, double bottom_mm, double merge_mm) {
+std::vector<Level> mergeLevels(std::vector<Level> levels, double top_mm, double bottom_mm, double merge_mm) {
     std::erase_if(levels, [&](const Level& level) {
         return level.z_mm >= top_mm - merge_mm || level.z_mm <= bottom_mm + merge_mm;
     });
     std::sort(levels.begin(), levels.end(), [](const Level& a, const Level& b) {
         return a.z_mm != b.z_mm ? a.z_mm > b.z_mm : a.rank > b.rank;
     });
-    std::vector<double> merged{top_mm};
+    std::vector<Level> merged{{top_mm, Level::Rank::StockBound}};
     for (std::size_t i = 0; i < levels.size();) {
         std::size_t end = i + 1;
         Level best = levels[i];
@@ -32,10 +32,10 @@ std::vector<double> mergeLevels(std::vector<Level> levels, double top_mm, double
             if (levels[end].rank > best.rank) best = levels[end];
             ++end;
         }
-        merged.push_back(best.z_mm);
+        merged.push_back(best);
         i = end;
     }
-    merged.push_back(bottom_mm);
+    merged.push_back({bottom_mm, Level::Rank::StockBound});
     return merged;
 }
 

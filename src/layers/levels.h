@@ -11,6 +11,9 @@ struct Level {
     enum class Rank { FaceEnd, Silhouette, Plane, StockBound };
     double z_mm = 0;
     Rank rank = Rank::FaceEnd;
+
+    /// Slabs may be joined over it.
+    bool soft() const { return rank < Rank::Plane; }
 };
 
 /// Heights of a solid: its horizontal planes, the ends of all other faces, and their silhouettes.
@@ -18,6 +21,6 @@ void addLevels(const SolidMesh& mesh, std::vector<Level>& levels);
 
 /// From the top down; levels closer than `merge_mm` to their neighbour are one, at the highest-ranking
 /// height among them (of equals the highest). Levels outside [bottom, top] are left out.
-std::vector<double> mergeLevels(std::vector<Level> levels, double top_mm, double bottom_mm, double merge_mm);
+std::vector<Level> mergeLevels(std::vector<Level> levels, double top_mm, double bottom_mm, double merge_mm);
 
 }  // namespace stepmill::layers

@@ -2,9 +2,9 @@
 
 #include "layers/section.h"
 
-#include "layers/curve_fit.h"
 #include "layers/section_path.h"
 #include "layers/section_trace.h"
+#include "layers/tidy_loop.h"
 
 namespace stepmill::layers {
 
@@ -30,29 +30,15 @@ std::vector<FaceRun> splitByFace(const SolidMesh& mesh, const std::vector<Crossi
 }  // namespace
 
 std::optional<Region> exactSection(const SolidMesh& mesh, double z_mm, const Tolerances& tol) {
-    const auto chains = traceChains(mesh, z_mm);
-    if (!chains) return std::nullopt;
+    const Chains chains = traceChains(mesh, z_mm);
+    if (!chains.open.empty()) return std::nullopt;
     Region region;
-    for (const std::vector<Crossing>& chain : *chains) {
+    for (const std::vector<Crossing>& chain : chains.closed) {
         Loop loop = joinRuns(mesh, splitByFace(mesh, chain), z_mm, tol);
         if (!loop.segments.empty()) region.loops.push_back(std::move(loop));
     }
     sortLoops(region);
-    return region;
-}
-
-std::optional<Region> facetSection(const SolidMesh& mesh, double z_mm) {
-    const auto chains = traceChains(mesh, z_mm);
-    if (!chains) return std::nullopt;
-    Region region;
-    for (const std::vector<Crossing>& chain : *chains) {
-        std::vector<Segment> segments;
-        for (const Crossing& crossing : chain)
-            segments.push_back({snapToGrid(crossing.to), std::nullopt});
-        Loop loop = tidyLoop(std::move(segments));
-        if (!loop.segments.empty()) region.loops.push_back(std::move(loop));
-    }
-    sortLoops(region);
+    if (diagnose(region)) return std::nullopt;
     return region;
 }
 

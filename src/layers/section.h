@@ -12,10 +12,7 @@ namespace stepmill::layers {
 ///
 /// Which faces follow one another comes from the crossed facets; joints are the edges' crossings with the
 /// plane. A node exactly at the height counts as above it, so that a section at a vertex is that just
-/// below it. Nothing when a chain of facets does not close.
+/// below it. Nothing when a chain of facets does not close or the loops make no valid region.
 std::optional<Region> exactSection(const SolidMesh& mesh, double z_mm, const Tolerances& tol);
-
-/// The same from the flat facets alone: the last resort, off by up to the facets' sagitta.
-std::optional<Region> facetSection(const SolidMesh& mesh, double z_mm);
 
 }  // namespace stepmill::layers

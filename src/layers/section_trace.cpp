@@ -2,7 +2,7 @@
 
 #include "layers/section_trace.h"
 
-#include <unordered_map>
+#include <algorithm>
 
 namespace stepmill::layers {
 
@@ -20,6 +20,7 @@ Vec2 crossingOnSide(const SolidMesh& mesh, int side, double z_mm) {
 std::vector<Crossing> crossedFacets(const SolidMesh& mesh, double z_mm) {
     std::vector<Crossing> crossed;
     for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
+        if (mesh.faces()[f].facets_low_mm >= z_mm || mesh.faces()[f].facets_high_mm < z_mm) continue;
         for (const int t : mesh.trianglesOfFace()[f]) {
             const MeshTriangle& triangle = mesh.triangles()[t];
             std::array<bool, 3> above{};
@@ -43,28 +44,41 @@ std::vector<Crossing> crossedFacets(const SolidMesh& mesh, double z_mm) {
 
 }  // namespace
 
-std::optional<std::vector<std::vector<Crossing>>> traceChains(const SolidMesh& mesh, double z_mm) {
+Chains traceChains(const SolidMesh& mesh, double z_mm) {
     const std::vector<Crossing> crossed = crossedFacets(mesh, z_mm);
-    std::unordered_multimap<int, int> by_side_in;
+    // Entries in the order of their side, and of one side in the order they were found.
+    std::vector<std::pair<int, int>> by_side_in;
+    std::vector<int> sides_out;
+    for (std::size_t i = 0; i < crossed.size(); ++i) {
+        by_side_in.emplace_back(crossed[i].side_in, static_cast<int>(i));
+        sides_out.push_back(crossed[i].side_out);
+    }
+    std::sort(by_side_in.begin(), by_side_in.end());
+    std::sort(sides_out.begin(), sides_out.end());
+    // Open chains are followed from their beginnings, or one would come out in two pieces.
+    std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < crossed.size(); ++i)
-        by_side_in.emplace(crossed[i].side_in, static_cast<int>(i));
+        if (!std::binary_search(sides_out.begin(), sides_out.end(), crossed[i].side_in)) starts.push_back(i);
+    for (std::size_t i = 0; i < crossed.size(); ++i)
+        starts.push_back(i);
     std::vector<bool> used(crossed.size(), false);
-    std::vector<std::vector<Crossing>> chains;
-    for (std::size_t start = 0; start < crossed.size(); ++start) {
+    Chains chains;
+    for (const std::size_t start : starts) {
         if (used[start]) continue;
         std::vector<Crossing> chain;
         for (int at = static_cast<int>(start); at >= 0;) {
             used[at] = true;
             chain.push_back(crossed[at]);
-            // Where a solid touches itself along an edge several facets may follow: the lowest unused.
+            // Where a solid touches itself along an edge several facets may follow: the first unused.
             int next = -1;
-            const auto [begin, end] = by_side_in.equal_range(crossed[at].side_out);
-            for (auto it = begin; it != end; ++it)
-                if (!used[it->second] && (next < 0 || it->second < next)) next = it->second;
+            auto it =
+                std::lower_bound(by_side_in.begin(), by_side_in.end(), std::pair(crossed[at].side_out, -1));
+            for (; it != by_side_in.end() && it->first == crossed[at].side_out && next < 0; ++it)
+                if (!used[it->second]) next = it->second;
             at = next;
         }
-        if (chain.back().side_out != chain.front().side_in) return std::nullopt;
-        chains.push_back(std::move(chain));
+        const bool closes = chain.back().side_out == chain.front().side_in;
+        (closes ? chains.closed : chains.open).push_back(std::move(chain));
     }
     return chains;
 }

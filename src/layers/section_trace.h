@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "layers/solid_mesh.h"
@@ -17,8 +16,13 @@ struct Crossing {
     Vec2 to;
 };
 
-/// Closed chains of crossed facets, material on the left; nothing if a chain does not close.
-/// A node at the very height counts as above. O(triangles).
-std::optional<std::vector<std::vector<Crossing>>> traceChains(const SolidMesh& mesh, double z_mm);
+/// Chains of crossed facets, material on the left. A node at the very height counts as above.
+struct Chains {
+    std::vector<std::vector<Crossing>> closed;
+    std::vector<std::vector<Crossing>> open;  ///< that end where the facets leave a gap
+};
+
+/// O(facets of the faces that meet the height).
+Chains traceChains(const SolidMesh& mesh, double z_mm);
 
 }  // namespace stepmill::layers

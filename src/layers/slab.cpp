@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "layers/projection.h"
-#include "layers/section.h"
-#include "stepmill/core/error.h"
-#include "stepmill/planar/boolean.h"
+#include "layers/facet_cover.h"
+#include "layers/local_boolean.h"
+#include "layers/mended_section.h"
+#include "layers/slab_facets.h"
 
 namespace stepmill::layers {
 
@@ -27,125 +27,108 @@ bool allWallsVertical(const SolidMesh& mesh, double top_mm, double bottom_mm, do
     return true;
 }
 
-/// A section is good if it exists and is a valid region.
-std::optional<Region> validSection(const SolidMesh& mesh, double z_mm, const Tolerances& tol) {
-    std::optional<Region> section = exactSection(mesh, z_mm, tol);
-    if (section && diagnose(*section)) section.reset();
-    return section;
-}
-
-enum class Lean { None, Up, Down, Both };
-
-Lean leanOf(const std::vector<ProjectedFacet>& facets) {
-    constexpr double kLeast = 1e-7;
+struct Lean {
     bool up = false;
     bool down = false;
-    for (const ProjectedFacet& facet : facets) {
-        up = up || facet.normal_z > kLeast;
-        down = down || facet.normal_z < -kLeast;
+};
+
+Lean leanOf(const std::vector<SlabFacet>& facets) {
+    constexpr double kLeast = 1e-7;
+    Lean lean;
+    for (const SlabFacet& facet : facets) {
+        if (facet.thin) continue;
+        lean.up = lean.up || facet.normal_z > kLeast;
+        lean.down = lean.down || facet.normal_z < -kLeast;
     }
-    if (up && down) return Lean::Both;
-    return up ? Lean::Up : (down ? Lean::Down : Lean::None);
+    return lean;
 }
 
-/// Gauss' rule over three heights: exact for areas that are polynomials of the height up to the fifth.
-double volumeBetween(const SolidMesh& mesh, double top_mm, double bottom_mm, const Tolerances& tol,
-                     std::vector<std::string>& remarks) {
-    const double at = std::sqrt(0.6);
-    const double middle = (top_mm + bottom_mm) / 2;
-    const double half = (top_mm - bottom_mm) / 2;
-    const auto areaAt = [&](double z) {
-        return area(mendedSection(mesh, z, top_mm, bottom_mm, tol, remarks));
-    };
-    return half * (5 * areaAt(middle - at * half) + 8 * areaAt(middle) + 5 * areaAt(middle + at * half)) / 9;
-}
+class SlabCutter {
+  public:
+    SlabCutter(const SolidMesh& mesh, double top_mm, double bottom_mm, const Tolerances& tol)
+        : mesh_(mesh),
+          top_(top_mm),
+          bottom_(bottom_mm),
+          inset_(insetMm(top_mm - bottom_mm, tol)),
+          tol_(tol) {}
 
-/// The union. Where boundaries that nearly coincide leave it with edges on top of each other, once more
-/// with other points to snap to: the result with one of the two, then with coarser points, up to half the
-/// gouge budget.
-Region soundUnion(const Region& a, const Region& b, const Tolerances& tol) {
-    const Region united = unite(a, b, tol);
-    if (!diagnose(united)) return united;
-    for (const double share : {0.0, 0.2, 0.5}) {
-        Tolerances coarser = tol;
-        coarser.linear_mm = std::max(tol.linear_mm, share * tol.gouge_mm);
-        for (const Region* again : {&a, &b}) {
-            const Region repeated = unite(united, *again, coarser);
-            if (!diagnose(repeated)) return repeated;
+    SlabCut vertical() {
+        cut_.region = section((top_ + bottom_) / 2).region;
+        cut_.volume_mm3 = area(cut_.region) * (top_ - bottom_);
+        return std::move(cut_);
+    }
+
+    SlabCut leaning() {
+        cut_.vertical = false;
+        const std::vector<SlabFacet> facets = slopedFacets(mesh_, top_, bottom_);
+        cut_.volume_mm3 = volumeInSlab(mesh_, facets, top_, bottom_);
+        cut_.leaning = sharesOfFaces(facets);
+        cutUnion(facets);
+        if (const auto trouble = diagnose(cut_.region))
+            cut_.remarks.push_back(
+                fmt::format("union over z {:.4f} .. {:.4f} mm: {}", top_, bottom_, *trouble));
+        return std::move(cut_);
+    }
+
+  private:
+    MendedSection section(double z_mm) {
+        MendedSection cut = mendedSection(mesh_, z_mm, top_, bottom_, inset_, tol_);
+        if (!cut.remark.empty()) cut_.remarks.push_back(cut.remark);
+        cut_.mended_by_mm = std::max(cut_.mended_by_mm, cut.exceeds_mm);
+        return cut;
+    }
+
+    void cutUnion(const std::vector<SlabFacet>& facets) {
+        const Lean lean = leanOf(facets);
+        if (!lean.up && !lean.down) {
+            cut_.region = section((top_ + bottom_) / 2).region;
+            return;
         }
+        if (lean.up) addEnd(section(bottom_ + inset_), facets, lean);
+        if (lean.down) addEnd(section(top_ - inset_), facets, lean);
+        if (!lean.up || !lean.down) return;
+        // Between the two sections, or facets would reach out by what walls lean over the inset.
+        addFacets(facetsOverEnds(slopedFacets(mesh_, top_ - inset_, bottom_ + inset_)), top_ - inset_,
+                  bottom_ + inset_);
     }
-    return united;
-}
 
-Region unionOverHeight(const SolidMesh& mesh, double top_mm, double bottom_mm, const Tolerances& tol,
-                       std::vector<std::string>& remarks) {
-    const std::vector<ProjectedFacet> facets = slopedFacets(mesh, top_mm, bottom_mm);
-    const double inset = insetMm(top_mm - bottom_mm, tol);
-    const auto at = [&](double z) { return mendedSection(mesh, z, top_mm, bottom_mm, tol, remarks); };
-    const Lean lean = leanOf(facets);
-    if (lean == Lean::None) return at((top_mm + bottom_mm) / 2);
-    const std::size_t remarks_before = remarks.size();
-    Region ends;
-    if (lean != Lean::Down) ends = at(bottom_mm + inset);
-    if (lean != Lean::Up) ends = uniteKeeping(ends, at(top_mm - inset), tol);
-    // One-sided walls are widest at one end. Otherwise, or if the section had to be taken elsewhere, the
-    // facets show what the ends do not.
-    if (lean != Lean::Both && remarks.size() == remarks_before) return ends;
-    const Region beyond = facetsBeyond(facets, ends, mesh.chord_mm() + tol.gouge_mm, tol);
-    return beyond.empty() ? ends : soundUnion(ends, beyond, tol);
-}
+    /// A section taken farther inside misses what ends between it and the slab's end: below it material
+    /// that ends under facets looking up, above it material that ends over facets looking down.
+    void addEnd(const MendedSection& end, const std::vector<SlabFacet>& facets, const Lean& lean) {
+        cut_.region = uniteLocally(cut_.region, end.region, tol_);
+        if (!end.moved) return;
+        std::vector<SlabFacet> missed_below;
+        std::vector<SlabFacet> missed_above;
+        for (const SlabFacet& facet : facets) {
+            if (lean.up && facet.normal_z >= 0 && facet.low_mm < end.z_mm) missed_below.push_back(facet);
+            if (lean.down && facet.normal_z <= 0 && facet.high_mm > end.z_mm) missed_above.push_back(facet);
+        }
+        addFacets(missed_below, end.z_mm, bottom_);
+        addFacets(missed_above, top_, end.z_mm);
+    }
+
+    void addFacets(const std::vector<SlabFacet>& facets, double top_mm, double bottom_mm) {
+        const Region beyond = facetsBeyond(mesh_, facets, cut_.region, top_mm, bottom_mm, tol_);
+        if (beyond.empty()) return;
+        cut_.mended_by_mm = std::max(cut_.mended_by_mm, 2 * mesh_.chord_mm());
+        cut_.region = uniteLocally(cut_.region, beyond, tol_);
+    }
+
+    const SolidMesh& mesh_;
+    double top_;
+    double bottom_;
+    double inset_;
+    const Tolerances& tol_;
+    SlabCut cut_;
+};
 
 }  // namespace
 
-Region uniteKeeping(const Region& a, const Region& b, const Tolerances& tol) {
-    if (a.empty()) return b;
-    if (b.empty()) return a;
-    if (covers(a, b, tol.linear_mm, tol)) return a;
-    if (covers(b, a, tol.linear_mm, tol)) return b;
-    return soundUnion(a, b, tol);
-}
-
-Region mendedSection(const SolidMesh& mesh, double z_mm, double top_mm, double bottom_mm,
-                     const Tolerances& tol, std::vector<std::string>& remarks) {
-    const double height = top_mm - bottom_mm;
-    const double inset = insetMm(height, tol);
-    // A quarter of a micrometre first: that needs no remark. Then up to a tenth of the slab.
-    for (const double by : {0.0, -0.5 * inset, 0.5 * inset, 0.01 * height, -0.01 * height, 0.03 * height,
-                            -0.03 * height, 0.1 * height, -0.1 * height}) {
-        const double z = z_mm + by;
-        if (z >= top_mm || z <= bottom_mm) continue;
-        const std::optional<Region> section = validSection(mesh, z, tol);
-        if (!section) continue;
-        if (std::abs(by) > inset)
-            remarks.push_back(
-                fmt::format("section at z {:.4f} mm does not close; taken at z {:.4f} mm", z_mm, z));
-        return *section;
-    }
-    if (const std::optional<Region> section = facetSection(mesh, z_mm)) {
-        remarks.push_back(fmt::format("section at z {:.4f} mm does not close; taken from facets of {:.4f} mm",
-                                      z_mm, mesh.chord_mm()));
-        if (!diagnose(*section)) return *section;
-        const Region cleaned = unite(std::span<const Region>(&*section, 1), tol);
-        if (!diagnose(cleaned)) return cleaned;
-    }
-    throw Error(ErrorCode::GeometryKernel, fmt::format("section at z {:.4f} mm", z_mm), "cannot be closed");
-}
-
 SlabCut cutSlab(const SolidMesh& mesh, double top_mm, double bottom_mm, const SliceOptions& options,
                 const Tolerances& tol) {
-    SlabCut cut;
-    cut.vertical = allWallsVertical(mesh, top_mm, bottom_mm, options.level_merge_mm);
-    if (cut.vertical) {
-        cut.region = mendedSection(mesh, (top_mm + bottom_mm) / 2, top_mm, bottom_mm, tol, cut.remarks);
-        cut.volume_mm3 = area(cut.region) * (top_mm - bottom_mm);
-    } else {
-        cut.region = unionOverHeight(mesh, top_mm, bottom_mm, tol, cut.remarks);
-        cut.volume_mm3 = volumeBetween(mesh, top_mm, bottom_mm, tol, cut.remarks);
-        if (const auto trouble = diagnose(cut.region))
-            cut.remarks.push_back(
-                fmt::format("union over z {:.4f} .. {:.4f} mm: {}", top_mm, bottom_mm, *trouble));
-    }
-    return cut;
+    SlabCutter cutter(mesh, top_mm, bottom_mm, tol);
+    return allWallsVertical(mesh, top_mm, bottom_mm, options.level_merge_mm) ? cutter.vertical()
+                                                                             : cutter.leaning();
 }
 
 }  // namespace stepmill::layers

@@ -3,15 +3,20 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "layers/cut_layer.h"
 #include "layers/levels.h"
 #include "layers/slab.h"
 #include "layers/solid_mesh.h"
+#include "layers/trace_faces.h"
 #include "stepmill/core/error.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/part/part_shape.h"
+#include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 
+using layers::CutLayer;
+using layers::Level;
 using layers::SlabCut;
 using layers::SolidMesh;
 
@@ -22,13 +27,6 @@ struct Solids {
     SolidMesh part;
     std::optional<SolidMesh> stock;  ///< none: an upright box
     Region stock_box;
-};
-
-/// A layer with the true volume of the part in it, for the books.
-struct CutLayer {
-    Layer layer;
-    double part_volume_mm3 = 0;
-    std::vector<std::string> remarks;
 };
 
 bool isUprightBox(const Setup& setup) {
@@ -62,83 +60,77 @@ CutLayer cutLayer(const Solids& solids, double top_mm, double bottom_mm, const S
     SlabCut part = layers::cutSlab(solids.part, top_mm, bottom_mm, options, tol);
     cut.layer.part = std::move(part.region);
     cut.layer.vertical_walls = part.vertical;
+    cut.layer.mended_by_mm = part.mended_by_mm;
     cut.part_volume_mm3 = part.volume_mm3;
+    cut.leaning = std::move(part.leaning);
     cut.remarks = std::move(part.remarks);
     if (solids.stock) {
         SlabCut stock = layers::cutSlab(*solids.stock, top_mm, bottom_mm, options, tol);
         cut.layer.stock = std::move(stock.region);
+        if (!stock.vertical)
+            cut.layer.stock_air_mm3 =
+                std::max(0.0, area(cut.layer.stock) * cut.layer.height_mm() - stock.volume_mm3);
         for (const std::string& remark : stock.remarks)
             cut.remarks.push_back("stock: " + remark);
     } else {
         cut.layer.stock = solids.stock_box;
     }
+    // Hulls of facets may reach out of the stock; the part does not.
+    if (part.mended_by_mm > 0) cut.layer.part = intersect(cut.layer.part, cut.layer.stock, tol);
     return cut;
 }
 
-double hiddenVolume(const CutLayer& cut) {
-    if (cut.layer.vertical_walls) return 0;
-    return std::max(0.0, area(cut.layer.part) * cut.layer.height_mm() - cut.part_volume_mm3);
+/// Volume that leaning walls hide and that thinner slabs would show: not what lies below overhangs and in
+/// holes across the axis, where no tool from above comes at any height.
+double gainableVolume(const CutLayer& cut, const std::vector<FaceTrace>& traces) {
+    double space = 0;
+    double gainable = 0;
+    for (const auto& [face, share] : cut.leaning) {
+        const double volume = share.space(cut.layer.top_z_mm, cut.layer.bottom_z_mm);
+        const auto cause = traces[face].cause;
+        space += volume;
+        if (cause != SlopeCause::Overhang && cause != SlopeCause::AcrossAxis) gainable += volume;
+    }
+    return space > 0 ? layers::hiddenVolume(cut) * gainable / space : 0;
 }
 
+/// What all slabs are cut from.
+struct Cutting {
+    const Solids& solids;
+    const std::vector<FaceTrace>& traces;
+    const SliceOptions& options;
+    const Tolerances& tol;
+};
+
 /// One slab between levels, halved while leaning walls hide too much of what is to be removed.
-void cutAndHalve(const Solids& solids, double top_mm, double bottom_mm, const SliceOptions& options,
-                 const Tolerances& tol, std::vector<CutLayer>& out) {
-    CutLayer cut = cutLayer(solids, top_mm, bottom_mm, options, tol);
+void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vector<CutLayer>& out) {
+    CutLayer cut = cutLayer(from.solids, top_mm, bottom_mm, from.options, from.tol);
     const double height = top_mm - bottom_mm;
     const double removable = area(cut.layer.stock) * height - cut.part_volume_mm3;
-    const bool halve =
-        hiddenVolume(cut) > std::max(options.largest_hidden_share * removable, tol.area_mm2 * height) &&
-        height / 2 >= options.thinnest_slab_mm;
-    if (!halve) {
+    const double allowed =
+        std::max(from.options.largest_hidden_share * removable, from.tol.area_mm2 * height);
+    if (gainableVolume(cut, from.traces) <= allowed || height / 2 < from.options.thinnest_slab_mm) {
         out.push_back(std::move(cut));
         return;
     }
     const double middle = (top_mm + bottom_mm) / 2;
-    cutAndHalve(solids, top_mm, middle, options, tol, out);
-    cutAndHalve(solids, middle, bottom_mm, options, tol, out);
+    cutAndHalve(from, top_mm, middle, out);
+    cutAndHalve(from, middle, bottom_mm, out);
 }
 
-std::vector<CutLayer> cutAll(const Solids& solids, const std::vector<double>& levels,
-                             const SliceOptions& options, const Tolerances& tol) {
+std::vector<CutLayer> cutAll(const Cutting& from, const std::vector<Level>& levels) {
     std::vector<std::vector<CutLayer>> slabs(levels.size() - 1);
     tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t i) {
-        guardOcct(ErrorCode::GeometryKernel, fmt::format("slab at z {:.4f} mm", levels[i]),
-                  [&] { cutAndHalve(solids, levels[i], levels[i + 1], options, tol, slabs[i]); });
+        guardOcct(ErrorCode::GeometryKernel, fmt::format("slab at z {:.4f} mm", levels[i].z_mm), [&] {
+            cutAndHalve(from, levels[i].z_mm, levels[i + 1].z_mm, slabs[i]);
+            for (std::size_t k = 0; k < slabs[i].size(); ++k)
+                slabs[i][k].soft_top = k > 0 || levels[i].soft();
+        });
     });
     std::vector<CutLayer> all;
     for (std::vector<CutLayer>& slab : slabs)
         std::move(slab.begin(), slab.end(), std::back_inserter(all));
     return all;
-}
-
-/// Makes the slabs' volumes add up to the solid's: what quadrature missed belongs to the sloped slabs.
-void closeBooks(std::vector<CutLayer>& cuts, const Setup& setup, const Tolerances& tol,
-                std::vector<std::string>& remarks) {
-    double total = 0;
-    double sloped = 0;
-    for (const CutLayer& cut : cuts) {
-        total += cut.part_volume_mm3;
-        if (!cut.layer.vertical_walls) sloped += cut.part_volume_mm3;
-    }
-    const double missing = setup.part.volume_mm3 - total;
-    // Rounding of the part's own volume is no discrepancy, however little there is to remove.
-    const double allowed = std::max(tol.volume_share * (setup.stock.volume_mm3 - setup.part.volume_mm3),
-                                    1e-6 * setup.part.volume_mm3);
-    if (std::abs(missing) > allowed)
-        remarks.push_back(fmt::format("sections account for {:.1f} mm3 of the part's {:.1f} mm3", total,
-                                      setup.part.volume_mm3));
-    if (sloped <= 0 || std::abs(missing) > 0.1 * sloped) return;
-    for (CutLayer& cut : cuts)
-        if (!cut.layer.vertical_walls) cut.part_volume_mm3 *= 1 + missing / sloped;
-}
-
-void castShadows(std::vector<CutLayer>& cuts, const Tolerances& tol) {
-    Region shadow;
-    for (CutLayer& cut : cuts) {
-        // The wider region below hides the narrower one above: ask that way round first.
-        shadow = layers::uniteKeeping(cut.layer.part, shadow, tol);
-        cut.layer.shadow = shadow;
-    }
 }
 
 }  // namespace
@@ -154,15 +146,18 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     stack.stock_bottom_z_mm = setup.stock_bbox_mm.min().z();
     stack.stock_volume_mm3 = setup.stock.volume_mm3;
     stack.part_volume_mm3 = setup.part.volume_mm3;
-    const std::vector<double> levels = layers::mergeLevels(std::move(marks), stack.stock_top_z_mm,
-                                                           stack.stock_bottom_z_mm, options.level_merge_mm);
+    const std::vector<Level> levels = layers::mergeLevels(std::move(marks), stack.stock_top_z_mm,
+                                                          stack.stock_bottom_z_mm, options.level_merge_mm);
     if (solids.part.openSides() > 0)
         stack.remarks.push_back(fmt::format("the part's facets leave {} gaps", solids.part.openSides()));
-    std::vector<CutLayer> cuts = cutAll(solids, levels, options, tol);
-    closeBooks(cuts, setup, tol, stack.remarks);
-    castShadows(cuts, tol);
+    guardOcct(ErrorCode::GeometryKernel, "faces of the part",
+              [&] { stack.traces = layers::traceFaces(solids.part, tol); });
+    std::vector<CutLayer> cuts = cutAll({solids, stack.traces, options, tol}, levels);
+    layers::closeBooks(cuts, setup, tol, stack.remarks);
+    layers::castShadows(cuts, tol);
+    if (options.join_slabs) cuts = layers::mergeSlabs(std::move(cuts), options, tol);
+    layers::shareHiddenVolume(cuts, stack.traces);
     for (CutLayer& cut : cuts) {
-        cut.layer.sloped_volume_mm3 = hiddenVolume(cut);
         std::move(cut.remarks.begin(), cut.remarks.end(), std::back_inserter(stack.remarks));
         stack.layers.push_back(std::move(cut.layer));
     }

@@ -23,8 +23,9 @@ namespace stepmill::layers {
 
 double facetChord(const Box3& bbox_mm) {
     const double size = bbox_mm.diagonal().norm();
-    // Two hundredths of a millimetre are fine enough for all but giants.
-    return std::clamp(size * 1e-4, 5e-4, std::max(2e-2, size * 1e-5));
+    // Half a tenth of a millimetre is fine enough for all but giants: facets find what a section meets, the
+    // surfaces say where.
+    return std::clamp(size * 1e-4, 5e-4, std::max(5e-2, size * 1e-5));
 }
 
 namespace {
@@ -63,8 +64,10 @@ class MeshBuilder {
             addFace(TopoDS::Face(it.Current()), index);
         countOpenSides();
         orientOutward();
-        for (MeshFace& face : mesh_.faces_)
-            addSilhouette(face, mesh_.silhouettes_);
+        for (std::size_t i = 0; i < mesh_.faces_.size(); ++i) {
+            measureFacets(mesh_.faces_[i], mesh_.of_face_[i], mesh_.nodes_, mesh_.triangles_, tol_);
+            addSilhouette(mesh_.faces_[i], mesh_.silhouettes_);
+        }
     }
 
   private:
@@ -232,7 +235,8 @@ class MeshBuilder {
         if (mesh_.curves_[edge].IsNull()) return {low, high};
         for (const int s : edge_sides_[edge]) {
             const MeshSide& side = mesh_.sides_[s];
-            if (side.edge >= 0) widenByCurve(*mesh_.curves_[edge], side.t_a, side.t_b, low, high);
+            if (side.edge >= 0)
+                widenByCurve(*mesh_.curves_[edge], Vec3::UnitZ(), side.t_a, side.t_b, low, high);
         }
         return {low, high};
     }
@@ -282,7 +286,8 @@ SolidMesh::SolidMesh(const TopoDS_Shape& solid, const Eigen::Isometry3d& to_setu
     : chord_mm_(chord_mm) {
     guardOcct(ErrorCode::GeometryKernel, "facets of the solid", [&] {
         const TopoDS_Shape shape = movedCopy(solid, to_setup);
-        BRepMesh_IncrementalMesh(shape, chord_mm, false, kFacetAngle, false);
+        // Edges are divided before faces and every face on its own: the facets are the same in any order.
+        BRepMesh_IncrementalMesh(shape, chord_mm, false, kFacetAngle, true);
         MeshBuilder(*this, shape, tol).build();
     });
 }

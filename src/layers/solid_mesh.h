@@ -31,6 +31,10 @@ struct MeshFace {
     bool vertical = false;         ///< the normal is horizontal everywhere
     double z_min_mm = 0;
     double z_max_mm = 0;
+    double facets_low_mm = 0;  ///< least and greatest height of the facets' nodes
+    double facets_high_mm = 0;
+    double least_normal_z = 0;  ///< of the outward unit normal, over the facets' corners
+    double greatest_normal_z = 0;
     Vec3 normal = Vec3::Zero();  ///< outward, of a Plane
     double offset_mm = 0;        ///< normal . p = offset on a Plane
     Vec2 axis = Vec2::Zero();    ///< of a Turned face, on the grid; direction of a Lying one
@@ -54,6 +58,8 @@ struct MeshTriangle {
     std::array<int, 3> node{};
     std::array<int, 3> side{};
     std::array<gp_Pnt2d, 3> uv;
+    std::array<double, 3> normal_z{};  ///< of the surface's outward unit normal at the nodes
+    double bump_mm3 = 0;               ///< material between facet and surface; negative where that is hollow
 };
 
 /// A solid in setup coordinates as facets that know the exact surface and curve they stand for.
@@ -74,6 +80,7 @@ class SolidMesh {
     const std::vector<MeshTriangle>& triangles() const { return triangles_; }
     const Handle(Geom_Curve) & curve(int edge) const { return curves_[edge]; }
     double chord_mm() const { return chord_mm_; }
+    std::size_t edgeCount() const { return curves_.size(); }
     /// Indices of the triangles of each face.
     const std::vector<std::vector<int>>& trianglesOfFace() const { return of_face_; }
     /// Heights where a face's outline seen from above turns back, other than its ends: centres of spheres

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stepmill/core/tolerances.h"
+#include "stepmill/layers/face_trace.h"
 #include "stepmill/planar/region.h"
 #include "stepmill/setup/setup.h"
 
@@ -18,12 +19,21 @@ struct Layer {
     Region part;
     /// The stock as it arrives. Where its walls are not vertical: the union over the height as well.
     Region stock;
+    /// What `stock` covers more than the stock itself because its walls are not vertical: cuts of earlier
+    /// setups from other sides [mm3]. 0 where they are.
+    double stock_air_mm3 = 0;
     /// The part in this slab and in all slabs above it: what a tool from above must keep clear of.
     Region shadow;
     /// Are all part walls of the slab vertical, so that `part` is exact at every height?
     bool vertical_walls = true;
     /// Volume of stock - part in the slab that `part` hides because walls are not vertical [mm3].
     double sloped_volume_mm3 = 0;
+    /// The same by what the walls are: each cause once, in the order of the enum; the volumes add up to
+    /// `sloped_volume_mm3`. Empty where all walls are vertical.
+    std::vector<HiddenVolume> hidden;
+    /// How far `part` may reach beyond the union of the true sections [mm]: 0 unless the slab's region had
+    /// to be mended from facets (`remarks` says where).
+    double mended_by_mm = 0;
 
     double height_mm() const { return top_z_mm - bottom_z_mm; }
 };
@@ -38,12 +48,21 @@ struct LayerStack {
     double stock_volume_mm3 = 0;  ///< of the solids themselves
     double part_volume_mm3 = 0;
     std::vector<std::string> remarks;  ///< levels where a section had to be mended, with what was done
+    std::vector<FaceTrace> traces;     ///< every face of the part, by face index
 
     /// Part material at or above this height: the union of `part` over all layers that reach above z,
     /// empty above the part. Used for holders.
     Region partAbove(double z_mm, const Tolerances& tol) const;
     /// Stock as it arrives at this height.
     const Region& stockAt(double z_mm) const;
+    /// Vertical walls of the part that stand under some stretch of the path (within `reach_mm`) somewhere
+    /// between the heights: the faces that a region's edges come from. Ascending face indices.
+    /// O(faces x segments).
+    std::vector<int> wallsAlong(const Path& path, double top_z_mm, double bottom_z_mm, double reach_mm) const;
+    /// Horizontal faces of the part that look up at this height (within `reach_mm`) and lie at least partly
+    /// under the region, ascending face indices.
+    std::vector<int> floorsUnder(const Region& region, double z_mm, double reach_mm,
+                                 const Tolerances& tol) const;
 };
 
 struct SliceOptions {
@@ -54,15 +73,22 @@ struct SliceOptions {
     double thinnest_slab_mm = 1.0;
     /// Levels closer than this are one [mm].
     double level_merge_mm = 1e-3;
+    /// Join neighbouring slabs where no tool from above can tell them apart, or where the upper one is
+    /// thinner than `thinnest_slab_mm` and joining costs no removal component more than
+    /// `largest_hidden_share` of its area. Never over a horizontal plane or an end of the stock.
+    bool join_slabs = true;
 };
 
 /// Slices part and stock of a setup [algorithms.md, section 1].
 ///
-/// Levels: horizontal planar faces, ends and silhouette heights of the other faces, top and bottom of the
-/// stock. Vertical slabs are cut once at mid-height; other slabs at both ends and between, united; if a
-/// wall leans both ways the slab takes the projection of its facets instead. Sections are cut in parallel;
+/// Levels: horizontal planar faces and top and bottom of the stock, which always part two slabs; ends and
+/// silhouette heights of the other faces, which do where it matters (`SliceOptions::join_slabs`). Vertical
+/// slabs are cut once at mid-height; in other slabs `part` covers the part at every height of the slab. A
+/// section that does not close is taken a little beside its height or covered by hulls of its facets: that
+/// costs the slab accuracy (`Layer::mended_by_mm`, a remark), never the part. Slabs are cut in parallel;
 /// the result does not depend on the number of threads.
-/// \throws Error(GeometryKernel) naming the height if a section cannot be closed.
+/// \throws Error(GeometryKernel) if a face cannot be turned into facets.
+/// \note  About linear in the number of faces times layers; docs/algorithms/slicing.md has figures.
 LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& options = {});
 
 }  // namespace stepmill

@@ -91,9 +91,9 @@ TEST(Slice, CountersinkTakesTheNarrowCircleOfEachSlab) {
     const gp_Ax2 at(gp_Pnt(20, 20, 7), gp::DZ());
     const TopoDS_Shape sink = BRepPrimAPI_MakeCone(at, 3, 6, 3).Shape();
     const TopoDS_Shape shape = cut(cut(box(0, 0, 0, 40, 40, 10), cylinder(20, 20, -1, 3, 20)), sink);
-    const LayerStack stack =
-        slice(setupOf(part(shape)), Tolerances{},
-              SliceOptions{.largest_hidden_share = 2, .thinnest_slab_mm = 1, .level_merge_mm = 1e-3});
+    SliceOptions options = allLevels();
+    options.largest_hidden_share = 2;
+    const LayerStack stack = sliced(shape, Vec3::UnitZ(), options);
     ASSERT_EQ(stack.layers.size(), 2u);
     EXPECT_NEAR(stack.layers[0].bottom_z_mm, -3, 1e-9);
     EXPECT_FALSE(stack.layers[0].vertical_walls);
@@ -105,7 +105,7 @@ TEST(Slice, CountersinkTakesTheNarrowCircleOfEachSlab) {
 
 TEST(Slice, BuriedSphereIsCutAtItsEquator) {
     const TopoDS_Shape cavity = BRepPrimAPI_MakeSphere(gp_Pnt(20, 20, 15), 8).Shape();
-    const LayerStack stack = sliced(cut(box(0, 0, 0, 40, 40, 30), cavity));
+    const LayerStack stack = sliced(cut(box(0, 0, 0, 40, 40, 30), cavity), Vec3::UnitZ(), allLevels());
     const auto ends_at = [&](double z) {
         return std::any_of(stack.layers.begin(), stack.layers.end(),
                            [&](const Layer& layer) { return std::abs(layer.bottom_z_mm - z) < 1e-6; });
@@ -120,7 +120,8 @@ TEST(Slice, BuriedSphereIsCutAtItsEquator) {
 
 TEST(Slice, LyingCylinderCoversItsWidthBelowTheAxis) {
     const gp_Ax2 along_x(gp_Pnt(0, 0, 0), gp::DX());
-    const LayerStack stack = sliced(BRepPrimAPI_MakeCylinder(along_x, 10, 50).Shape());
+    const LayerStack stack =
+        sliced(BRepPrimAPI_MakeCylinder(along_x, 10, 50).Shape(), Vec3::UnitZ(), allLevels());
     bool axis_is_level = false;
     for (const Layer& layer : stack.layers) {
         axis_is_level = axis_is_level || std::abs(layer.bottom_z_mm + 10) < 1e-6;

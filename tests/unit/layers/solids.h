@@ -35,8 +35,15 @@ inline Setup setupOf(const Part& part, const Vec3& axis = Vec3::UnitZ(), const S
     request.margin = margin;
     return chooseSetups(part, request).front();
 }
-inline LayerStack sliced(const TopoDS_Shape& shape, const Vec3& axis = Vec3::UnitZ()) {
-    return slice(setupOf(part(shape), axis), Tolerances{});
+inline LayerStack sliced(const TopoDS_Shape& shape, const Vec3& axis = Vec3::UnitZ(),
+                         const SliceOptions& options = {}) {
+    return slice(setupOf(part(shape), axis), Tolerances{}, options);
+}
+/// Every level parts two slabs.
+inline SliceOptions allLevels() {
+    SliceOptions options;
+    options.join_slabs = false;
+    return options;
 }
 
 }  // namespace stepmill::test
