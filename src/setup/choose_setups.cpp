@@ -1,10 +1,12 @@
-// Which way up the part is machined, and from what.
+// Which ways up the part is machined, in which order, and from what.
 
-#include <BRepPrimAPI_MakeBox.hxx>
-
+#include "setup/candidates.h"
 #include "setup/containment.h"
+#include "setup/cover.h"
 #include "setup/frame.h"
+#include "setup/order.h"
 #include "setup/reach.h"
+#include "setup/solid_stock.h"
 #include "stepmill/core/error.h"
 #include "stepmill/part/part_shape.h"
 
@@ -12,48 +14,36 @@ namespace stepmill {
 
 namespace {
 
-/// Boxes come out of OCCT with 1e-7 mm of its own tolerance around them; that would make every coordinate
-/// of the setup odd. Rounding to a micrometre's thousandth removes it where the part's size is round.
-Box3 tidyBox(const Box3& box) {
-    const auto tidy = [](double v) {
-        const double rounded = std::round(v * 1e6) / 1e6 + 0.0;
-        return std::abs(rounded - v) < 2.5e-7 ? rounded : v;
-    };
-    return Box3(box.min().unaryExpr(tidy), box.max().unaryExpr(tidy));
+/// Of axes that reach the same, the one over the stock's largest side is best held; less than any volume.
+constexpr double kFootprintBonus = 0.01;
+
+/// What an indexed axis costs over one along the box, in setups: it takes a sine vise and a datum more.
+constexpr double kIndexedCost = 1;
+
+Box3 boxOfPoints(const setup::Facets& facets, const Eigen::Matrix3d& rotation) {
+    Box3 box;
+    for (const setup::Facet& facet : facets)
+        for (const Vec3& p : facet)
+            box.extend(Vec3(rotation * p));
+    return box;
 }
 
-/// The part's box with margins, top and bottom along the axis (for other axes than box directions, along
-/// the nearest of these).
-Stock boxStock(const Part& part, const StockMargin& margin, const Vec3& axis) {
-    Stock stock;
-    stock.bbox_mm = tidyBox(part.bbox_mm);
-    const Vec3 up = setup::nearestBoxDirection(axis);
-    for (int i = 0; i < 3; ++i) {
-        const bool along = up[i] != 0;
-        stock.bbox_mm.min()[i] -= !along ? margin.side_mm : (up[i] > 0 ? margin.bottom_mm : margin.top_mm);
-        stock.bbox_mm.max()[i] += !along ? margin.side_mm : (up[i] > 0 ? margin.top_mm : margin.bottom_mm);
-    }
-    stock.volume_mm3 = stock.bbox_mm.volume();
-    return stock;
+bool isBoxDirection(const Vec3& axis) {
+    return axis == setup::nearestBoxDirection(axis);
 }
 
-void addBoxShape(Stock& stock) {
-    const Vec3& lo = stock.bbox_mm.min();
-    const Vec3& hi = stock.bbox_mm.max();
-    guardOcct(ErrorCode::GeometryKernel, "box stock", [&] {
-        const gp_Pnt from(lo.x(), lo.y(), lo.z());
-        const gp_Pnt to(hi.x(), hi.y(), hi.z());
-        stock.shape = std::make_shared<PartShape>(PartShape{BRepPrimAPI_MakeBox(from, to).Solid()});
-    });
+/// The stock seen along an axis: exact for box directions, else from its shape.
+Box3 turnedStock(const Stock& stock, const Vec3& axis, const setup::Facets& stock_facets) {
+    const Eigen::Matrix3d rotation = setup::rotationFor(axis);
+    if (isBoxDirection(axis) || stock.kind == Stock::Kind::Box)
+        return setup::turnedBox(stock.bbox_mm, rotation);
+    return boxOfPoints(stock_facets, rotation);
 }
 
-Stock stepStock(const Part& stock_part) {
-    Stock stock;
-    stock.kind = Stock::Kind::Step;
-    stock.bbox_mm = tidyBox(stock_part.bbox_mm);
-    stock.volume_mm3 = stock_part.volume_mm3;
-    stock.shape = stock_part.shape;
-    return stock;
+void placeOn(Setup& setup, const Box3& turned) {
+    setup.part_to_setup = setup::frameFor(setup.axis, turned);
+    const Vec3 size = turned.sizes();
+    setup.stock_bbox_mm = Box3(Vec3(0, 0, -size.z()), Vec3(size.x(), size.y(), 0));
 }
 
 /// Makes setups for one part and one request; holds the facets that all directions share.
@@ -61,83 +51,117 @@ class SetupMaker {
   public:
     SetupMaker(const Part& part, const SetupRequest& request) : part_(part), request_(request) {
         STEPMILL_CHECK(part.shape, "a part to set up has a shape");
-        facets_ = setup::coarseFacets(part.shape->solid);
+        mesh_ = setup::coarseFaceFacets(part.shape->solid);
         if (!request.stock_part) return;
-        setup::checkContained(part, facets_, *request.stock_part);
+        setup::checkContained(part, mesh_.facets, *request.stock_part);
         stock_facets_ = setup::coarseFacets(request.stock_part->shape->solid);
     }
 
-    Setup make(const Vec3& asked_axis) const {
-        Setup made;
-        made.axis = setup::cleanAxis(asked_axis);
-        made.stock = request_.stock_part ? stepStock(*request_.stock_part)
-                                         : boxStock(part_, request_.margin, made.axis);
-        const Eigen::Matrix3d rotation = setup::rotationFor(made.axis);
-        const bool box_direction = made.axis == setup::nearestBoxDirection(made.axis);
-        const bool upright_box = made.stock.kind == Stock::Kind::Box && box_direction;
-        const setup::Facets tilted_box =
-            upright_box || request_.stock_part ? setup::Facets{} : boxFacets(made.stock);
-        const setup::Facets& stock_facets = request_.stock_part ? stock_facets_ : tilted_box;
-        const Box3 turned =
-            box_direction ? setup::turnedBox(made.stock.bbox_mm, rotation) : tightBox(stock_facets, rotation);
-        made.part_to_setup = setup::frameFor(made.axis, turned);
-        made.stock_bbox_mm =
-            Box3(Vec3(0, 0, -turned.sizes().z()), Vec3(turned.sizes().x(), turned.sizes().y(), 0));
-        made.reachable_share = setup::reachableShare(facets_, stock_facets, rotation, turned,
-                                                     made.stock.volume_mm3 - part_.volume_mm3);
-        return made;
+    std::vector<Setup> asked() const {
+        const Stock stock = stockFor(request_.axes.front());
+        std::vector<Setup> setups;
+        for (const Vec3& axis : request_.axes)
+            setups.push_back(make(setup::cleanAxis(axis), stock));
+        return setups;
+    }
+
+    std::vector<Setup> chosen() const {
+        const std::vector<Vec3> axes = setup::candidateAxes(part_, request_.forbidden);
+        // Which side gets the top margin depends on the first axis, and that on the stock: ask again once.
+        Choice choice = choose(axes, stockFor(axes.front()));
+        const Stock stock = stockFor(axes[choice.order.front()]);
+        if (!stock.bbox_mm.isApprox(stockFor(axes.front()).bbox_mm)) choice = choose(axes, stock);
+        std::vector<Setup> setups;
+        for (const int index : choice.order) {
+            setups.push_back(make(axes[index], stock));
+            setups.back().chosen = true;
+            setups.back().alone_share = setup::aloneShare(choice.groups, index, choice.order);
+        }
+        return setups;
     }
 
   private:
-    static setup::Facets boxFacets(Stock stock) {
-        addBoxShape(stock);
-        return setup::coarseFacets(stock.shape->solid);
+    struct Choice {
+        std::vector<setup::SampleGroup> groups;
+        std::vector<int> order;  ///< indices of axes
+    };
+
+    Choice choose(const std::vector<Vec3>& axes, const Stock& stock) const {
+        Choice choice;
+        choice.groups = setup::sampleReach(part_, mesh_, stock, stock_facets_, axes);
+        std::vector<int> best = setup::bestAxes(choice.groups, bonusOf(stock, axes));
+        if (best.empty()) best = {0};
+        std::vector<setup::SetupTraits> traits;
+        for (const Vec3& axis : axes) {
+            traits.push_back(setup::traitsOf(mesh_.facets, stock, axis));
+            traits.back().indexed = !isBoxDirection(axis);
+        }
+        choice.order = setup::machiningOrder(choice.groups, std::move(best), traits);
+        return choice;
     }
 
-    static Box3 tightBox(const setup::Facets& facets, const Eigen::Matrix3d& rotation) {
-        Box3 box;
-        for (const auto& facet : facets)
-            for (const Vec3& p : facet)
-                box.extend(Vec3(rotation * p));
-        return box;
+    Stock stockFor(const Vec3& axis) const {
+        if (request_.stock_part) return setup::stepStock(*request_.stock_part);
+        Stock stock = setup::boxStock(part_, request_.margin, setup::cleanAxis(axis));
+        setup::addBoxShape(stock);
+        return stock;
+    }
+
+    std::vector<double> bonusOf(const Stock& stock, const std::vector<Vec3>& axes) const {
+        std::vector<double> bonus;
+        for (const Vec3& axis : axes) {
+            const Vec3 size = turnedStock(stock, axis, stock_facets_).sizes();
+            bonus.push_back(isBoxDirection(axis) ? size.x() * size.y() : 0);
+        }
+        const double largest = *std::max_element(bonus.begin(), bonus.end());
+        for (double& value : bonus)
+            value *= largest > 0 ? kFootprintBonus / largest : 0;
+        for (std::size_t i = 0; i < axes.size(); ++i)
+            if (!isBoxDirection(axes[i])) bonus[i] -= kIndexedCost;
+        return bonus;
+    }
+
+    Setup make(const Vec3& axis, const Stock& stock) const {
+        Setup made;
+        made.axis = axis;
+        made.part = part_;
+        made.stock = stock;
+        made.indexed = !isBoxDirection(axis);
+        const Box3 turned = turnedStock(stock, axis, stock_facets_);
+        placeOn(made, turned);
+        const bool upright_box = stock.kind == Stock::Kind::Box && !made.indexed;
+        const setup::Facets tilted_box = upright_box || stock.kind != Stock::Kind::Box
+                                             ? setup::Facets{}
+                                             : setup::coarseFacets(stock.shape->solid);
+        made.reachable_share =
+            setup::reachableShare(mesh_.facets, stock.kind == Stock::Kind::Box ? tilted_box : stock_facets_,
+                                  setup::rotationFor(axis), turned, stock.volume_mm3 - part_.volume_mm3);
+        return made;
     }
 
     const Part& part_;
     const SetupRequest& request_;
-    setup::Facets facets_;
+    setup::FaceFacets mesh_;
     setup::Facets stock_facets_;
 };
-
-std::vector<Vec3> boxDirections() {
-    return {Vec3::UnitZ(), -Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY()};
-}
-
-Setup bestOf(const SetupMaker& maker, const std::vector<Vec3>& axes) {
-    // Shares closer than the height map resolves are ties, and the first direction wins.
-    constexpr double kTie = 2e-3;
-    Setup best = maker.make(axes.front());
-    for (std::size_t i = 1; i < axes.size(); ++i) {
-        Setup candidate = maker.make(axes[i]);
-        if (candidate.reachable_share > best.reachable_share + kTie) best = std::move(candidate);
-    }
-    return best;
-}
 
 }  // namespace
 
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request) {
     const SetupMaker maker(part, request);
-    std::vector<Setup> setups;
-    if (request.axes.empty()) setups.push_back(bestOf(maker, boxDirections()));
-    for (const Vec3& axis : request.axes)
-        setups.push_back(maker.make(axis));
-    for (std::size_t i = 0; i < setups.size(); ++i) {
-        Setup& made = setups[i];
-        made.id = "S" + std::to_string(i + 1);
-        made.part = part;
-        if (made.stock.kind == Stock::Kind::Box) addBoxShape(made.stock);
-    }
+    std::vector<Setup> setups = request.axes.empty() ? maker.chosen() : maker.asked();
+    for (std::size_t i = 0; i < setups.size(); ++i)
+        setups[i].id = "S" + std::to_string(i + 1);
     return setups;
+}
+
+Setup onStock(const Setup& setup, const Stock& stock) {
+    Setup moved = setup;
+    moved.stock = stock;
+    const bool box_direction = isBoxDirection(setup.axis);
+    placeOn(moved, turnedStock(stock, setup.axis,
+                               box_direction ? setup::Facets{} : setup::coarseFacets(stock.shape->solid)));
+    return moved;
 }
 
 }  // namespace stepmill

@@ -2,16 +2,6 @@
 
 #include "setup/reach.h"
 
-#include <BRep_Tool.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
-#include <BRepTools.hxx>
-#include <Poly_Triangulation.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-
-#include "stepmill/part/part_shape.h"
-
 namespace stepmill::setup {
 
 namespace {
@@ -65,31 +55,6 @@ HeightMap heightMap(const Facets& facets, const Eigen::Matrix3d& rotation, const
 }
 
 }  // namespace
-
-Facets coarseFacets(const TopoDS_Shape& solid) {
-    Facets facets;
-    guardOcct(ErrorCode::GeometryKernel, "facets of the solid", [&] {
-        const TopoDS_Shape shape = BRepBuilderAPI_Copy(solid).Shape();
-        // The sagitta is a share of each edge's length here.
-        BRepMesh_IncrementalMesh(shape, 0.02, true, 0.4, false);
-        for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
-            TopLoc_Location location;
-            const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
-            if (mesh.IsNull()) continue;
-            for (int i = 1; i <= mesh->NbTriangles(); ++i) {
-                std::array<int, 3> node{};
-                mesh->Triangle(i).Get(node[0], node[1], node[2]);
-                std::array<Vec3, 3> facet;
-                for (int k = 0; k < 3; ++k) {
-                    const gp_Pnt p = mesh->Node(node[k]).Transformed(location.Transformation());
-                    facet[k] = Vec3(p.X(), p.Y(), p.Z());
-                }
-                facets.push_back(facet);
-            }
-        }
-    });
-    return facets;
-}
 
 double reachableShare(const Facets& part, const Facets& stock, const Eigen::Matrix3d& rotation,
                       const Box3& turned_stock, double removable_mm3) {

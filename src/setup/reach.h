@@ -1,19 +1,8 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include <TopoDS_Shape.hxx>
-
-#include "stepmill/setup/setup.h"
+#include "setup/facets.h"
 
 namespace stepmill::setup {
-
-/// Facets of a solid, good enough to measure reach and containment on.
-using Facets = std::vector<std::array<Vec3, 3>>;
-
-/// Facets with a sagitta of a thousandth of the solid's size. The solid itself is not touched.
-Facets coarseFacets(const TopoDS_Shape& solid);
 
 /// Share of stock - part that lies above the part along an axis, on a height map of 256 x 256 columns.
 ///

@@ -9,9 +9,13 @@
 
 namespace stepmill {
 
-/// Raw stock in part coordinates.
+/// A solid to be cut, in part coordinates.
 struct Stock {
-    enum class Kind { Box, Step };
+    enum class Kind {
+        Box,       ///< the part's box with margins
+        Step,      ///< from a file
+        InProcess  ///< what earlier setups left
+    };
     Kind kind = Kind::Box;
     Box3 bbox_mm;
     double volume_mm3 = 0;
@@ -28,8 +32,10 @@ struct StockMargin {
 
 /// What to plan on and from where.
 struct SetupRequest {
-    /// Tool axes asked for, unit vectors in part coordinates; empty: choose.
+    /// Tool axes asked for, unit vectors in part coordinates, in machining order; empty: choose.
     std::vector<Vec3> axes;
+    /// Tool axes never to be chosen, unit vectors in part coordinates.
+    std::vector<Vec3> forbidden;
     StockMargin margin;
     /// A solid to start from instead of a box, in the part's coordinates.
     std::optional<Part> stock_part;
@@ -38,25 +44,43 @@ struct SetupRequest {
 /// One clamping of the part.
 ///
 /// Setup coordinates: z = 0 at the top of the stock as it arrives, pointing along the tool axis out of the
-/// part; x = y = 0 at the stock's lower-left corner seen from the spindle (work offset G54).
+/// part; x = y = 0 at the stock's lower-left corner seen from the spindle (the corner of its box; work offset
+/// G54).
 struct Setup {
     std::string id;             ///< "S1"
     Vec3 axis = Vec3::UnitZ();  ///< in part coordinates
     Eigen::Isometry3d part_to_setup = Eigen::Isometry3d::Identity();
     Part part;
-    Stock stock;         ///< as it arrives, in part coordinates
+    /// As it arrives, in part coordinates. From chooseSetups: the raw stock in every setup; walkSetups
+    /// (plan/stages.h) replaces it by what the setups before left.
+    Stock stock;
     Box3 stock_bbox_mm;  ///< in setup coordinates: min.z = -height, max.z = 0
-    /// Share of (stock - part) that is open to a tool along the axis, from the height map [0..1].
+    /// Share of (raw stock - part) that is open to a tool along the axis, from the height map [0..1].
     double reachable_share = 0;
+    /// Share of (raw stock - part) that of all setups only this one reaches, from samples [0..1]. 1 where
+    /// the setup was asked for.
+    double alone_share = 1;
+    bool indexed = false;  ///< the axis is no direction of the part's box: needs a sine vise or a rotary axis
+    bool chosen = false;  ///< found by chooseSetups, not asked for: may fall away when nothing is left for it
 };
 
-/// The setups to machine a part in, in order. One at a time for now: the axis asked for, or of the six box
-/// directions the one that reaches most of stock - part (ties: +z, -z, +x, -x, +y, -y).
+/// The setups to machine a part in, in order: the axes asked for, or few that together reach all removable
+/// volume some axis reaches.
 ///
-/// Reach is measured on a height map of the part's facets; it decides the order only, no area or volume of
-/// the plan comes from it.
-/// \throws Error(Usage) if the stock does not contain the part, with where it sticks out and by how much.
+/// Candidates are the six box directions, normals of planes and both senses of cylinder and cone axes,
+/// without the forbidden ones. Samples in front of the part's faces say what each reaches; an exact search
+/// takes the set whose volume reached, less what every further setup must pay (kSetupPaysShare), is greatest.
+/// Order: indexed axes last; else the one that takes most of what is left first; ties: the one that rests on
+/// the larger flat face first, then +z, -z, +x, -x, +y, -y. A part with nothing to remove gets one setup.
+///
+/// Reach decides number and order only; no area or volume of the plan comes from it. Deterministic.
+/// \throws Error(Usage) if the stock does not contain the part, with where it sticks out and by how much, or
+///         if every axis is forbidden.
+/// \see docs/algorithms/setups.md
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
+
+/// The setup on another stock: work offset and box moved to it.
+Setup onStock(const Setup& setup, const Stock& stock);
 
 /// "+z" ... "-x", or "x,y,z" numbers; nothing when the text is neither.
 std::optional<Vec3> parseAxis(const std::string& text);

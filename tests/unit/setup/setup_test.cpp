@@ -90,3 +90,77 @@ TEST(ChooseSetups, TakesATiltedAxis) {
     EXPECT_NEAR(setup.stock_bbox_mm.sizes().z(), 10 * std::sqrt(2.0), 1e-6);
     EXPECT_NEAR(setup.stock_bbox_mm.sizes().x(), 10, 1e-6);
 }
+
+namespace {
+
+std::vector<std::string> axesOf(const std::vector<stepmill::Setup>& setups) {
+    std::vector<std::string> names;
+    for (const stepmill::Setup& setup : setups)
+        names.push_back(axisName(setup.axis));
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+Part samplePart(const std::string& name) {
+    return readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name).front();
+}
+
+}  // namespace
+
+TEST(ChooseSetups, TakesOneSetupForWhatOneReaches) {
+    for (const char* name : {"rounded_pocket.step", "nested_pockets.step", "open_slots.step",
+                             "plate_with_holes.step", "shoulder_block.step", "butterfly_pocket.step"})
+        EXPECT_EQ(axesOf(chooseSetups(samplePart(name), {})), Names{"+z"}) << name;
+}
+
+TEST(ChooseSetups, TakesFourSetupsMostVolumeFirst) {
+    const std::vector<stepmill::Setup> setups = chooseSetups(samplePart("four_setups.step"), {});
+    EXPECT_EQ(axesOf(setups).front(), "+z");
+    Names sorted = axesOf(setups);
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(sorted, (Names{"+x", "+y", "+z", "-z"}));
+    for (const stepmill::Setup& setup : setups)
+        EXPECT_GT(setup.alone_share, 0.02);
+}
+
+TEST(ChooseSetups, IndexesToATiltedHoleLast) {
+    const gp_Ax2 tilted(gp_Pnt(15, 25, 32), gp_Dir(1, 0, -1));
+    const TopoDS_Shape pocket = box(30, 10, 20, 20, 30, 11);
+    const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(tilted, 4, 14).Shape();
+    const std::vector<stepmill::Setup> setups =
+        chooseSetups(part(cut(cut(box(0, 0, 0, 60, 50, 30), pocket), hole)), {});
+    ASSERT_EQ(axesOf(setups), (Names{"+z", "-0.7071,0.0000,0.7071"}));
+    EXPECT_FALSE(setups[0].indexed);
+    EXPECT_TRUE(setups[1].indexed);
+}
+
+TEST(ChooseSetups, KeepsToTheAxesAndOrderAskedFor) {
+    SetupRequest request;
+    request.axes = {-Vec3::UnitZ(), Vec3::UnitX()};
+    const std::vector<stepmill::Setup> setups = chooseSetups(samplePart("rounded_pocket.step"), request);
+    EXPECT_EQ(axesOf(setups), (Names{"-z", "+x"}));
+    EXPECT_FALSE(setups[0].chosen);
+}
+
+TEST(ChooseSetups, NeverTakesAForbiddenAxis) {
+    // A through window can be cut from above and from below.
+    const Part window = part(cut(box(0, 0, 0, 60, 50, 10), box(20, 10, -1, 20, 30, 12)));
+    SetupRequest request;
+    request.forbidden = {Vec3::UnitZ()};
+    EXPECT_EQ(axesOf(chooseSetups(window, request)), Names{"-z"});
+}
+
+TEST(ChooseSetups, RefusesWhenEveryAxisIsForbidden) {
+    SetupRequest request;
+    for (const char* name : {"+z", "-z", "+x", "-x", "+y", "-y"})
+        request.forbidden.push_back(*parseAxis(name));
+    EXPECT_THROW(chooseSetups(part(box(0, 0, 0, 10, 10, 10)), request), Error);
+}
+
+TEST(ChooseSetups, MachinesAllRoundAStockWithMargins) {
+    SetupRequest request;
+    request.margin = {2, 2, 2};
+    const std::vector<stepmill::Setup> setups = chooseSetups(part(box(0, 0, 0, 60, 50, 30)), request);
+    EXPECT_EQ(axesOf(setups), (Names{"+z", "-z"}));
+}

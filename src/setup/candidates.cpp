@@ -1,0 +1,112 @@
+// Which tool axes could make sense for a part.
+
+#include "setup/candidates.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
+#include "setup/frame.h"
+#include "stepmill/part/part_shape.h"
+
+namespace stepmill::setup {
+
+namespace {
+
+/// Directions closer than this are one (0.06 degrees): more than rounding in files, less than any draft.
+constexpr double kSameAxisRad = 1e-3;
+
+/// Sculpted parts have hundreds of normals; those of the largest faces are worth asking about.
+constexpr std::size_t kMostTiltedAxes = 26;
+
+struct Direction {
+    Vec3 axis;
+    double area_mm2 = 0;
+};
+
+bool same(const Vec3& a, const Vec3& b) {
+    return (a - b).norm() < kSameAxisRad;
+}
+
+bool among(const Vec3& axis, const std::vector<Vec3>& axes) {
+    return std::any_of(axes.begin(), axes.end(), [&](const Vec3& other) { return same(axis, other); });
+}
+
+Vec3 vec(const gp_Dir& d) {
+    return {d.X(), d.Y(), d.Z()};
+}
+
+/// Outward normal of a plane; both senses of the axis of a cylinder or cone.
+std::vector<Vec3> directionsOf(const TopoDS_Face& face) {
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    switch (surface.GetType()) {
+        case GeomAbs_Plane: {
+            // A plane's own frame may be left-handed; then its surface normal is opposite to its axis.
+            const gp_Pln plane = surface.Plane();
+            const bool turned = plane.Direct() == (face.Orientation() == TopAbs_REVERSED);
+            return {vec(plane.Axis().Direction()) * (turned ? -1 : 1)};
+        }
+        case GeomAbs_Cylinder: {
+            const Vec3 axis = vec(surface.Cylinder().Axis().Direction());
+            return {axis, -axis};
+        }
+        case GeomAbs_Cone: {
+            const Vec3 axis = vec(surface.Cone().Axis().Direction());
+            return {axis, -axis};
+        }
+        default:
+            return {};
+    }
+}
+
+double areaOf(const TopoDS_Face& face) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(face, properties);
+    return properties.Mass();
+}
+
+/// Distinct directions that are no box directions, in the order of their first faces.
+std::vector<Direction> tiltedDirections(const TopoDS_Shape& solid) {
+    const std::vector<Vec3> box = boxDirections();
+    std::vector<Direction> found;
+    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
+        const TopoDS_Face& face = TopoDS::Face(it.Current());
+        std::optional<double> area_mm2;
+        for (const Vec3& direction : directionsOf(face)) {
+            const Vec3 axis = cleanAxis(direction);
+            if (among(axis, box)) continue;
+            if (!area_mm2) area_mm2 = areaOf(face);
+            const auto known = std::find_if(found.begin(), found.end(),
+                                            [&](const Direction& other) { return same(other.axis, axis); });
+            if (known == found.end())
+                found.push_back({axis, *area_mm2});
+            else
+                known->area_mm2 += *area_mm2;
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+std::vector<Vec3> boxDirections() {
+    return {Vec3::UnitZ(), -Vec3::UnitZ(), Vec3::UnitX(), -Vec3::UnitX(), Vec3::UnitY(), -Vec3::UnitY()};
+}
+
+std::vector<Vec3> candidateAxes(const Part& part, const std::vector<Vec3>& forbidden) {
+    std::vector<Vec3> axes = boxDirections();
+    std::vector<Direction> tilted;
+    guardOcct(ErrorCode::GeometryKernel, "tool axes", [&] { tilted = tiltedDirections(part.shape->solid); });
+    std::stable_sort(tilted.begin(), tilted.end(),
+                     [](const Direction& a, const Direction& b) { return a.area_mm2 > b.area_mm2; });
+    if (tilted.size() > kMostTiltedAxes) tilted.resize(kMostTiltedAxes);
+    for (const Direction& direction : tilted)
+        axes.push_back(direction.axis);
+    std::erase_if(axes, [&](const Vec3& axis) { return among(axis, forbidden); });
+    if (axes.empty()) throw Error(ErrorCode::Usage, "--no-setup", "leaves no tool axis to machine from");
+    return axes;
+}
+
+}  // namespace stepmill::setup

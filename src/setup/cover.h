@@ -1,0 +1,27 @@
+#pragma once
+
+#include "setup/reach_samples.h"
+
+namespace stepmill::setup {
+
+/// A further setup pays when it alone reaches this share of all that is to be removed, ...
+inline constexpr double kSetupPaysShare = 1e-3;
+/// ... or this much of a face that no other setup reaches (a small hole is worth its setup), ...
+inline constexpr double kSetupPaysFace = 0.5;
+/// ... or when it alone finishes plane, cylinder or cone faces in front of this share, which the others could
+/// only leave in steps or reach deep down a gap. Also the parts of all three together.
+inline constexpr double kFinishPaysShare = 0.05;
+
+/// The set of axes worth most: what they reach, in units of what pays for a setup, less the number of axes.
+/// Exact (branch and bound over the axes; the worth of a further axis only falls as the set grows).
+///
+/// \param bonus  by axis, in the same unit: far below 1 to decide between sets that reach the same, negative
+/// for
+///               axes that cost more than one setup
+/// \return indices of axes, ascending; empty when nothing is to be removed
+std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus);
+
+/// Share of the volume that the axis reaches and none of the others does.
+double aloneShare(const std::vector<SampleGroup>& groups, int axis, const std::vector<int>& others);
+
+}  // namespace stepmill::setup

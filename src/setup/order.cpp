@@ -1,0 +1,127 @@
+// Which setup comes first.
+
+#include "setup/order.h"
+
+namespace stepmill::setup {
+
+namespace {
+
+/// Setups within this share of the best one's volume are as good as it.
+constexpr double kSameVolume = 0.1;
+/// Depths within this share are alike.
+constexpr double kSameDepth = 0.05;
+/// Seats must differ by more than this share to decide.
+constexpr double kSameSeat = 0.01;
+/// Level and upright, as sine (0.6 degrees).
+constexpr double kUprightSine = 0.01;
+/// The seat's facets lie this near the part's lowest point [mm].
+constexpr double kSeatMm = 1e-3;
+
+class Orderer {
+  public:
+    Orderer(const std::vector<SampleGroup>& groups, const std::vector<int>& chosen,
+            const std::vector<SetupTraits>& traits)
+        : groups_(groups), traits_(traits), done_(groups.size(), false) {
+        for (const SampleGroup& group : groups) {
+            int best = -1;
+            for (const int axis : chosen)
+                if (best < 0 || isBetter(group, axis, best)) best = axis;
+            owner_.push_back(best >= 0 && group.reach[best] != Reach::None ? best : -1);
+        }
+    }
+
+    int next(const std::vector<int>& open) const {
+        std::vector<int> among = open;
+        prefer(among, [&](int axis) { return !traits_[axis].indexed; });
+        if (!order_.empty()) prefer(among, [&](int axis) { return isSeatReady(axis); });
+        double most = 0;
+        for (const int axis : among)
+            most = std::max(most, left(axis));
+        prefer(among, [&](int axis) { return left(axis) >= (1 - kSameVolume) * most; });
+        double largest = 0;
+        for (const int axis : among)
+            largest = std::max(largest, traits_[axis].seat_mm2);
+        prefer(among, [&](int axis) { return traits_[axis].seat_mm2 >= (1 - kSameSeat) * largest; });
+        return among.front();
+    }
+
+    void take(int axis) {
+        order_.push_back(axis);
+        for (std::size_t g = 0; g < groups_.size(); ++g)
+            done_[g] = done_[g] || groups_[g].reach[axis] != Reach::None;
+    }
+
+    const std::vector<int>& order() const { return order_; }
+
+  private:
+    template <typename Test>
+    static void prefer(std::vector<int>& axes, Test test) {
+        if (std::any_of(axes.begin(), axes.end(), test)) std::erase_if(axes, std::not_fn(test));
+    }
+
+    static bool isBetter(const SampleGroup& group, int axis, int other) {
+        if (group.reach[axis] != group.reach[other]) return group.reach[axis] > group.reach[other];
+        return group.depth_mm[axis] < (1 - kSameDepth) * group.depth_mm[other];
+    }
+
+    /// What of the volume to be removed is left to the axis and was not reached by an earlier one.
+    double left(int axis) const {
+        double share = 0;
+        for (std::size_t g = 0; g < groups_.size(); ++g)
+            if (!done_[g] && owner_[g] == axis) share += groups_[g].volume_share;
+        return share;
+    }
+
+    /// A setup from the other side machines the seat as a floor, one across it as a wall.
+    bool isSeatReady(int axis) const {
+        const SetupTraits& own = traits_[axis];
+        if (own.seat_mm2 <= 0) return false;
+        if (own.seat_is_stock) return true;
+        return std::any_of(order_.begin(), order_.end(), [&](int earlier) {
+            const double along = traits_[earlier].axis.dot(own.axis);
+            return std::abs(along) < kUprightSine || along < -1 + kUprightSine * kUprightSine;
+        });
+    }
+
+    const std::vector<SampleGroup>& groups_;
+    const std::vector<SetupTraits>& traits_;
+    std::vector<int> owner_;  ///< by group: the axis best suited, or -1
+    std::vector<bool> done_;
+    std::vector<int> order_;
+};
+
+}  // namespace
+
+SetupTraits traitsOf(const Facets& part_facets, const Stock& stock, const Vec3& axis) {
+    SetupTraits traits;
+    traits.axis = axis;
+    double part_low = 1e300;
+    for (const Facet& facet : part_facets)
+        for (const Vec3& p : facet)
+            part_low = std::min(part_low, axis.dot(p));
+    for (const Facet& facet : part_facets) {
+        const Vec3 across = (facet[1] - facet[0]).cross(facet[2] - facet[0]) / 2;
+        const bool lowest = std::all_of(facet.begin(), facet.end(),
+                                        [&](const Vec3& p) { return axis.dot(p) < part_low + kSeatMm; });
+        if (lowest && across.dot(axis) < 0) traits.seat_mm2 += across.norm();
+    }
+    double stock_low = 1e300;
+    for (int corner = 0; corner < 8; ++corner)
+        stock_low =
+            std::min(stock_low, axis.dot(stock.bbox_mm.corner(static_cast<Box3::CornerType>(corner))));
+    traits.seat_is_stock = part_low < stock_low + kSeatMm;
+    return traits;
+}
+
+std::vector<int> machiningOrder(const std::vector<SampleGroup>& groups, std::vector<int> chosen,
+                                const std::vector<SetupTraits>& traits) {
+    Orderer orderer(groups, chosen, traits);
+    while (!chosen.empty()) {
+        const int axis = orderer.next(chosen);
+        orderer.take(axis);
+        std::erase(chosen, axis);
+    }
+    return orderer.order();
+}
+
+}  // namespace stepmill::setup

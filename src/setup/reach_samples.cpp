@@ -1,0 +1,192 @@
+// What each tool axis reaches, asked in front of every face: small features count as well as large ones,
+// which no grid over the whole stock would give.
+
+#include "setup/reach_samples.h"
+
+#include <limits>
+
+#include <tbb/parallel_for.h>
+
+#include "setup/ray_tree.h"
+
+namespace stepmill::setup {
+
+namespace {
+
+/// Places on every face, and further ones shared out by area.
+constexpr double kLeastOfFace = 12;
+constexpr double kSharedOut = 3000;
+
+/// Thinner layers over a face are the stock's own skin, nothing to remove [mm].
+constexpr double kSkinMm = 0.02;
+
+/// How far in front of the face: a share of the free height there, at most of the part's size. Near enough to
+/// be inside a groove, far enough to clear the facets of the face itself.
+constexpr double kGapShare = 0.25;
+constexpr double kSizeShare = 2e-3;
+
+/// Faces this near to level or upright are floors or walls (0.6 degrees).
+constexpr double kUprightSine = 0.01;
+
+/// Deeper than this many times the gap's width end mills get slim and slow.
+constexpr double kDeepRatio = 6;
+/// Deeper than this common end mills do not reach at all [mm].
+constexpr double kDeepMm = 100;
+
+struct Place {
+    Vec3 at;
+    Vec3 normal;
+    double volume_mm3 = 0;
+    double of_face = 0;
+    bool ruled = false;
+    std::vector<Reach> reach;
+    std::vector<double> depth_mm;
+};
+
+Vec3 areaVector(const Facet& facet) {
+    return (facet[1] - facet[0]).cross(facet[2] - facet[0]) / 2;
+}
+
+/// The k-th point of a sequence that fills a triangle evenly (additive recurrence, folded).
+Vec3 pointIn(const Facet& facet, int k) {
+    constexpr double kFirst = 0.7548776662466927;
+    constexpr double kSecond = 0.5698402909980532;
+    double s = std::fmod(0.5 + kFirst * k, 1.0);
+    double t = std::fmod(0.5 + kSecond * k, 1.0);
+    if (s + t > 1) {
+        s = 1 - s;
+        t = 1 - t;
+    }
+    return facet[0] + s * (facet[1] - facet[0]) + t * (facet[2] - facet[0]);
+}
+
+bool isRuled(const PartFace& face) {
+    return face.surface == "plane" || face.surface == "cylinder" || face.surface == "cone";
+}
+
+/// Places on the skin of the part, face by face, in the order of the facets.
+std::vector<Place> placesOn(const Part& part, const FaceFacets& mesh) {
+    std::vector<double> face_mm2(part.faces.size(), 0.0);
+    double skin_mm2 = 0;
+    for (std::size_t i = 0; i < mesh.facets.size(); ++i) {
+        const double facet_mm2 = areaVector(mesh.facets[i]).norm();
+        face_mm2[mesh.face[i]] += facet_mm2;
+        skin_mm2 += facet_mm2;
+    }
+    std::vector<Place> places;
+    int face = -1;
+    double due_mm2 = 0;
+    double step_mm2 = 0;
+    for (std::size_t i = 0; i < mesh.facets.size(); ++i) {
+        if (mesh.face[i] != face) {
+            face = mesh.face[i];
+            step_mm2 = face_mm2[face] / (kLeastOfFace + kSharedOut * face_mm2[face] / skin_mm2);
+            due_mm2 = step_mm2 / 2;
+        }
+        const Vec3 across = areaVector(mesh.facets[i]);
+        if (across.norm() <= 0) continue;
+        due_mm2 += across.norm();
+        for (int k = 0; due_mm2 >= step_mm2; ++k, due_mm2 -= step_mm2)
+            places.push_back({pointIn(mesh.facets[i], k),
+                              across.normalized(),
+                              step_mm2,
+                              step_mm2 / face_mm2[face],
+                              isRuled(part.faces[face]),
+                              {},
+                              {}});
+    }
+    return places;
+}
+
+/// How far a point inside a box lies from its skin in a direction.
+double wayOut(const Box3& box, const Vec3& from, const Vec3& direction) {
+    double way = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        if (direction[i] == 0) continue;
+        const double side = direction[i] > 0 ? box.max()[i] : box.min()[i];
+        way = std::min(way, (side - from[i]) / direction[i]);
+    }
+    return way;
+}
+
+class Sampler {
+  public:
+    Sampler(const Facets& part, const Stock& stock, const Facets& stock_facets, const std::vector<Vec3>& axes)
+        : part_(part), stock_(stock), stock_tree_(stock_facets), axes_(axes) {
+        size_mm_ = stock.bbox_mm.diagonal().norm();
+    }
+
+    /// Moves the place off the face and finds what reaches it; no volume where there is nothing to remove.
+    void ask(Place& place) const {
+        const double area_mm2 = place.volume_mm3;
+        const double to_skin = wayToSkin(place.at, place.normal);
+        place.volume_mm3 = 0;
+        if (!(to_skin > kSkinMm) || std::isinf(to_skin)) return;
+        const double to_part = part_.distance(place.at + 1e-6 * size_mm_ * place.normal, place.normal);
+        place.volume_mm3 = area_mm2 * (to_part < to_skin ? to_part / 2 : to_skin);
+        const double gap = std::min(kGapShare * std::min(to_part, to_skin), kSizeShare * size_mm_);
+        const Vec3 from = place.at + gap * place.normal;
+        const double gap_mm = to_part < to_skin ? to_part : std::numeric_limits<double>::infinity();
+        for (const Vec3& axis : axes_) {
+            const bool blocked = part_.blocked(from, axis);
+            place.depth_mm.push_back(blocked ? 0 : wayToSkin(from, axis));
+            place.reach.push_back(
+                blocked ? Reach::None
+                        : (isUprightOrLevel(place.normal, axis) &&
+                                   place.depth_mm.back() <= std::min(kDeepMm, kDeepRatio * gap_mm)
+                               ? Reach::Finished
+                               : Reach::Poor));
+        }
+    }
+
+  private:
+    static bool isUprightOrLevel(const Vec3& normal, const Vec3& axis) {
+        const double up = normal.dot(axis);
+        return std::abs(up) < kUprightSine || (up > 0 && normal.cross(axis).norm() < kUprightSine);
+    }
+
+    double wayToSkin(const Vec3& from, const Vec3& direction) const {
+        return stock_.kind == Stock::Kind::Box ? wayOut(stock_.bbox_mm, from, direction)
+                                               : stock_tree_.distance(from, direction);
+    }
+
+    RayTree part_;
+    const Stock& stock_;
+    RayTree stock_tree_;
+    const std::vector<Vec3>& axes_;
+    double size_mm_ = 0;
+};
+
+}  // namespace
+
+std::vector<SampleGroup> sampleReach(const Part& part, const FaceFacets& part_facets, const Stock& stock,
+                                     const Facets& stock_facets, const std::vector<Vec3>& axes) {
+    std::vector<Place> places = placesOn(part, part_facets);
+    const Sampler sampler(part_facets.facets, stock, stock_facets, axes);
+    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) { sampler.ask(places[i]); });
+    double total_mm3 = 0;
+    for (const Place& place : places)
+        total_mm3 += place.volume_mm3;
+    std::map<std::vector<Reach>, SampleGroup> groups;
+    for (const Place& place : places) {
+        if (place.volume_mm3 <= 0) continue;
+        SampleGroup& group = groups[place.reach];
+        group.volume_share += place.volume_mm3 / total_mm3;
+        group.depth_mm.resize(axes.size(), 0.0);
+        for (std::size_t axis = 0; axis < axes.size(); ++axis)
+            if (std::isfinite(place.depth_mm[axis]))
+                group.depth_mm[axis] += place.depth_mm[axis] * place.volume_mm3 / total_mm3;
+        group.faces += place.of_face;
+        if (place.ruled) group.ruled_share += place.volume_mm3 / total_mm3;
+    }
+    std::vector<SampleGroup> found;
+    for (auto& [reach, group] : groups) {
+        group.reach = reach;
+        for (double& depth_mm : group.depth_mm)
+            depth_mm /= group.volume_share;
+        found.push_back(std::move(group));
+    }
+    return found;
+}
+
+}  // namespace stepmill::setup

@@ -1,0 +1,85 @@
+// Stocks from boxes, files and what earlier setups left.
+
+#include "setup/solid_stock.h"
+
+#include <Bnd_Box.hxx>
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <GProp_GProps.hxx>
+
+#include "setup/frame.h"
+#include "stepmill/part/part_shape.h"
+
+namespace stepmill::setup {
+
+namespace {
+
+/// Boxes come out of OCCT with 1e-7 mm of its own tolerance around them; that would make every coordinate
+/// of the setup odd. Rounding to a micrometre's thousandth removes it where the part's size is round.
+Box3 tidyBox(const Box3& box) {
+    const auto tidy = [](double v) {
+        const double rounded = std::round(v * 1e6) / 1e6 + 0.0;
+        return std::abs(rounded - v) < 2.5e-7 ? rounded : v;
+    };
+    return Box3(box.min().unaryExpr(tidy), box.max().unaryExpr(tidy));
+}
+
+Box3 boxAround(const TopoDS_Shape& shape) {
+    Bnd_Box box;
+    BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
+    box.SetGap(0);
+    Vec3 low;
+    Vec3 high;
+    box.Get(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
+    return Box3(low, high);
+}
+
+}  // namespace
+
+Stock boxStock(const Part& part, const StockMargin& margin, const Vec3& axis) {
+    Stock stock;
+    stock.bbox_mm = tidyBox(part.bbox_mm);
+    const Vec3 up = nearestBoxDirection(axis);
+    for (int i = 0; i < 3; ++i) {
+        const bool along = up[i] != 0;
+        stock.bbox_mm.min()[i] -= !along ? margin.side_mm : (up[i] > 0 ? margin.bottom_mm : margin.top_mm);
+        stock.bbox_mm.max()[i] += !along ? margin.side_mm : (up[i] > 0 ? margin.top_mm : margin.bottom_mm);
+    }
+    stock.volume_mm3 = stock.bbox_mm.volume();
+    return stock;
+}
+
+void addBoxShape(Stock& stock) {
+    const Vec3& lo = stock.bbox_mm.min();
+    const Vec3& hi = stock.bbox_mm.max();
+    guardOcct(ErrorCode::GeometryKernel, "box stock", [&] {
+        const gp_Pnt from(lo.x(), lo.y(), lo.z());
+        const gp_Pnt to(hi.x(), hi.y(), hi.z());
+        stock.shape = std::make_shared<PartShape>(PartShape{BRepPrimAPI_MakeBox(from, to).Solid()});
+    });
+}
+
+Stock stepStock(const Part& stock_part) {
+    Stock stock;
+    stock.kind = Stock::Kind::Step;
+    stock.bbox_mm = tidyBox(stock_part.bbox_mm);
+    stock.volume_mm3 = stock_part.volume_mm3;
+    stock.shape = stock_part.shape;
+    return stock;
+}
+
+Stock inProcessStock(const TopoDS_Shape& solids) {
+    Stock stock;
+    stock.kind = Stock::Kind::InProcess;
+    guardOcct(ErrorCode::GeometryKernel, "in-process stock", [&] {
+        stock.bbox_mm = tidyBox(boxAround(solids));
+        GProp_GProps properties;
+        BRepGProp::VolumeProperties(solids, properties);
+        stock.volume_mm3 = properties.Mass();
+    });
+    stock.shape = std::make_shared<PartShape>(PartShape{solids});
+    return stock;
+}
+
+}  // namespace stepmill::setup

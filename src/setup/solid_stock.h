@@ -1,0 +1,20 @@
+#pragma once
+
+#include <TopoDS_Shape.hxx>
+
+#include "stepmill/setup/setup.h"
+
+namespace stepmill::setup {
+
+/// The part's box with margins, top and bottom along the axis (for other axes than box directions, along
+/// the nearest of these). Without a shape: addBoxShape makes it.
+Stock boxStock(const Part& part, const StockMargin& margin, const Vec3& axis);
+void addBoxShape(Stock& stock);
+
+/// The solid of a file.
+Stock stepStock(const Part& stock_part);
+
+/// What earlier setups left.
+Stock inProcessStock(const TopoDS_Shape& solids);
+
+}  // namespace stepmill::setup
