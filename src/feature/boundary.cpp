@@ -149,6 +149,11 @@ std::vector<BoundaryPiece> boundaryPieces(const Region& target, const Region& ob
     return all;
 }
 
+bool hasSharpCorner(const std::vector<BoundaryPiece>& boundary) {
+    return std::any_of(boundary.begin(), boundary.end(),
+                       [](const BoundaryPiece& piece) { return !piece.open && hasSharpCorner(piece.path); });
+}
+
 std::optional<double> minCornerRadiusMm(const std::vector<BoundaryPiece>& boundary) {
     std::optional<double> smallest;
     for (const BoundaryPiece& piece : boundary) {

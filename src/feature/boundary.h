@@ -16,4 +16,7 @@ std::vector<BoundaryPiece> boundaryPieces(const Region& target, const Region& ob
 /// or no wall is a concave arc.
 std::optional<double> minCornerRadiusMm(const std::vector<BoundaryPiece>& boundary);
 
+/// Do two closed edges anywhere meet in an inner corner without a radius?
+bool hasSharpCorner(const std::vector<BoundaryPiece>& boundary);
+
 }  // namespace stepmill::feature

@@ -25,6 +25,8 @@ std::string toString(FeatureClass feature_class) {
             return "blind hole";
         case FeatureClass::HoleThrough:
             return "through hole";
+        case FeatureClass::Engraving:
+            return "engraving";
     }
     throw Error(ErrorCode::Internal, "feature class", "unknown value");
 }

@@ -1,5 +1,8 @@
 #include "feature/unplanned.h"
 
+#include <map>
+#include <string>
+
 #include "feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
@@ -7,7 +10,6 @@ namespace stepmill::feature {
 namespace {
 
 constexpr const char* kUndercut = "undercut";
-constexpr const char* kSloped = "wall not vertical";
 constexpr const char* kSliver = "sliver";
 
 /// Volumes below this are rounding [mm3].
@@ -22,7 +24,7 @@ Region undercut(const Layer& layer, const Tolerances& tol) {
 /// Entries of one reason, from above to below.
 class Tally {
   public:
-    Tally(const char* reason, const Tolerances& tol) : reason_(reason), tol_(tol) {}
+    Tally(std::string reason, const Tolerances& tol) : reason_(std::move(reason)), tol_(tol) {}
 
     void add(const Layer& layer, double volume_mm3, Region region) {
         if (volume_mm3 <= kNoVolumeMm3) return;
@@ -37,9 +39,33 @@ class Tally {
     const std::vector<Unplanned>& entries() const { return entries_; }
 
   private:
-    const char* reason_;
+    std::string reason_;
     const Tolerances& tol_;
     std::vector<Unplanned> entries_;
+};
+
+/// What leaning walls hide, by cause.
+class SlopeTallies {
+  public:
+    explicit SlopeTallies(const Tolerances& tol) : tol_(tol) {}
+
+    void add(const Layer& layer) {
+        double named_mm3 = 0;
+        for (const HiddenVolume& hidden : layer.hidden) {
+            tally(toString(hidden.cause)).add(layer, hidden.volume_mm3, {});
+            named_mm3 += hidden.volume_mm3;
+        }
+        tally(toString(SlopeCause::Draft)).add(layer, layer.sloped_volume_mm3 - named_mm3, {});
+    }
+    const std::map<std::string, Tally>& tallies() const { return tallies_; }
+
+  private:
+    Tally& tally(const std::string& reason) {
+        return tallies_.try_emplace(reason, reason, tol_).first->second;
+    }
+
+    const Tolerances& tol_;
+    std::map<std::string, Tally> tallies_;
 };
 
 }  // namespace
@@ -47,7 +73,7 @@ class Tally {
 std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalForest& forest,
                                      const Tolerances& tol) {
     Tally undercuts(kUndercut, tol);
-    Tally slopes(kSloped, tol);
+    SlopeTallies slopes(tol);
     Tally slivers(kSliver, tol);
     for (std::size_t i = 0; i < layers.layers.size(); ++i) {
         const Layer& layer = layers.layers[i];
@@ -59,12 +85,16 @@ std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalFore
             const double volume_mm3 = area(hidden) * layer.height_mm();
             undercuts.add(layer, volume_mm3, std::move(hidden));
         }
-        slopes.add(layer, layer.sloped_volume_mm3, {});
+        slopes.add(layer);
         slivers.add(layer, sliver_mm2 * layer.height_mm(), {});
     }
-    std::vector<Unplanned> all;
-    for (const Tally* tally : {&undercuts, &slopes, &slivers})
-        all.insert(all.end(), tally->entries().begin(), tally->entries().end());
+    std::vector<Unplanned> all = undercuts.entries();
+    const auto append = [&](const Tally& tally) {
+        all.insert(all.end(), tally.entries().begin(), tally.entries().end());
+    };
+    for (const auto& [reason, tally] : slopes.tallies())
+        append(tally);
+    append(slivers);
     return all;
 }
 

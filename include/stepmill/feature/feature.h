@@ -20,7 +20,8 @@ enum class FeatureClass {
     ThroughPocket,  ///< no floor: a window
     OpenProfile,    ///< no floor, open edges: the part's outside, a notch
     HoleBlind,      ///< one full circle with a floor
-    HoleThrough     ///< one full circle without a floor
+    HoleThrough,    ///< one full circle without a floor
+    Engraving       ///< floor, narrower than the smallest cutter of the shop
 };
 std::string toString(FeatureClass feature_class);
 
@@ -57,6 +58,8 @@ struct Feature {
     std::vector<Obstacle> obstacles;
     double area_mm2 = 0;
     double volume_mm3 = 0;
+    /// Part faces it makes, by PartFace::index, ascending; empty until assignFaces() (face_owner.h).
+    std::vector<int> faces;
 
     double depth_mm() const { return top_z_mm - floor_z_mm; }
 };
@@ -79,5 +82,9 @@ struct FeatureSet {
 /// its components linked into a forest; a child equal to its parent only deepens it, any other child is a
 /// feature nested in its parent.
 FeatureSet recogniseFeatures(const LayerStack& layers, const Tolerances& tol);
+
+/// Pockets and slots with a floor into which a cutter of that diameter does not go anywhere become
+/// engravings: a shop traces them with a point instead of clearing them. Holes stay holes.
+void nameEngravings(FeatureSet& found, double smallest_cutter_mm, const Tolerances& tol);
 
 }  // namespace stepmill
