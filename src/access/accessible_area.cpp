@@ -59,10 +59,10 @@ bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, std::v
 
 void measureAreas(const FeatureGround& ground, bool all_components, AccessibleArea& found) {
     const Tolerances& tol = ground.tolerances();
-    // The target's own diagram answers where nothing was left out and no two discs meet across a neck.
-    const bool is_opening = ground.walledIn() && all_components && found.entries.size() == 1;
-    found.accessible = is_opening ? ground.targetOpening(found.radius_mm)
-                                  : access::swept(found.free_centres, found.radius_mm, tol);
+    // The target's own diagram answers where nothing was left out.
+    found.opens_target = ground.walledIn() && all_components;
+    found.accessible = found.opens_target ? ground.targetOpening(found.radius_mm)
+                                          : access::swept(found.free_centres, found.radius_mm, tol);
     found.coverable =
         ground.walledIn() ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
     found.accessible_diagram = std::make_shared<LazyDiagram>();
@@ -106,6 +106,7 @@ std::optional<AccessibleArea> clearOfHolder(const FeatureGround& ground, const s
     found.tool_id = tool.id;
     found.radius_mm = tool.radius_mm();
     if (reachAreas(kept_off, tool, found)) return std::nullopt;
+    found.opens_target = false;  // but what is left of the target beside the holder
     found.obstruction = std::make_shared<const Region>(kept_off.feature().obstruction);
     return found;
 }

@@ -2,6 +2,7 @@
 
 #include "access/lazy_diagram.h"
 #include "access/slivers.h"
+#include "access/swept.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 
@@ -29,12 +30,25 @@ Region shrunkAccessible(const AccessibleArea& m, double by_mm, const Tolerances&
     return offset(m.accessible, -by_mm, tol);
 }
 
+/// Both tools sweep all they can inside the target: its own diagram knows what the smaller one has left.
+DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m, const AccessibleArea& n) {
+    const Tolerances& tol = ground.tolerances();
+    DecomposedArea found;
+    found.centres = access::withoutSliverComponents(ground.targetRestCentres(m.radius_mm, n.radius_mm), tol);
+    found.new_area_mm2 = std::max(0.0, n.coverable_area_mm2 - m.coverable_area_mm2);
+    if (found.centres.empty() || found.new_area_mm2 <= tol.area_mm2) return {{}, {}, n.free_centres, 0};
+    found.area = access::swept(found.centres, n.radius_mm, tol);
+    found.cleared_centres = subtract(n.free_centres, found.centres, tol);
+    return found;
+}
+
 }  // namespace
 
 DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea* m, const AccessibleArea& n) {
     if (!m || m->accessible.empty()) return {n.free_centres, n.accessible, {}, n.coverable_area_mm2};
     STEPMILL_CHECK(m->radius_mm >= n.radius_mm, "the first tool of a pair is the larger one");
     if (n.free_centres.empty()) return {};
+    if (m->opens_target && n.opens_target) return insideTarget(ground, *m, n);
 
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;

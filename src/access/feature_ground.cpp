@@ -85,6 +85,11 @@ Region FeatureGround::targetOpening(double radius_mm) const {
     return impl_->target->of(impl_->feature.target, impl_->tol).opening(radius_mm);
 }
 
+Region FeatureGround::targetRestCentres(double large_mm, double small_mm) const {
+    if (impl_->feature.target.empty()) return {};
+    return impl_->target->of(impl_->feature.target, impl_->tol).restCentres(large_mm, small_mm);
+}
+
 Region FeatureGround::obstructionOffset(double distance_mm) const {
     return offsetOf(*impl_->obstruction, impl_->feature.obstruction, distance_mm, impl_->tol);
 }

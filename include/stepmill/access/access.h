@@ -60,6 +60,8 @@ class FeatureGround {
     Region obstructionOffset(double distance_mm) const;
     /// Points a disc of that radius sweeps inside T.
     Region targetOpening(double radius_mm) const;
+    /// Centres left inside T to a disc of radius `small` after one of radius `large`.
+    Region targetRestCentres(double large_mm, double small_mm) const;
     /// The section of feature().obstacles[index], offset. \throws std::out_of_range
     Region obstacleOffset(std::size_t index, double distance_mm) const;
     /// Diameter of the widest disc clear of the obstruction and centred in the target; the cutter that would
@@ -89,6 +91,8 @@ struct AccessibleArea {
     Region accessible;
     /// A_t n T.
     Region coverable;
+    /// Is `accessible` all a disc sweeps inside the target, so that pairs need no Booleans?
+    bool opens_target = false;
     double accessible_area_mm2 = 0;  ///< within the target
     double coverable_area_mm2 = 0;
     double collision_free_area_mm2 = 0;  ///< A'_t within the target [DSouza2006, Alg. 3]
