@@ -30,18 +30,25 @@ Region unionOf(const std::vector<Standing>& standing, const Tolerances& tol) {
 }
 
 /// Adds to every obstacle what stands at its height or above; above the last one a new one.
-void raiseObstacles(Feature& feature, const std::vector<Standing>& standing, const Tolerances& tol) {
+void raiseObstacles(Feature& feature, std::vector<Standing> standing, const Tolerances& tol) {
     double top_z_mm = feature.obstacles.empty() ? feature.floor_z_mm : feature.obstacles.back().top_z_mm;
     double highest_mm = top_z_mm;
     for (const Standing& one : standing)
         highest_mm = std::max(highest_mm, one.top_z_mm);
     if (highest_mm > top_z_mm) feature.obstacles.push_back({top_z_mm, highest_mm, {}});
-    for (Obstacle& obstacle : feature.obstacles) {
-        std::vector<Region> sections{obstacle.section};
-        for (const Standing& one : standing) {
-            if (one.top_z_mm > obstacle.bottom_z_mm) sections.push_back(one.region);
-        }
-        if (sections.size() > 1) obstacle.section = unite(sections, tol);
+    // From the top down, so that what stands over one height is united once for all obstacles below.
+    std::sort(standing.begin(), standing.end(),
+              [](const Standing& a, const Standing& b) { return a.top_z_mm > b.top_z_mm; });
+    Region above;
+    std::size_t next = 0;
+    for (auto obstacle = feature.obstacles.rbegin(); obstacle != feature.obstacles.rend(); ++obstacle) {
+        std::vector<Region> sections;
+        if (!above.empty()) sections.push_back(above);
+        for (; next < standing.size() && standing[next].top_z_mm > obstacle->bottom_z_mm; ++next)
+            sections.push_back(standing[next].region);
+        if (sections.empty()) continue;
+        above = sections.size() > 1 ? unite(sections, tol) : sections.front();
+        obstacle->section = obstacle->section.empty() ? above : unite(obstacle->section, above, tol);
     }
 }
 

@@ -5,6 +5,42 @@
 namespace stepmill {
 namespace {
 
+/// Under which volumes stay that leaning walls hide.
+constexpr const char* kLeaning = "wall not vertical";
+
+double hullAir(const LayerStack& layers) {
+    double air_mm3 = 0;
+    for (const Layer& layer : layers.layers)
+        air_mm3 += layer.stock_air_mm3;
+    return air_mm3;
+}
+
+double sumOf(const std::vector<ReasonVolume>& list) {
+    double sum = 0;
+    for (const ReasonVolume& entry : list)
+        sum += entry.volume_mm3;
+    return sum;
+}
+
+/// One entry a reason, in the order of the names; what is nothing falls away.
+std::vector<ReasonVolume> listOf(const std::map<std::string, double>& by_reason) {
+    std::vector<ReasonVolume> list;
+    for (const auto& [reason, volume_mm3] : by_reason)
+        if (volume_mm3 > 0) list.push_back({reason, volume_mm3});
+    return list;
+}
+
+/// Takes a volume off all entries, in proportion.
+void lessen(std::map<std::string, double>& by_reason, double by_mm3) {
+    double sum = 0;
+    for (const auto& [reason, volume_mm3] : by_reason)
+        sum += volume_mm3;
+    if (sum <= 0 || by_mm3 <= 0) return;
+    const double keep = std::max(0.0, 1 - by_mm3 / sum);
+    for (auto& [reason, volume_mm3] : by_reason)
+        volume_mm3 *= keep;
+}
+
 bool spans(double top_z_mm, double bottom_z_mm, double z_mm) {
     return bottom_z_mm < z_mm && z_mm < top_z_mm;
 }
@@ -12,7 +48,8 @@ bool spans(double top_z_mm, double bottom_z_mm, double z_mm) {
 /// Removal of a slab that its features and its unplanned volumes do not account for [mm3].
 double slabGap(const Layer& layer, const PlannedSetup& setup) {
     const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-    double gap = (area(layer.stock) - area(layer.part)) * layer.height_mm() + layer.sloped_volume_mm3;
+    double gap = (area(layer.stock) - area(layer.part)) * layer.height_mm() + layer.sloped_volume_mm3 -
+                 layer.stock_air_mm3;
     for (const PlannedFeature& planned : setup.features) {
         const Feature& feature = planned.feature;
         if (spans(feature.top_z_mm, feature.floor_z_mm, middle)) gap -= feature.area_mm2 * layer.height_mm();
@@ -25,6 +62,25 @@ double slabGap(const Layer& layer, const PlannedSetup& setup) {
     return gap;
 }
 
+/// What of an early setup's residuals is still there at the end and not in a later setup's own list.
+void addEarlierResiduals(const std::vector<SetupAccount>& accounts,
+                         std::map<std::string, double>& by_reason) {
+    std::vector<SetupPrism> gone;
+    for (std::size_t i = accounts.size(); i-- > 0;) {
+        const SetupAccount& account = accounts[i];
+        const std::vector<ResidualPrism> own = residualPrisms(account.planned->features);
+        if (i + 1 < accounts.size()) {
+            for (const ResidualPrism& residual : own)
+                by_reason[residual.reason] +=
+                    residual.volume_mm3 * shareOutside(account.planned->setup, residual.prism, gone);
+        }
+        for (const Prism& prism : account.removed)
+            gone.push_back({&account.planned->setup, prism});
+        for (const ResidualPrism& residual : own)
+            gone.push_back({&account.planned->setup, residual.prism});
+    }
+}
+
 }  // namespace
 
 double VolumeBalance::gapShare() const {
@@ -33,35 +89,81 @@ double VolumeBalance::gapShare() const {
     return std::abs(gap) / stock_minus_part_mm3;
 }
 
-void balanceBooks(Plan& plan, double stock_minus_part_mm3) {
-    VolumeBalance balance;
-    balance.stock_minus_part_mm3 = stock_minus_part_mm3;
-    for (const PlannedSetup& setup : plan.setups) {
-        for (const PlannedFeature& planned : setup.features) {
-            double residual = 0;
-            for (const Residual& left : planned.sequence.residual)
-                residual += left.volume_mm3;
-            balance.residual_mm3 += residual;
-            balance.planned_mm3 += planned.feature.volume_mm3 - residual;
-        }
-        for (const Unplanned& unplanned : setup.unplanned)
-            balance.unreachable_mm3 += unplanned.volume_mm3;
+VolumeBalance setupBooks(const SetupAccount& account) {
+    VolumeBalance books;
+    const PlannedSetup& planned = *account.planned;
+    books.stock_minus_part_mm3 = planned.setup.stock.volume_mm3 - planned.setup.part.volume_mm3;
+    double features_mm3 = 0;
+    std::map<std::string, double> residual;
+    for (const PlannedFeature& feature : planned.features) {
+        features_mm3 += feature.feature.volume_mm3;
+        for (const Residual& left : feature.sequence.residual)
+            residual[left.reason] += left.volume_mm3;
     }
-    plan.balance = balance;
+    std::map<std::string, double> unreachable;
+    for (const Unplanned& unplanned : planned.unplanned)
+        unreachable[unplanned.reason] += unplanned.volume_mm3;
+    const double residual_mm3 = sumOf(listOf(residual));
+    books.planned_mm3 = features_mm3 - residual_mm3;
+    // Where the stock's walls lean, prisms hold air that earlier setups cut from other sides: what went is
+    // what the solid lost. Air was taken off the unplanned volumes first; what of it the prisms held goes
+    // back.
+    const double cut_air_mm3 =
+        std::clamp(books.planned_mm3 - account.stock.removed_mm3, 0.0, hullAir(*account.layers));
+    books.planned_mm3 -= cut_air_mm3;
+    if (cut_air_mm3 > account.air_mm3) unreachable[kLeaning] += cut_air_mm3 - account.air_mm3;
+    const double air_left_mm3 = std::max(0.0, account.air_mm3 - cut_air_mm3);
+    lessen(residual, air_left_mm3);
+    lessen(unreachable, air_left_mm3 - residual_mm3);
+    books.residual_by_reason = listOf(residual);
+    books.unreachable_by_reason = listOf(unreachable);
+    books.residual_mm3 = sumOf(books.residual_by_reason);
+    books.unreachable_mm3 = sumOf(books.unreachable_by_reason);
+    return books;
 }
 
-std::string largestGap(const LayerStack& layers, const PlannedSetup& setup, const Tolerances& tol) {
-    const Layer* worst = nullptr;
-    double worst_mm3 = tol.volume_share * (layers.stock_volume_mm3 - layers.part_volume_mm3) / 10;
-    for (const Layer& layer : layers.layers) {
-        const double gap = slabGap(layer, setup);
-        if (std::abs(gap) <= std::abs(worst_mm3)) continue;
-        worst = &layer;
-        worst_mm3 = gap;
+VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3) {
+    VolumeBalance books;
+    books.stock_minus_part_mm3 = stock_minus_part_mm3;
+    if (accounts.empty()) {
+        books.unreachable_mm3 = std::max(0.0, stock_minus_part_mm3);
+        return books;
     }
-    if (worst == nullptr) return {};
-    return fmt::format("largest difference {:.4g} mm3 between z {:.4g} and {:.4g} mm of {}", worst_mm3,
-                       worst->top_z_mm, worst->bottom_z_mm, setup.setup.id);
+    for (const SetupAccount& account : accounts)
+        books.planned_mm3 += account.planned->balance.planned_mm3;
+    // What is left is what the last setup sees and does not cut; earlier residuals are unreachable to it.
+    const VolumeBalance& last = accounts.back().planned->balance;
+    std::map<std::string, double> residual;
+    std::map<std::string, double> unreachable;
+    for (const ReasonVolume& entry : last.unreachable_by_reason)
+        unreachable[entry.reason] += entry.volume_mm3;
+    addEarlierResiduals(accounts, residual);
+    const double earlier_mm3 = std::min(sumOf(listOf(residual)), last.unreachable_mm3);
+    lessen(residual, sumOf(listOf(residual)) - earlier_mm3);
+    lessen(unreachable, earlier_mm3);
+    for (const ReasonVolume& entry : last.residual_by_reason)
+        residual[entry.reason] += entry.volume_mm3;
+    books.residual_by_reason = listOf(residual);
+    books.unreachable_by_reason = listOf(unreachable);
+    books.residual_mm3 = sumOf(books.residual_by_reason);
+    books.unreachable_mm3 = sumOf(books.unreachable_by_reason);
+    return books;
+}
+
+std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3,
+                       const Tolerances& tol) {
+    std::string where;
+    double worst_mm3 = tol.volume_share * stock_minus_part_mm3 / 10;
+    for (const SetupAccount& account : accounts) {
+        for (const Layer& layer : account.layers->layers) {
+            const double gap = slabGap(layer, *account.planned);
+            if (std::abs(gap) <= std::abs(worst_mm3)) continue;
+            worst_mm3 = gap;
+            where = fmt::format("largest difference {:+.4g} mm3 between z {:.4g} and {:.4g} mm of {}", gap,
+                                layer.top_z_mm, layer.bottom_z_mm, account.planned->setup.id);
+        }
+    }
+    return where;
 }
 
 }  // namespace stepmill

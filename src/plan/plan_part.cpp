@@ -11,9 +11,11 @@ namespace stepmill {
 namespace {
 
 /// Shares of a setup's work at which its stages start, by rough experience; only the progress bar sees them.
-constexpr double kSlicingShare = 0.05;
 constexpr double kFeaturesShare = 0.3;
 constexpr double kSequencesShare = 0.35;
+
+/// A residual of which less than this lies outside earlier ones is not new.
+constexpr double kNewResidualShare = 0.1;
 
 struct Request {
     const PlanRequest& options;
@@ -214,22 +216,72 @@ std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machin
 struct PlannedStage {
     PlannedSetup setup;
     LayerStack layers;
+    double air_mm3 = 0;
+    std::vector<Prism> removed;
     std::vector<Warning> warnings;
 };
 
-PlannedStage planSetup(const Setup& setup, const Request& request, double start_share, double end_share) {
-    const auto at = [&](double share) { return start_share + (end_share - start_share) * share; };
+PlannedStage planStage(const Stage& found, const Request& request, double start_share, double end_share) {
     PlannedStage stage;
-    request.report("slicing " + setup.id, at(kSlicingShare));
-    stage.layers = slice(setup, request.tol, request.options.slicing);
-    request.report("features of " + setup.id, at(kFeaturesShare));
-    FeatureSet found = recogniseFeatures(stage.layers, request.tol);
-    stage.setup.setup = setup;
-    stage.setup.unplanned = std::move(found.unplanned);
-    FeaturePlanner planner(std::move(found.features), request, at(kSequencesShare), end_share);
+    stage.layers = found.layers;
+    stage.air_mm3 = found.air_mm3;
+    stage.setup.setup = found.setup;
+    stage.setup.clamping = found.clamping;
+    stage.setup.unplanned = found.found.unplanned;
+    FeaturePlanner planner(std::vector<Feature>(found.found.features), request, start_share, end_share);
     stage.setup.features = planner.plan(stage.warnings);
     stage.setup.operations = makeOperations(stage.setup, request.machine);
+    stage.removed = removedBy(stage.setup.features, request.tol);
     return stage;
+}
+
+/// Plans stage after stage; later ones see what the earlier ones' tools left.
+class StagePlanner {
+  public:
+    StagePlanner(const Request& request, std::size_t setups) : request_(request), setups_(setups) {}
+
+    std::optional<std::vector<Prism>> plan(const Stage& found) {
+        const double share = 1.0 / static_cast<double>(setups_);
+        const double start = share * static_cast<double>(std::min(stages_.size(), setups_ - 1));
+        request_.report("features of " + found.setup.id, start + share * kFeaturesShare);
+        PlannedStage stage = planStage(found, request_, start + share * kSequencesShare, start + share);
+        if (!stages_.empty() && found.setup.chosen && repeatsResiduals(stage)) return std::nullopt;
+        stages_.push_back(std::move(stage));
+        return stages_.back().removed;
+    }
+
+    std::vector<PlannedStage>& stages() { return stages_; }
+
+  private:
+    /// Does the setup cut nothing and only name again what earlier ones left standing?
+    bool repeatsResiduals(const PlannedStage& stage) const {
+        if (!stage.setup.operations.empty()) return false;
+        std::vector<SetupPrism> known;
+        for (const PlannedStage& earlier : stages_)
+            for (const ResidualPrism& residual : residualPrisms(earlier.setup.features))
+                known.push_back({&earlier.setup.setup, residual.prism});
+        const std::vector<ResidualPrism> own = residualPrisms(stage.setup.features);
+        return std::all_of(own.begin(), own.end(), [&](const ResidualPrism& residual) {
+            return residual.volume_mm3 < kVolumeRoundingMm3 ||
+                   shareOutside(stage.setup.setup, residual.prism, known) < kNewResidualShare;
+        });
+    }
+
+    const Request& request_;
+    std::size_t setups_;
+    std::vector<PlannedStage> stages_;
+};
+
+std::vector<SetupAccount> accountsOf(Plan& plan, const std::vector<PlannedStage>& stages,
+                                     const WalkedSetups& walked) {
+    std::vector<SetupAccount> accounts;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        SetupAccount account{&plan.setups[i], &stages[i].layers, walked.steps[i], stages[i].air_mm3,
+                             stages[i].removed};
+        plan.setups[i].balance = setupBooks(account);
+        accounts.push_back(std::move(account));
+    }
+    return accounts;
 }
 
 void warnOfPart(Plan& plan) {
@@ -257,28 +309,26 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     requireMachinableSize(part, setups, machine);
     plan.stock = setups.front().stock;
 
-    std::vector<LayerStack> stacks;
-    for (std::size_t i = 0; i < setups.size(); ++i) {
-        const double share = 1.0 / static_cast<double>(setups.size());
-        PlannedStage stage =
-            planSetup(setups[i], job, share * static_cast<double>(i), share * static_cast<double>(i + 1));
+    StagePlanner planner(job, setups.size());
+    const WalkedSetups walked =
+        walkSetups(setups, request.slicing, tol, [&](const Stage& stage) { return planner.plan(stage); });
+    std::vector<PlannedStage>& stages = planner.stages();
+    for (PlannedStage& stage : stages) {
         plan.warnings.insert(plan.warnings.end(), stage.warnings.begin(), stage.warnings.end());
         warnOfInput(plan, stage.layers);
-        warnOfSetup(plan, stage.setup);
         plan.setups.push_back(std::move(stage.setup));
-        stacks.push_back(std::move(stage.layers));
     }
     addUpTotals(plan);
-    balanceBooks(plan, plan.stock.volume_mm3 - part.volume_mm3);
+    const double removable_mm3 = plan.stock.volume_mm3 - part.volume_mm3;
+    const std::vector<SetupAccount> accounts = accountsOf(plan, stages, walked);
+    plan.balance = partBooks(accounts, removable_mm3);
+    for (const StockStep& step : walked.steps)
+        warnOfStock(plan, step);
+    warnOfUnreachable(plan);
+    for (const PlannedSetup& setup : plan.setups)
+        warnOfSetup(plan, setup);
     warnOfShape(plan);
-    if (plan.balance.gapShare() > tol.volume_share) {
-        for (std::size_t i = 0; i < stacks.size(); ++i) {
-            plan.warnings.push_back(
-                {"books", plan.setups[i].setup.id,
-                 fmt::format("the volume books miss {:.3g} % of stock minus part; {}",
-                             100 * plan.balance.gapShare(), largestGap(stacks[i], plan.setups[i], tol))});
-        }
-    }
+    warnOfBooks(plan, accounts, tol);
     job.report("done", 1);
     return plan;
 }

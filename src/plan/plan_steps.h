@@ -4,6 +4,7 @@
 
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/plan/plan.h"
+#include "stepmill/plan/stages.h"
 
 namespace stepmill {
 
@@ -30,17 +31,60 @@ bool changesTool(const std::vector<Operation>& operations, std::size_t index);
 /// Times of every setup and of the plan; tool changes counted once a visit.
 void addUpTotals(Plan& plan);
 
-/// Fills the volume balance from the setups' features and unplanned volumes.
-void balanceBooks(Plan& plan, double stock_minus_part_mm3);
+/// What the steps of a feature take away: its target less residuals that stand over its whole depth, down to
+/// where its tools reach. Residuals over a part of the depth (a drill's point) stand as a layer of the same
+/// volume on the floor.
+std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& tol);
+/// The same of a whole setup.
+std::vector<Prism> removedBy(const std::vector<PlannedFeature>& features, const Tolerances& tol);
 
-/// Where the books of a setup do not close: the slab with the largest difference, in words; empty when
-/// every slab's account closes.
-std::string largestGap(const LayerStack& layers, const PlannedSetup& setup, const Tolerances& tol);
+/// A setup with its layers and its stock account, for the books.
+struct SetupAccount {
+    const PlannedSetup* planned = nullptr;
+    const LayerStack* layers = nullptr;
+    StockStep stock;
+    double air_mm3 = 0;          ///< Stage::air_mm3
+    std::vector<Prism> removed;  ///< in setup coordinates
+};
+
+/// A residual as it stands.
+struct ResidualPrism {
+    std::string reason;
+    double volume_mm3 = 0;
+    Prism prism;
+};
+std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& features);
+
+/// A prism and the setup in whose coordinates it is.
+struct SetupPrism {
+    const Setup* setup = nullptr;
+    Prism prism;
+};
+/// Share of the prism's volume that lies in none of the others, from points in it [0..1].
+double shareOutside(const Setup& setup, const Prism& prism, const std::vector<SetupPrism>& others);
+
+/// The books of one setup.
+VolumeBalance setupBooks(const SetupAccount& account);
+/// The books of the part, from those of the setups. Whether a residual of an early setup is still there at
+/// the end is asked at points in it, so the split by reason is an estimate; the sums are not. \pre every
+/// setup's balance is filled
+VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3);
+
+/// Where books do not close: the setup and slab with the largest difference, with its sign, in words; empty
+/// when every account closes.
+std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3,
+                       const Tolerances& tol);
 
 /// Doubts about the part file and the slicing.
 void warnOfInput(Plan& plan, const LayerStack& layers);
 /// Residuals, travel, magazine.
 void warnOfSetup(Plan& plan, const PlannedSetup& setup);
+/// What making the in-process stock took.
+void warnOfStock(Plan& plan, const StockStep& step);
+/// What no setup plans, one warning a reason. \pre the books are made up
+void warnOfUnreachable(Plan& plan);
+/// Books of part and setups that do not close, with the difference located.
+void warnOfBooks(Plan& plan, const std::vector<SetupAccount>& accounts, const Tolerances& tol);
 /// Says so when much of what is to be removed, or of the part's surface, asks for more than 2.5 axes.
 /// \pre the books are made up
 void warnOfShape(Plan& plan);

@@ -36,25 +36,6 @@ int curvedFaces(const Part& part) {
     return count;
 }
 
-/// One warning a reason, however many slabs it shows in.
-void warnOfUnplanned(Plan& plan, const PlannedSetup& setup) {
-    std::map<std::string, Unplanned> by_reason;
-    for (const Unplanned& unplanned : setup.unplanned) {
-        const auto [found, is_new] = by_reason.emplace(unplanned.reason, unplanned);
-        if (is_new) continue;
-        Unplanned& sum = found->second;
-        sum.volume_mm3 += unplanned.volume_mm3;
-        sum.top_z_mm = std::max(sum.top_z_mm, unplanned.top_z_mm);
-        sum.bottom_z_mm = std::min(sum.bottom_z_mm, unplanned.bottom_z_mm);
-    }
-    for (const auto& [reason, sum] : by_reason) {
-        if (sum.volume_mm3 < kWorthAWarningMm3) continue;
-        plan.warnings.push_back({"unreachable", setup.setup.id,
-                                 fmt::format("{:.4g} mm3 between z {:.4g} and {:.4g} mm are not planned: {}",
-                                             sum.volume_mm3, sum.top_z_mm, sum.bottom_z_mm, reason)});
-    }
-}
-
 void warnOfTravel(Plan& plan, const PlannedSetup& setup) {
     Box3 box;
     for (const Operation& operation : setup.operations) {
@@ -102,6 +83,38 @@ void warnOfInput(Plan& plan, const LayerStack& layers) {
         plan.warnings.push_back({"section", layers.setup_id, remark});
 }
 
+void warnOfStock(Plan& plan, const StockStep& step) {
+    for (const std::string& remark : step.remarks)
+        plan.warnings.push_back({"in-process-stock", step.setup_id, remark});
+}
+
+void warnOfUnreachable(Plan& plan) {
+    for (const ReasonVolume& entry : plan.balance.unreachable_by_reason) {
+        if (entry.volume_mm3 < kWorthAWarningMm3) continue;
+        plan.warnings.push_back(
+            {"unreachable", plan.part.file,
+             fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3, entry.reason)});
+    }
+}
+
+void warnOfBooks(Plan& plan, const std::vector<SetupAccount>& accounts, const Tolerances& tol) {
+    if (plan.balance.gapShare() > tol.volume_share)
+        plan.warnings.push_back({"books", plan.part.file,
+                                 fmt::format("the volume books miss {:.3g} % of stock minus part; {}",
+                                             100 * plan.balance.gapShare(),
+                                             largestGap(accounts, plan.balance.stock_minus_part_mm3, tol))});
+    for (const PlannedSetup& setup : plan.setups) {
+        const VolumeBalance& books = setup.balance;
+        const double gap_mm3 =
+            books.stock_minus_part_mm3 - books.planned_mm3 - books.residual_mm3 - books.unreachable_mm3;
+        if (std::abs(gap_mm3) <= tol.volume_share * plan.balance.stock_minus_part_mm3 ||
+            std::abs(gap_mm3) <= kVolumeRoundingMm3)
+            continue;
+        plan.warnings.push_back({"books", setup.setup.id,
+                                 fmt::format("the volume books of the setup miss {:+.4g} mm3", gap_mm3)});
+    }
+}
+
 void warnOfShape(Plan& plan) {
     const VolumeBalance& books = plan.balance;
     if (books.stock_minus_part_mm3 <= kVolumeRoundingMm3) return;
@@ -126,7 +139,6 @@ void warnOfShape(Plan& plan) {
 void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
     for (const PlannedFeature& planned : setup.features)
         warnOfResiduals(plan, planned);
-    warnOfUnplanned(plan, setup);
     warnOfTravel(plan, setup);
     warnOfMagazine(plan, setup);
 }

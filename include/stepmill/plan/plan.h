@@ -10,6 +10,7 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/part/part.h"
 #include "stepmill/sequence/sequence.h"
+#include "stepmill/setup/clamping.h"
 #include "stepmill/setup/setup.h"
 
 namespace stepmill {
@@ -40,14 +41,6 @@ struct PlannedFeature {
     ToolSequence sequence;  ///< its steps' paths have moved to the operations
 };
 
-struct PlannedSetup {
-    Setup setup;
-    std::vector<PlannedFeature> features;  ///< parents before children
-    std::vector<Unplanned> unplanned;
-    std::vector<Operation> operations;  ///< in machining order
-    double time_s = 0;                  ///< tool changes included
-};
-
 struct PlanTotals {
     double time_s = 0;
     double cutting_s = 0;  ///< all feed moves
@@ -61,15 +54,36 @@ struct PlanTotals {
 /// Solids' volumes are sums over their faces; a difference below this is rounding, nothing to machine [mm3].
 inline constexpr double kVolumeRoundingMm3 = 1e-2;
 
-/// The books: stock minus part, and where each part of it went.
+/// Volume under one reason.
+struct ReasonVolume {
+    std::string reason;
+    double volume_mm3 = 0;
+};
+
+/// The books of a setup or of the part: stock minus part, and where each part of it went.
+///
+/// Of a setup: its stock as it arrives; unreachable is what its features do not own, for other setups to
+/// reach. Of the part: the raw stock; residual and unreachable are what is still there after the last setup.
 struct VolumeBalance {
     double stock_minus_part_mm3 = 0;
     double planned_mm3 = 0;
     double residual_mm3 = 0;
     double unreachable_mm3 = 0;
+    std::vector<ReasonVolume> residual_by_reason;     ///< in the order of the reasons' names
+    std::vector<ReasonVolume> unreachable_by_reason;  ///< the same
 
     /// What no entry accounts for, as a share of stock minus part; 0 where that is no more than rounding.
     double gapShare() const;
+};
+
+struct PlannedSetup {
+    Setup setup;
+    Clamping clamping;
+    std::vector<PlannedFeature> features;  ///< parents before children
+    std::vector<Unplanned> unplanned;
+    std::vector<Operation> operations;  ///< in machining order
+    VolumeBalance balance;
+    double time_s = 0;  ///< tool changes included
 };
 
 struct Plan {
@@ -98,8 +112,11 @@ struct PlanRequest {
 using Progress = std::function<void(const std::string& stage, double share)>;
 
 /// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books.
-/// A feature whose planning fails becomes a residual with a warning; the rest of the plan stands.
-/// \throws Error for input the plan cannot go on with (stock too small, a part many times larger than the
+/// Every setup is planned on the stock that the paths of those before it leave (plan/stages.h). A chosen
+/// setup in which no tool finds anything new to do is left out. A feature whose planning fails becomes a
+/// residual with a warning; the rest of the plan stands. Books that do not close are a warning "books" that
+/// says where. \throws Error for input the plan cannot go on with (stock too small, a part many times larger
+/// than the
 ///         machine, no tool for the material).
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});

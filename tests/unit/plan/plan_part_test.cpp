@@ -118,6 +118,46 @@ TEST(PlanPart, KeepsWhatNoToolCanMakeAsResidualWithAReason) {
     EXPECT_EQ(plan.warnings.back().code, "no-tool");
 }
 
+TEST(PlanPart, GoesThroughFourSetupsAndLeavesNothing) {
+    const Plan plan = planSample("four_setups.step");
+    ASSERT_EQ(plan.setups.size(), 4U);
+    EXPECT_EQ(plan.setups[0].setup.stock.kind, Stock::Kind::Box);
+    double arrives_mm3 = plan.stock.volume_mm3;
+    for (const PlannedSetup& setup : plan.setups) {
+        // Each stock is what the setup before it left, and each account closes.
+        EXPECT_NEAR(setup.setup.stock.volume_mm3, arrives_mm3, 0.1) << setup.setup.id;
+        arrives_mm3 = setup.setup.stock.volume_mm3 - setup.balance.planned_mm3;
+        EXPECT_LE(setup.balance.gapShare() * setup.balance.stock_minus_part_mm3,
+                  kTol.volume_share * plan.balance.stock_minus_part_mm3)
+            << setup.setup.id;
+        EXPECT_FALSE(setup.clamping.text.empty());
+    }
+    EXPECT_TRUE(plan.complete(kTol)) << plan.balance.residual_mm3 << " " << plan.balance.unreachable_mm3;
+    EXPECT_LE(plan.balance.gapShare(), kTol.volume_share);
+}
+
+TEST(PlanPart, CutsWhatTwoSetupsReachOnce) {
+    PlanRequest request = inAluminium();
+    request.setup.axes = {Vec3::UnitZ(), -Vec3::UnitZ()};
+    const Plan plan =
+        planPart(samplePart("plate_with_holes.step"), request, defaultToolLibrary(), defaultMachine(), kTol);
+    ASSERT_EQ(plan.setups.size(), 2U);
+    EXPECT_NEAR(plan.setups[0].balance.planned_mm3, plan.balance.planned_mm3, 1);
+    EXPECT_LE(plan.balance.gapShare(), kTol.volume_share);
+}
+
+TEST(PlanPart, ResidualsStayInTheStockOfTheNextSetup) {
+    PlanRequest request = inAluminium();
+    request.setup.axes = {Vec3::UnitZ(), Vec3::UnitX()};
+    ToolLibrary only_wide = defaultToolLibrary();
+    std::erase_if(only_wide.tools, [](const ToolAssembly& tool) { return tool.diameter_mm < 50; });
+    const Plan plan = planPart(samplePart("rounded_pocket.step"), request, only_wide, defaultMachine(), kTol);
+    ASSERT_EQ(plan.setups.size(), 2U);
+    EXPECT_DOUBLE_EQ(plan.setups[1].setup.stock.volume_mm3, plan.stock.volume_mm3);
+    EXPECT_NEAR(plan.balance.residual_mm3, plan.balance.stock_minus_part_mm3,
+                1e-3 * plan.balance.stock_minus_part_mm3);
+}
+
 TEST(VolumeBalance, GapIsTheShareNoEntryAccountsFor) {
     VolumeBalance balance;
     balance.stock_minus_part_mm3 = 1000;

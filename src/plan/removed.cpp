@@ -1,0 +1,56 @@
+#include "plan/plan_steps.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill {
+namespace {
+
+/// Heights closer than this are one [mm].
+constexpr double kSameHeightMm = 1e-6;
+
+double heightOf(const Residual& residual) {
+    return residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;
+}
+
+}  // namespace
+
+std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& tol) {
+    const Feature& feature = planned.feature;
+    const ToolSequence& sequence = planned.sequence;
+    if (sequence.steps.empty()) return {};
+    const double depth = feature.top_z_mm - sequence.floor_z_mm;
+    std::vector<Region> standing;
+    std::vector<const Residual*> low;
+    for (const Residual& residual : sequence.residual) {
+        if (residual.region.empty()) continue;
+        if (heightOf(residual) >= depth - kSameHeightMm)
+            standing.push_back(residual.region);
+        else if (heightOf(residual) > kSameHeightMm)
+            low.push_back(&residual);
+    }
+    // Tools that do not reach the floor leave all below `sequence.floor_z_mm`: no part of the depth cut.
+    const double below_mm = sequence.floor_z_mm - feature.floor_z_mm;
+    if (below_mm > kSameHeightMm)
+        std::erase_if(low, [&](const Residual* residual) {
+            return std::abs(heightOf(*residual) - below_mm) < kSameHeightMm;
+        });
+    Region cut = standing.empty() ? feature.target : subtract(feature.target, unite(standing, tol), tol);
+    std::vector<Prism> prisms;
+    for (const Residual* residual : low) {
+        Region over = intersect(cut, residual->region, tol);
+        if (area(over) <= tol.area_mm2) continue;
+        cut = subtract(cut, residual->region, tol);
+        prisms.push_back({std::move(over), feature.top_z_mm, sequence.floor_z_mm + heightOf(*residual)});
+    }
+    if (area(cut) > tol.area_mm2) prisms.push_back({std::move(cut), feature.top_z_mm, sequence.floor_z_mm});
+    return prisms;
+}
+
+std::vector<Prism> removedBy(const std::vector<PlannedFeature>& features, const Tolerances& tol) {
+    std::vector<Prism> all;
+    for (const PlannedFeature& planned : features)
+        for (Prism& prism : removedBy(planned, tol))
+            all.push_back(std::move(prism));
+    return all;
+}
+
+}  // namespace stepmill

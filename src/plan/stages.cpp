@@ -1,0 +1,119 @@
+// Setups in turn, each on the stock the ones before it left.
+
+#include "stepmill/plan/stages.h"
+
+#include <fmt/format.h>
+
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+namespace {
+
+std::vector<Prism> stockSlabs(const LayerStack& layers) {
+    std::vector<Prism> slabs;
+    for (const Layer& layer : layers.layers)
+        slabs.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
+    return slabs;
+}
+
+std::vector<bool> uprightSlabs(const LayerStack& layers) {
+    std::vector<bool> upright;
+    for (const Layer& layer : layers.layers)
+        upright.push_back(layer.stock_air_mm3 <= 0);
+    return upright;
+}
+
+bool isUndercut(const Unplanned& unplanned) {
+    return unplanned.reason == "undercut";
+}
+
+/// Takes air off the unplanned volumes that span a slab; returns what of it is left.
+double takeAir(std::vector<Unplanned>& unplanned, const Layer& layer, double air_mm3, bool undercuts) {
+    const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+    for (Unplanned& entry : unplanned) {
+        if (isUndercut(entry) != undercuts) continue;
+        if (entry.bottom_z_mm > middle || entry.top_z_mm < middle) continue;
+        const double taken = std::min(air_mm3, entry.volume_mm3);
+        entry.volume_mm3 -= taken;
+        air_mm3 -= taken;
+    }
+    return air_mm3;
+}
+
+/// What the slabs of the stock cover beyond the stock is no material: first where walls lean, which is where
+/// it comes from, then under overhangs; the rest lies in features.
+double netOfAir(FeatureSet& found, const LayerStack& layers) {
+    double hull_mm3 = 0;
+    double air_mm3 = 0;
+    for (const Layer& layer : layers.layers) {
+        hull_mm3 += area(layer.stock) * layer.height_mm();
+        air_mm3 += layer.stock_air_mm3;
+    }
+    if (air_mm3 <= 0) return 0;
+    // Slabs' volumes come from a quadrature; the solid's own volume is surer.
+    const double scale = std::max(0.0, hull_mm3 - layers.stock_volume_mm3) / air_mm3;
+    double left_mm3 = 0;
+    for (const Layer& layer : layers.layers) {
+        double air = scale * layer.stock_air_mm3;
+        for (const bool undercuts : {false, true})
+            air = takeAir(found.unplanned, layer, air, undercuts);
+        left_mm3 += air;
+    }
+    std::erase_if(found.unplanned, [](const Unplanned& entry) { return entry.volume_mm3 <= 0; });
+    return left_mm3;
+}
+
+Stage makeStage(Setup setup, const SliceOptions& slicing, const Tolerances& tol) {
+    Stage stage;
+    stage.setup = std::move(setup);
+    stage.layers = slice(stage.setup, tol, slicing);
+    stage.found = recogniseFeatures(stage.layers, tol);
+    stage.clamping = suggestClamping(stockSlabs(stage.layers), uprightSlabs(stage.layers),
+                                     featurePrisms(stage.found), tol);
+    stage.air_mm3 = netOfAir(stage.found, stage.layers);
+    return stage;
+}
+
+/// One stock that OCCT cannot make must not lose the plan: the next setup then sees it uncut, and the books
+/// say so.
+StockAfter stockOrAsItWas(const Stage& stage, const std::vector<Prism>& removed, const Tolerances& tol) {
+    try {
+        return stockAfter(stage.setup, removed, stockSlabs(stage.layers), tol);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::GeometryKernel) throw;
+        return {stage.setup.stock,
+                0,
+                {fmt::format("{}; later setups see the stock as it arrived", error.what())}};
+    }
+}
+
+}  // namespace
+
+std::vector<Prism> featurePrisms(const FeatureSet& found) {
+    std::vector<Prism> prisms;
+    for (const Feature& feature : found.features)
+        prisms.push_back({feature.target, feature.top_z_mm, feature.floor_z_mm});
+    return prisms;
+}
+
+WalkedSetups walkSetups(const std::vector<Setup>& setups, const SliceOptions& slicing, const Tolerances& tol,
+                        const StageVisitor& visit) {
+    WalkedSetups walked;
+    if (!setups.empty()) walked.left = setups.front().stock;
+    for (const Setup& planned : setups) {
+        const bool first = walked.steps.empty();
+        Setup setup = first ? planned : onStock(planned, walked.left);
+        setup.id = fmt::format("S{}", walked.steps.size() + 1);
+        const Stage stage = makeStage(std::move(setup), slicing, tol);
+        if (!first && planned.chosen && stage.found.features.empty()) continue;
+        const std::optional<std::vector<Prism>> removed = visit(stage);
+        if (!removed) continue;
+        StockAfter after = stockOrAsItWas(stage, *removed, tol);
+        walked.steps.push_back({stage.setup.id, stage.setup.stock.volume_mm3, after.removed_mm3,
+                                volumeOf(*removed), after.stock.volume_mm3, std::move(after.remarks)});
+        walked.left = std::move(after.stock);
+    }
+    return walked;
+}
+
+}  // namespace stepmill

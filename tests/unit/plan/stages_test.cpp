@@ -1,0 +1,111 @@
+#include "stepmill/plan/stages.h"
+
+#include <gtest/gtest.h>
+
+#include "plan/plan_steps.h"
+
+namespace stepmill {
+namespace {
+
+const Tolerances kTol;
+
+Part samplePart(const std::string& name) {
+    return readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name).front();
+}
+
+double removable(const stepmill::Setup& setup) {
+    return setup.stock.volume_mm3 - setup.part.volume_mm3;
+}
+
+TEST(WalkSetups, LeavesThePartWhereEveryFeatureIsCut) {
+    const Part part = samplePart("four_setups.step");
+    const std::vector<stepmill::Setup> setups = chooseSetups(part, {});
+    const WalkedSetups walked = walkSetups(setups, {}, kTol, [&](const Stage& stage) {
+        double sum = -stage.air_mm3;
+        for (const Feature& feature : stage.found.features)
+            sum += feature.volume_mm3;
+        for (const Unplanned& unplanned : stage.found.unplanned)
+            sum += unplanned.volume_mm3;
+        EXPECT_NEAR(sum, removable(stage.setup), kTol.volume_share * removable(setups.front()))
+            << stage.setup.id;
+        return std::optional(featurePrisms(stage.found));
+    });
+    EXPECT_EQ(walked.steps.size(), 4U);
+    for (const StockStep& step : walked.steps)
+        EXPECT_TRUE(step.remarks.empty()) << step.setup_id << ": " << step.remarks.front();
+    EXPECT_NEAR(walked.left.volume_mm3, part.volume_mm3, 1e-5 * part.volume_mm3);
+}
+
+TEST(WalkSetups, LeavesOutAChosenSetupWithNothingToCut) {
+    std::vector<stepmill::Setup> setups = chooseSetups(samplePart("plate_with_holes.step"), {});
+    ASSERT_EQ(setups.size(), 1U);
+    SetupRequest below;
+    below.axes = {-Vec3::UnitZ()};
+    setups.push_back(chooseSetups(setups.front().part, below).front());
+    int visits = 0;
+    const StageVisitor count = [&](const Stage& stage) {
+        ++visits;
+        return std::optional(featurePrisms(stage.found));
+    };
+    walkSetups(setups, {}, kTol, count);
+    EXPECT_EQ(visits, 2);
+    setups.back().chosen = true;
+    visits = 0;
+    walkSetups(setups, {}, kTol, count);
+    EXPECT_EQ(visits, 1);
+}
+
+TEST(WalkSetups, GivesTheIdOfASetupLeftOutToTheNext) {
+    std::vector<std::string> ids;
+    walkSetups(chooseSetups(samplePart("four_setups.step"), {}), {}, kTol,
+               [&](const Stage& stage) -> std::optional<std::vector<Prism>> {
+                   ids.push_back(stage.setup.id);
+                   if (ids.size() == 2) return std::nullopt;
+                   return featurePrisms(stage.found);
+               });
+    EXPECT_EQ(ids, (std::vector<std::string>{"S1", "S2", "S2", "S3"}));
+}
+
+PlannedFeature pocket() {
+    PlannedFeature planned;
+    planned.feature.target = makeRectangle(Vec2(0, 0), Vec2(40, 20));
+    planned.feature.area_mm2 = 800;
+    planned.feature.volume_mm3 = 8000;
+    planned.feature.floor_z_mm = -10;
+    planned.sequence.floor_z_mm = -10;
+    planned.sequence.steps.emplace_back();
+    return planned;
+}
+
+Residual leaving(const Region& region, double height_mm) {
+    Residual residual;
+    residual.region = region;
+    residual.area_mm2 = area(region);
+    residual.volume_mm3 = residual.area_mm2 * height_mm;
+    return residual;
+}
+
+TEST(RemovedBy, TakesNothingWithoutATool) {
+    PlannedFeature planned = pocket();
+    planned.sequence.steps.clear();
+    EXPECT_TRUE(removedBy(planned, kTol).empty());
+}
+
+TEST(RemovedBy, LeavesResidualsOverTheirHeight) {
+    PlannedFeature planned = pocket();
+    planned.sequence.residual = {leaving(makeRectangle(Vec2(0, 0), Vec2(5, 5)), 10)};
+    EXPECT_NEAR(volumeOf(removedBy(planned, kTol)), 8000 - 250, 1e-6);
+    planned.sequence.residual = {leaving(planned.feature.target, 2)};
+    EXPECT_NEAR(volumeOf(removedBy(planned, kTol)), 8000 - 1600, 1e-6);
+}
+
+TEST(RemovedBy, EndsWhereTheToolsDo) {
+    PlannedFeature planned = pocket();
+    planned.sequence.floor_z_mm = -7;
+    planned.sequence.residual = {leaving(makeRectangle(Vec2(0, 0), Vec2(5, 5)), 7),
+                                 leaving(planned.feature.target, 3)};
+    EXPECT_NEAR(volumeOf(removedBy(planned, kTol)), (800 - 25) * 7, 1e-6);
+}
+
+}  // namespace
+}  // namespace stepmill
