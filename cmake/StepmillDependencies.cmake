@@ -6,7 +6,6 @@ endif()
 
 find_package(Threads REQUIRED)
 find_package(Eigen3 REQUIRED NO_MODULE)
-find_package(Boost REQUIRED)
 find_package(GEOS REQUIRED)
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)

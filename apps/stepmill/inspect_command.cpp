@@ -7,10 +7,12 @@
 #include "options.h"
 #include "run.h"
 #include "stepmill/access/access_curve.h"
+#include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/report/curves.h"
+#include "stepmill/report/inspection.h"
 
 namespace stepmill {
 
@@ -26,6 +28,75 @@ struct InspectOptions {
 
 /// Beyond this cutters are not end mills any more; open features would draw the axis out for ever [mm].
 constexpr double kLargestCutterMm = 80;
+
+void makeFolder(const fs::path& folder) {
+    std::error_code why;
+    fs::create_directories(folder, why);
+    if (why) throw Error(ErrorCode::OutputUnwritable, folder.string(), "cannot be made: " + why.message());
+}
+
+/// Cutters that mill, of the library the plan would use.
+double smallestCutterMm(const InspectOptions& options) {
+    const ToolLibrary library =
+        options.part.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.part.tools_file);
+    double smallest_mm = std::numeric_limits<double>::infinity();
+    for (const ToolAssembly& tool : library.tools)
+        if (!tool.isDrill()) smallest_mm = std::min(smallest_mm, tool.diameter_mm);
+    return std::isfinite(smallest_mm) ? smallest_mm : 0;
+}
+
+/// As for plan: 0 all can be cut, 1 something stays or the input is in doubt, 3 the books do not close.
+int exitCodeOf(const Inspection& inspection, const Tolerances& tol) {
+    const InspectedBooks& books = inspection.books;
+    if (books.gapShare() > tol.volume_share) {
+        const auto worst = std::max_element(inspection.setups.begin(), inspection.setups.end(),
+                                            [](const InspectedSetup& a, const InspectedSetup& b) {
+                                                return std::abs(a.gap_mm3) < std::abs(b.gap_mm3);
+                                            });
+        fmt::print(
+            stderr,
+            "stepmill: {}: the volume books miss {:.3g} % of stock minus part; most in {}, {:.4g} mm3\n",
+            inspection.part.file, 100 * books.gapShare(), worst->setup.id, worst->gap_mm3);
+        return kBug;
+    }
+    double left_mm3 = 0;
+    for (const LeftOver& left : books.left)
+        left_mm3 += left.volume_mm3;
+    const bool doubtful = std::any_of(
+        inspection.part.remarks.begin(), inspection.part.remarks.end(),
+        [](const Remark& remark) { return remark.code == "unit-doubt" || remark.code == "input-doubt"; });
+    const double rounding = std::max(kVolumeRoundingMm3, tol.volume_share * books.stock_minus_part_mm3);
+    return left_mm3 > rounding || doubtful ? kGaps : kComplete;
+}
+
+/// stdout gets the text or the JSON; files are written where they were asked for.
+int inspectParts(const InspectOptions& options, ProgressLine& progress) {
+    const Tolerances tol;
+    progress.show("importing " + fs::path(options.part.part_file).filename().string(), 0);
+    const std::vector<Part> parts = chooseParts(options.part);
+    InspectRequest request;
+    request.setup = setupRequest(options.part);
+    request.smallest_cutter_mm = smallestCutterMm(options);
+    int exit_code = kComplete;
+    for (const Part& part : parts) {
+        const Inspection inspection = inspectPart(
+            part, request, tol, [&](const std::string& stage, double share) { progress.show(stage, share); });
+        if (!options.part.out_dir.empty()) {
+            fs::path folder = options.part.out_dir;
+            if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
+            progress.show("writing the pages", 0.9);
+            const std::string json = inspectionJson(inspection);
+            const std::string html = inspectionHtml(inspection);
+            makeFolder(folder);
+            writeFile(folder / "inspect.json", json);
+            writeFile(folder / "inspect.html", html);
+        }
+        progress.show("done", 1);
+        fmt::print("{}", options.part.json ? inspectionJson(inspection) : inspectionText(inspection));
+        exit_code = std::max(exit_code, exitCodeOf(inspection, tol));
+    }
+    return exit_code;
+}
 
 std::vector<Feature> allFeatures(const Part& part, const PlanOptions& options, const Tolerances& tol,
                                  ProgressLine& progress) {
@@ -63,12 +134,6 @@ PartCurves findCurves(const Part& part, const InspectOptions& options, const Tol
     return curves;
 }
 
-void makeFolder(const fs::path& folder) {
-    std::error_code why;
-    fs::create_directories(folder, why);
-    if (why) throw Error(ErrorCode::OutputUnwritable, folder.string(), "cannot be made: " + why.message());
-}
-
 int inspectAll(const InspectOptions& options, const fs::path& out_folder, ProgressLine& progress) {
     const Tolerances tol;
     progress.show("importing " + fs::path(options.part.part_file).filename().string(), 0);
@@ -89,7 +154,8 @@ int inspectAll(const InspectOptions& options, const fs::path& out_folder, Progre
 
 int runInspect(const InspectOptions& options) {
     if (!options.curves)
-        throw Error(ErrorCode::Usage, "stepmill inspect", "nothing asked for; --curves is what it can show");
+        return runInChild(options.part, options.part.out_dir,
+                          [&](ProgressLine& progress) { return inspectParts(options, progress); });
     const fs::path folder = outputFolder(options.part, "-curves");
     return runInChild(options.part, folder,
                       [&](ProgressLine& progress) { return inspectAll(options, folder, progress); });
@@ -98,15 +164,24 @@ int runInspect(const InspectOptions& options) {
 }  // namespace
 
 void addInspectCommand(CLI::App& app, int& exit_code) {
-    CLI::App* inspect = app.add_subcommand("inspect", "Show what cutters of every diameter reach of a part");
+    CLI::App* inspect = app.add_subcommand(
+        "inspect", "Show a part's setups, features, holes, faces and volume books, without planning tools");
     auto options = std::make_shared<InspectOptions>();
     addPartOptions(*inspect, options->part, "-curves");
+    inspect->add_flag("--json", options->part.json, "print inspect.json instead of the text");
+    inspect->add_option("--tools", options->part.tools_file,
+                        "tool library; its smallest cutter tells an engraving from a pocket");
     inspect->add_flag("--curves", options->curves,
                       "write curves.csv and curves.html: accessible volume against diameter");
     inspect->add_option("--to", options->to_mm, "largest diameter [mm]; default: what still fits somewhere")
         ->check(CLI::PositiveNumber);
     inspect->footer(
+        "Without --curves, -o DIR writes inspect.json and inspect.html there; nothing is written without "
+        "it.\n"
         "Examples:\n"
+        "  stepmill inspect bracket.step\n"
+        "  stepmill inspect bracket.step --json\n"
+        "  stepmill inspect bracket.step -o bracket-inspect\n"
         "  stepmill inspect bracket.step --curves\n"
         "  stepmill inspect bracket.step --curves -o curves --setup +z --to 25");
     inspect->callback([options, &exit_code] { exit_code = runInspect(*options); });

@@ -38,6 +38,15 @@ StockMargin parseMargin(const std::string& text) {
     return {values[0], values[1], values[2]};
 }
 
+Vec3 parseAxisOption(const std::string& text, const std::string& option) {
+    const std::optional<Vec3> axis = parseAxis(text);
+    if (!axis)
+        throw Error(ErrorCode::Usage, option,
+                    fmt::format("expected {}+x, -x, +y, -y, +z, -z or x,y,z; found '{}'",
+                                option == "--setup" ? "auto, " : "", text));
+    return *axis;
+}
+
 bool isNumber(const std::string& text) {
     return !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
 }
@@ -51,8 +60,15 @@ void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& 
         ->capture_default_str();
     command.add_option("--stock-margin", options.stock_margin, "side,top,bottom over the part's box [mm]")
         ->capture_default_str();
-    command.add_option("--setup", options.setup, "tool axis: auto, +z, -z, +x, -x, +y, -y or x,y,z")
-        ->capture_default_str();
+    command
+        .add_option("--setup", options.setups,
+                    "tool axis: +z, -z, +x, -x, +y, -y or x,y,z; several in machining order; "
+                    "auto (the default): as few as reach all")
+        ->type_name("AXIS")
+        ->allow_extra_args(false);
+    command.add_option("--no-setup", options.no_setups, "tool axis never to be chosen; may be repeated")
+        ->type_name("AXIS")
+        ->allow_extra_args(false);
     command.add_option("--solid", options.solid, "which solid of a file with several: a number, or all");
     command.add_option("--unit", options.unit, "read lengths in this unit, whatever the file says")
         ->check(CLI::IsMember({"mm", "inch", "m", "cm"}));
@@ -76,14 +92,14 @@ Shop loadShop(const PlanOptions& options) {
 
 SetupRequest setupRequest(const PlanOptions& options) {
     SetupRequest request;
-    if (options.setup != "auto") {
-        const std::optional<Vec3> axis = parseAxis(options.setup);
-        if (!axis)
-            throw Error(
-                ErrorCode::Usage, "--setup",
-                fmt::format("expected auto, +x, -x, +y, -y, +z, -z or x,y,z; found '{}'", options.setup));
-        request.axes = {*axis};
-    }
+    const bool choose = options.setups.empty() || options.setups == std::vector<std::string>{"auto"};
+    if (!choose)
+        for (const std::string& text : options.setups)
+            request.axes.push_back(parseAxisOption(text, "--setup"));
+    for (const std::string& text : options.no_setups)
+        request.forbidden.push_back(parseAxisOption(text, "--no-setup"));
+    if (!request.axes.empty() && !request.forbidden.empty())
+        throw Error(ErrorCode::Usage, "--no-setup", "has no meaning where --setup says every axis");
     request.margin = parseMargin(options.stock_margin);
     if (options.stock != "box") {
         std::vector<Part> stocks = readStep(options.stock);

@@ -20,7 +20,8 @@ struct PlanOptions {
     std::string material = "aluminium";
     std::string stock = "box";           ///< "box" or a STEP file
     std::string stock_margin = "0,0,0";  ///< side,top,bottom
-    std::string setup = "auto";
+    std::vector<std::string> setups;     ///< axes in order; empty or "auto": choose
+    std::vector<std::string> no_setups;  ///< axes never to be chosen
     std::string objective = "time";
     std::string solid;  ///< empty: the only one; a number; "all"
     std::string unit;   ///< empty: as the file says
@@ -42,7 +43,7 @@ struct Shop {
 };
 Shop loadShop(const PlanOptions& options);
 
-/// Axis, margins and stock as asked for. \throws Error(Usage) naming the option; what readStep throws.
+/// Axes, margins and stock as asked for. \throws Error(Usage) naming the option; what readStep throws.
 SetupRequest setupRequest(const PlanOptions& options);
 
 /// What the words of the command line mean for the planner. \throws Error(Usage) naming the option.

@@ -88,6 +88,8 @@ std::string_view schemaText(SchemaName name) {
             return embedded::kMachineSchema;
         case SchemaName::Plan:
             return embedded::kPlanSchema;
+        case SchemaName::Inspect:
+            return embedded::kInspectSchema;
     }
     return {};
 }

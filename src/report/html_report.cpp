@@ -119,13 +119,15 @@ std::string viewsSection(const Plan& plan, const PlannedSetup& setup) {
 std::string setupSection(const PlannedSetup& setup) {
     const Vec3 size = setup.setup.stock_bbox_mm.sizes();
     std::string html = fmt::format(
-        "<h2>Setup {}</h2>\n<p>Tool axis {} of the part. Stock {:.2f} &times; {:.2f} &times; {:.2f} mm as it "
+        "<h2>Setup {}</h2>\n<p>Tool axis {}{} of the part. Stock {:.2f} &times; {:.2f} &times; {:.2f} mm as "
+        "it "
         "arrives. "
         "Work offset G54: x and y zero at the stock's lower left corner seen from the spindle, z zero on its "
         "top. "
-        "Program {}.ngc, {}.</p>\n",
-        setup.setup.id, axisName(setup.setup.axis), size.x(), size.y(), size.z(), setup.setup.id,
-        clockTime(setup.time_s));
+        "Program {}.ngc, {}. Clamping: {}.</p>\n",
+        setup.setup.id, axisName(setup.setup.axis),
+        setup.setup.indexed ? " (indexed: not along the box)" : "", size.x(), size.y(), size.z(),
+        setup.setup.id, clockTime(setup.time_s), setup.clamping.text);
     html += fmt::format(
         "<figure class=\"wide\">{}<figcaption>Features seen from the spindle, deeper ones on top."
         "</figcaption></figure>\n",
@@ -256,15 +258,20 @@ std::string booksSection(const Plan& plan) {
         return "<tr>" + cell(account) + cell(reason) + cell(volume_mm3 / 1000, 4) + "</tr>\n";
     };
     html += row("stock - part", "", books.stock_minus_part_mm3) + row("planned", "", books.planned_mm3);
-    for (const PlannedSetup& setup : plan.setups) {
+    for (const ReasonVolume& entry : books.residual_by_reason)
+        html += row("stays", entry.reason, entry.volume_mm3);
+    for (const ReasonVolume& entry : books.unreachable_by_reason)
+        html += row("in no setup's reach", entry.reason, entry.volume_mm3);
+    if (plan.setups.size() > 1) {
+        for (const PlannedSetup& setup : plan.setups)
+            html +=
+                row(setup.setup.id + ": stock as it arrives - part", "", setup.balance.stock_minus_part_mm3) +
+                row(setup.setup.id + ": planned", "", setup.balance.planned_mm3);
+    }
+    for (const PlannedSetup& setup : plan.setups)
         for (const PlannedFeature& planned : setup.features)
             for (const Residual& residual : planned.sequence.residual)
-                html += row("stays in " + planned.feature.id, residual.reason, residual.volume_mm3);
-        for (const Unplanned& unplanned : setup.unplanned)
-            html += row(fmt::format("out of reach in {}, z {:.2f} to {:.2f}", setup.setup.id,
-                                    unplanned.bottom_z_mm, unplanned.top_z_mm),
-                        unplanned.reason, unplanned.volume_mm3);
-    }
+                html += row("left by " + planned.feature.id, residual.reason, residual.volume_mm3);
     return html + fmt::format("</table>\n<p class=\"soft\">Unaccounted: {:.2e} of stock - part.</p>\n",
                               books.gapShare());
 }

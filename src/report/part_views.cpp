@@ -1,5 +1,6 @@
 #include "stepmill/report/part_views.h"
 
+#include <fmt/format.h>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
@@ -16,6 +17,7 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 
+#include "report/shading.h"
 #include "report/svg.h"
 #include "stepmill/part/part_shape.h"
 
@@ -109,21 +111,22 @@ Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     return sharpAndOutlines(shapes, deflection_mm);
 }
 
-std::string drawing(const Lines& lines) {
+std::string drawing(const Lines& lines, const Shading& shading) {
     Box2 box;
     for (const std::vector<Polyline>* group : {&lines.visible, &lines.hidden})
         for (const Polyline& line : *group)
             for (const Vec2& p : line)
                 box.add(p);
     SvgDrawing svg(box);
+    for (const auto& [tint, patches] : shading)
+        svg.polylines(patches, fmt::format("shade tint{}", tint));
     svg.polylines(lines.hidden, "hidden");
     svg.polylines(lines.visible, "visible");
     return svg.text();
 }
 
-}  // namespace
-
-std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup) {
+std::vector<View> makeViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
+                            const std::vector<int>& tints) {
     const std::vector<Eye> eyes{{"Top", gp_Dir(0, 0, 1), gp_Dir(1, 0, 0)},
                                 {"Front", gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)},
                                 {"Right", gp_Dir(1, 0, 0), gp_Dir(0, 1, 0)},
@@ -136,15 +139,34 @@ std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_s
         const double size_mm = part.bbox_mm.diagonal().norm();
         const double deflection_mm = kDrawingDeflection * size_mm;
         const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;
+        // Exact hidden lines would be disturbed by facets that were there before them.
         if (!exact) BRepMesh_IncrementalMesh(solid, deflection_mm, false, 0.2);
+        std::vector<Lines> lines;
         for (const Eye& eye : eyes) {
             const HLRAlgo_Projector projector(gp_Ax2(gp_Pnt(0, 0, 0), eye.towards_viewer, eye.right));
-            const Lines lines = exact ? exactLines(solid, projector, deflection_mm)
-                                      : facetLines(solid, projector, deflection_mm);
-            views.push_back({eye.title, drawing(lines)});
+            lines.push_back(exact ? exactLines(solid, projector, deflection_mm)
+                                  : facetLines(solid, projector, deflection_mm));
         }
+        if (exact && !tints.empty()) BRepMesh_IncrementalMesh(solid, deflection_mm, false, 0.2);
+        for (std::size_t i = 0; i < eyes.size(); ++i)
+            views.push_back(
+                {eyes[i].title, drawing(lines[i], tints.empty() ? Shading{}
+                                                                : shade(solid, eyes[i].towards_viewer,
+                                                                        eyes[i].right, tints))});
     });
     return views;
+}
+
+}  // namespace
+
+std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup) {
+    return makeViews(part, part_to_setup, {});
+}
+
+std::vector<View> shadedViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
+                              const std::vector<int>& tints) {
+    STEPMILL_CHECK(tints.size() == part.faces.size(), "one tint a face");
+    return makeViews(part, part_to_setup, tints);
 }
 
 }  // namespace stepmill

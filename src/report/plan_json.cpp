@@ -1,5 +1,4 @@
-#include <nlohmann/json.hpp>
-
+#include "report/json_values.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
 #include "stepmill/report/report.h"
@@ -8,26 +7,14 @@ namespace stepmill {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// Six decimals: a nanometre in lengths, a microsecond in times. Keeps the file short and the same
-/// everywhere.
-double number(double value) {
-    constexpr double kDecimals = 1e6;
-    const double rounded = std::round(value * kDecimals) / kDecimals;
-    return rounded == 0 ? 0.0 : rounded;
-}
+using report::Json;
+using report::number;
+using report::point;
 
 Json numberOrNull(const std::optional<double>& value) {
     return value ? Json(number(*value)) : Json(nullptr);
 }
 
-Json point(const Vec2& p) {
-    return Json::array({number(p.x()), number(p.y())});
-}
-Json point(const Vec3& p) {
-    return Json::array({number(p.x()), number(p.y()), number(p.z())});
-}
 Json box(const Box3& b) {
     return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});
 }
@@ -183,6 +170,39 @@ Json operationJson(const Operation& operation) {
             {"time_s", number(path.totals.time_s())}};
 }
 
+Json reasonJson(const ReasonVolume& entry) {
+    return {{"reason", entry.reason}, {"volume_mm3", number(entry.volume_mm3)}};
+}
+
+Json balanceJson(const VolumeBalance& balance) {
+    return {{"stock_minus_part_mm3", number(balance.stock_minus_part_mm3)},
+            {"planned_mm3", number(balance.planned_mm3)},
+            {"residual_mm3", number(balance.residual_mm3)},
+            {"unreachable_mm3", number(balance.unreachable_mm3)},
+            {"residual_by_reason", listOf(balance.residual_by_reason, reasonJson)},
+            {"unreachable_by_reason", listOf(balance.unreachable_by_reason, reasonJson)}};
+}
+
+Json arrivingStockJson(const Setup& setup) {
+    const Stock::Kind kind = setup.stock.kind;
+    return {{"kind", kind == Stock::Kind::Box    ? "box"
+                     : kind == Stock::Kind::Step ? "step"
+                                                 : "in process"},
+            {"size_mm", point(Vec3(setup.stock_bbox_mm.sizes()))},
+            {"volume_mm3", number(setup.stock.volume_mm3)}};
+}
+
+Json clampingJson(const Clamping& clamping) {
+    Json json{{"vise", clamping.vise}, {"text", clamping.text}, {"seat_mm2", number(clamping.seat_mm2)}};
+    if (!clamping.vise) return json;
+    json["across"] = point(clamping.across);
+    json["opening_mm"] = number(clamping.opening_mm);
+    json["from_mm"] = number(clamping.from_mm);
+    json["depth_mm"] = number(clamping.depth_mm);
+    json["length_mm"] = number(clamping.length_mm);
+    return json;
+}
+
 Json setupJson(const PlannedSetup& setup) {
     return {{"id", setup.setup.id},
             {"axis", point(setup.setup.axis)},
@@ -190,7 +210,12 @@ Json setupJson(const PlannedSetup& setup) {
             {"program", setup.setup.id + ".ngc"},
             {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
             {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
-            {"time_s", number(setup.time_s)}};
+            {"time_s", number(setup.time_s)},
+            {"axis_name", axisName(setup.setup.axis)},
+            {"indexed", setup.setup.indexed},
+            {"stock", arrivingStockJson(setup.setup)},
+            {"clamping", clampingJson(setup.clamping)},
+            {"volume_balance", balanceJson(setup.balance)}};
 }
 
 Json totalsJson(const PlanTotals& totals) {
@@ -201,13 +226,6 @@ Json totalsJson(const PlanTotals& totals) {
             {"tool_changes", totals.tool_changes},
             {"cost", number(totals.cost)},
             {"lower_bound_s", number(totals.lower_bound_s)}};
-}
-
-Json balanceJson(const VolumeBalance& balance) {
-    return {{"stock_minus_part_mm3", number(balance.stock_minus_part_mm3)},
-            {"planned_mm3", number(balance.planned_mm3)},
-            {"residual_mm3", number(balance.residual_mm3)},
-            {"unreachable_mm3", number(balance.unreachable_mm3)}};
 }
 
 }  // namespace

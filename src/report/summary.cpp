@@ -34,7 +34,9 @@ std::string summaryText(const Plan& plan) {
                     size.y(), size.z(), plan.part.unit_in_file, plan.material, plan.machine.name);
     text += fmt::format("{:<8} {:<15} {:>8} {:>11} {:>9} {:>6}  {:<34} {:>10}\n", "feature", "class", "depth",
                         "volume", "time", "x best", "tools", "stays");
-    for (const PlannedSetup& setup : plan.setups)
+    for (const PlannedSetup& setup : plan.setups) {
+        text += fmt::format("{} along {}{}: {}\n", setup.setup.id, axisName(setup.setup.axis),
+                            setup.setup.indexed ? " (indexed)" : "", setup.clamping.text);
         for (const PlannedFeature& planned : setup.features) {
             const ToolSequence& sequence = planned.sequence;
             text +=
@@ -44,6 +46,7 @@ std::string summaryText(const Plan& plan) {
                             clockTime(sequence.time_s), boundWords(sequence.time_s, sequence.lower_bound_s),
                             toolWords(sequence), residualVolume(sequence) / 1000);
         }
+    }
     const PlanTotals& totals = plan.totals;
     text +=
         fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",

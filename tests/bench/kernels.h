@@ -7,7 +7,7 @@
 
 namespace stepmill::bench {
 
-/// Seconds of processor time this thread has used.
+/// Seconds of processor time all threads have used together.
 double processorSeconds();
 
 /// Result of all pairs, or of as many as the time allowed.

@@ -1,6 +1,7 @@
-// Where the time goes: every stage of a plan, part by part, in one run. Each row prints the milliseconds of a
-// stage and its share of the part's total. `access` and `paths` are measured again on their own; `sequence`
-// contains both and the search.
+// Where the time goes: every stage of a plan, part by part, in one run (rows `plan/`), and slicing against
+// the number of faces (rows `slice/`). Each plan row prints the milliseconds of a stage and its share of the
+// part's total. `access` and `paths` are measured again on their own; `sequence` contains both and the
+// search.
 
 #include <benchmark/benchmark.h>
 
@@ -13,6 +14,7 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/plan/plan.h"
+#include "stepmill/report/inspection.h"
 #include "stepmill/sequence/sequence.h"
 #include "support/run_program.h"
 
@@ -109,6 +111,49 @@ void benchPart(benchmark::State& state, const std::string& file) {
     }
 }
 
+/// Slices and recognises features of a part that is already read: the work of `stepmill inspect` besides the
+/// import. Rows `slice/<part>`; to see the growth, compare `us_per_face` of small and large parts.
+void benchSlice(benchmark::State& state, const std::string& file) {
+    const Tolerances tol;
+    const Part part = readStep(file).front();
+    const Setup setup = chooseSetups(part, {}).front();
+    LayerStack layers;
+    double slice_ms = 0;
+    double features_ms = 0;
+    for (auto _ : state) {
+        Clock::time_point start = Clock::now();
+        layers = slice(setup, tol);
+        slice_ms += millisecondsSince(start);
+        start = Clock::now();
+        benchmark::DoNotOptimize(recogniseFeatures(layers, tol));
+        features_ms += millisecondsSince(start);
+    }
+    const double rounds = static_cast<double>(state.iterations());
+    const double faces = static_cast<double>(part.faces.size());
+    state.counters["faces"] = faces;
+    state.counters["layers"] = static_cast<double>(layers.layers.size());
+    state.counters["slice_ms"] = slice_ms / rounds;
+    state.counters["features_ms"] = features_ms / rounds;
+    state.counters["us_per_face"] = 1000 * slice_ms / rounds / faces;
+}
+
+/// All that `stepmill inspect` does after the import: every setup, features, faces, measures, books. Rows
+/// `features/<part>`.
+void benchInspect(benchmark::State& state, const std::string& file) {
+    const Part part = readStep(file).front();
+    InspectRequest request;
+    request.smallest_cutter_mm = 1;
+    Inspection inspection;
+    for (auto _ : state)
+        inspection = inspectPart(part, request, Tolerances{});
+    std::size_t features = 0;
+    for (const InspectedSetup& setup : inspection.setups)
+        features += setup.features.size();
+    state.counters["faces"] = static_cast<double>(part.faces.size());
+    state.counters["setups"] = static_cast<double>(inspection.setups.size());
+    state.counters["features"] = static_cast<double>(features);
+}
+
 }  // namespace
 }  // namespace stepmill
 
@@ -120,6 +165,22 @@ int main(int argc, char** argv) {
     for (const std::string& part : parts)
         benchmark::RegisterBenchmark(("plan/" + std::filesystem::path(part).stem().string()).c_str(),
                                      [part](benchmark::State& state) { stepmill::benchPart(state, part); })
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(1)
+            ->UseRealTime();
+    std::vector<std::string> to_slice = stepmill::test::sampleParts();
+    for (const char* folder : {"machined", "nist"})
+        for (const std::string& part : stepmill::test::sharedParts(folder))
+            to_slice.push_back(part);
+    for (const std::string& part : to_slice)
+        benchmark::RegisterBenchmark(("slice/" + std::filesystem::path(part).stem().string()).c_str(),
+                                     [part](benchmark::State& state) { stepmill::benchSlice(state, part); })
+            ->Unit(benchmark::kMillisecond)
+            ->Iterations(2)
+            ->UseRealTime();
+    for (const std::string& part : to_slice)
+        benchmark::RegisterBenchmark(("features/" + std::filesystem::path(part).stem().string()).c_str(),
+                                     [part](benchmark::State& state) { stepmill::benchInspect(state, part); })
             ->Unit(benchmark::kMillisecond)
             ->Iterations(1)
             ->UseRealTime();

@@ -15,4 +15,9 @@ struct View {
 /// Top, front, right and isometric views. \throws Error(GeometryKernel)
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup);
 
+/// The same with what is visible of each face filled: class "shade tint<k>" where k = tints[face], nothing
+/// where that is negative. \pre one tint a part face
+std::vector<View> shadedViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
+                              const std::vector<int>& tints);
+
 }  // namespace stepmill
