@@ -8,6 +8,10 @@ namespace {
 
 /// Nodes closer than this are one; the same vertex comes from all sites around it [mm].
 constexpr double kSameNodeMm = 1e-5;
+/// Discs at a smooth joint, seen from either edge: rounding of short arcs' ends turns their normals, the
+/// farther from the wall the more it moves the centre. Beyond this the clearance jumps [mm].
+constexpr double kJointMm = 0.1;
+constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
 /// Clearances along an edge that differ by less are equal [mm].
 constexpr double kLevelMm = kTouchMm;
 
@@ -32,7 +36,7 @@ class Groups {
     std::vector<std::size_t> root_;
 };
 
-/// Numbers points, equal ones alike.
+/// Points of which several are the same.
 class Nodes {
   public:
     std::size_t add(const Vec2& point, double clearance) {
@@ -40,13 +44,22 @@ class Nodes {
         return raw_.size() - 1;
     }
 
-    /// Merges what lies together; returns the number of every added point.
-    std::vector<std::size_t> merge(std::vector<MedialAxis::Node>& nodes) const {
-        std::vector<std::size_t> order(raw_.size()), number(raw_.size());
+    /// Two points that should be one, unless the clearance jumps between them.
+    void joinIfNear(std::size_t a, std::size_t b) {
+        if ((raw_[a].point - raw_[b].point).norm() <= kJointMm) joints_.push_back({a, b});
+    }
+
+    const MedialAxis::Node& operator[](std::size_t i) const { return raw_[i]; }
+
+    /// Merges what lies together; returns for every added point the one that stands for it.
+    std::vector<std::size_t> merge() const {
+        std::vector<std::size_t> order(raw_.size()), standing(raw_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return raw_[a].point.x() < raw_[b].point.x(); });
         Groups same(raw_.size());
+        for (const auto& [a, b] : joints_)
+            same.join(a, b);
         for (std::size_t k = 0; k < order.size(); ++k) {
             for (std::size_t j = k + 1; j < order.size(); ++j) {
                 const Vec2 apart = raw_[order[j]].point - raw_[order[k]].point;
@@ -54,20 +67,14 @@ class Nodes {
                 if (apart.norm() <= kSameNodeMm) same.join(order[k], order[j]);
             }
         }
-        for (std::size_t i = 0; i < raw_.size(); ++i) {
-            const std::size_t first = same.find(i);
-            if (first == i) {
-                number[i] = nodes.size();
-                nodes.push_back(raw_[i]);
-            } else {
-                number[i] = number[first];
-            }
-        }
-        return number;
+        for (std::size_t i = 0; i < raw_.size(); ++i)
+            standing[i] = same.find(i);
+        return standing;
     }
 
   private:
     std::vector<MedialAxis::Node> raw_;
+    std::vector<std::pair<std::size_t, std::size_t>> joints_;
 };
 
 /// Does this side draw the edge? Both sides know it; where they disagree by rounding, one is enough.
@@ -84,47 +91,86 @@ MedialAxis medialAxisOf(const Profile& profile) {
         std::size_t from, to;
     };
     std::vector<RawEdge> raw;
-    for (int site = 0; site < static_cast<int>(profile.sites().size()); ++site) {
-        for (const Piece& piece : profile.pieces(site)) {
-            // The leaf in an arc, and all there is in a disc.
-            if (piece.stop == kOwnCentre) nodes.add(profile.sites()[site].centre, piece.at_from);
-            if (!drawsEdge(site, piece)) continue;
-            raw.push_back({nodes.add(profile.centreAt(site, piece.from, piece.at_from), piece.at_from),
-                           nodes.add(profile.centreAt(site, piece.to, piece.at_to), piece.at_to)});
+    for (int first = 0; first < static_cast<int>(profile.sites().size());) {
+        // The disc at the end of each piece is the one at the next one's beginning, all round the loop.
+        std::optional<std::size_t> first_begin, last_end;
+        int site = first;
+        for (; site < static_cast<int>(profile.sites().size()) &&
+               profile.sites()[site].loop == profile.sites()[first].loop;
+             ++site) {
+            for (const Piece& piece : profile.pieces(site)) {
+                const std::size_t begin =
+                    nodes.add(profile.centreAt(site, piece.from, piece.at_from), piece.at_from);
+                const std::size_t end = nodes.add(profile.centreAt(site, piece.to, piece.at_to), piece.at_to);
+                if (last_end) nodes.joinIfNear(*last_end, begin);
+                if (!first_begin) first_begin = begin;
+                last_end = end;
+                // An arc's centre: the leaf in the arc, and all there is in a disc.
+                if (piece.stop == kOwnCentre || drawsEdge(site, piece)) raw.push_back({begin, end});
+            }
         }
+        if (last_end) nodes.joinIfNear(*last_end, *first_begin);
+        first = site;
     }
-    const std::vector<std::size_t> number = nodes.merge(axis.nodes);
-    for (const RawEdge& edge : raw)
-        if (number[edge.from] != number[edge.to]) axis.edges.push_back({number[edge.from], number[edge.to]});
+    const std::vector<std::size_t> merged = nodes.merge();
+    std::vector<std::size_t> number(merged.size(), kNoNode);
+    const auto numberOf = [&](std::size_t added) {
+        std::size_t& known = number[merged[added]];
+        if (known == kNoNode) {
+            known = axis.nodes.size();
+            axis.nodes.push_back(nodes[merged[added]]);
+        }
+        return known;
+    };
+    for (const RawEdge& edge : raw) {
+        const std::size_t from = numberOf(edge.from), to = numberOf(edge.to);
+        if (from != to) axis.edges.push_back({from, to});
+    }
     return axis;
 }
 
 std::vector<ClearanceEvent> eventsOf(const Profile& profile, const MedialAxis& axis) {
-    // Nodes that level edges join are one plateau.
+    // Nodes that level edges join are one plateau: a passage between parallel walls.
     Groups plateaus(axis.nodes.size());
     const auto rise = [&](const MedialAxis::Edge& e) {
         return axis.nodes[e.to].clearance_mm - axis.nodes[e.from].clearance_mm;
     };
-    for (const MedialAxis::Edge& e : axis.edges) {
+    for (const MedialAxis::Edge& e : axis.edges)
         if (std::abs(rise(e)) <= kLevelMm) plateaus.join(e.from, e.to);
+    struct Plateau {
+        int nodes = 0;
+        int rising = 0;
+        int degree = 0;
+        std::size_t lowest = kNoNode;
+        std::size_t highest = kNoNode;
+    };
+    std::vector<Plateau> found(axis.nodes.size());
+    const auto clearance = [&](std::size_t node) { return axis.nodes[node].clearance_mm; };
+    for (std::size_t i = 0; i < axis.nodes.size(); ++i) {
+        Plateau& plateau = found[plateaus.find(i)];
+        ++plateau.nodes;
+        if (plateau.lowest == kNoNode || clearance(i) < clearance(plateau.lowest)) plateau.lowest = i;
+        if (plateau.highest == kNoNode || clearance(i) > clearance(plateau.highest)) plateau.highest = i;
     }
-    std::vector<int> rising(axis.nodes.size(), 0), degree(axis.nodes.size(), 0);
     for (const MedialAxis::Edge& e : axis.edges) {
         if (std::abs(rise(e)) <= kLevelMm) continue;
-        ++rising[plateaus.find(rise(e) > 0 ? e.from : e.to)];
-        ++degree[plateaus.find(e.from)];
-        ++degree[plateaus.find(e.to)];
+        ++found[plateaus.find(rise(e) > 0 ? e.from : e.to)].rising;
+        ++found[plateaus.find(e.from)].degree;
+        ++found[plateaus.find(e.to)].degree;
     }
     std::vector<ClearanceEvent> events;
-    for (std::size_t i = 0; i < axis.nodes.size(); ++i) {
-        if (plateaus.find(i) != i || axis.nodes[i].clearance_mm <= kLevelMm) continue;
-        const MedialAxis::Node& node = axis.nodes[i];
-        if (rising[i] == 0)
-            events.push_back({ClearanceEvent::Kind::Room, node.clearance_mm, node.point});
-        else if (rising[i] >= 2)
-            events.push_back({ClearanceEvent::Kind::Neck, node.clearance_mm, node.point});
-        else if (degree[i] >= 3)
-            events.push_back({ClearanceEvent::Kind::Branch, node.clearance_mm, node.point});
+    const auto add = [&](ClearanceEvent::Kind kind, std::size_t node) {
+        if (clearance(node) > kLevelMm) events.push_back({kind, clearance(node), axis.nodes[node].point});
+    };
+    for (const Plateau& plateau : found) {
+        if (plateau.nodes == 0) continue;
+        const bool passage = plateau.nodes > 1;
+        if (plateau.rising == 0)
+            add(ClearanceEvent::Kind::Room, plateau.highest);
+        else if (plateau.rising >= 2 || passage)
+            add(ClearanceEvent::Kind::Neck, plateau.lowest);
+        else if (plateau.degree >= 3)
+            add(ClearanceEvent::Kind::Branch, plateau.lowest);
     }
     for (int site = 0; site < static_cast<int>(profile.sites().size()); ++site) {
         const Site& s = profile.sites()[site];

@@ -4,6 +4,7 @@
 
 #include "planar/clearance_axis.h"
 #include "planar/clearance_outline.h"
+#include "planar/edge_band.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 
@@ -19,19 +20,17 @@ using clearance::Tie;
 /// a twentieth of Tolerances::gouge_mm [mm].
 constexpr double kNearerMm = 5e-5;
 
-/// Throws if a loop comes closer to the boundary than it should.
-void checkDistance(const Profile& profile, const Region& rings, double distance) {
+/// Does every edge of the rings stay that far from the boundary?
+bool keepsDistance(const Profile& profile, const Region& rings, double distance) {
     for (const Loop& loop : rings.loops) {
         Vec2 from = loop.start;
         for (const Segment& segment : loop.segments) {
-            for (const Vec2& p : {segment.to, pointAt(from, segment, 0.5)}) {
-                if (profile.tree().distance(p, distance) >= distance - kNearerMm) continue;
-                throw Error(ErrorCode::Internal, "clearance diagram",
-                            "an offset comes closer to the boundary than it should");
-            }
+            for (const Vec2& p : {segment.to, pointAt(from, segment, 0.5)})
+                if (profile.tree().distance(p, distance) < distance - kNearerMm) return false;
             from = segment.to;
         }
     }
+    return true;
 }
 
 Region reversedLoops(const Region& region) {
@@ -63,13 +62,47 @@ struct ClearanceDiagram::Impl {
         return *outside;
     }
     /// Where discs of that radius pass, those that just fill an arc among them.
-    Level passableBy(double radius) const {
-        return clearance::withoutEmptyRings(inside, clearance::levelAt(inside, radius, Tie::Filled));
+    std::optional<Level> passableBy(double radius) const {
+        const std::optional<Level> level = clearance::levelAt(inside, radius, Tie::Filled);
+        if (!level) return std::nullopt;
+        return clearance::withoutEmptyRings(inside, *level);
     }
-    Region openingAt(const Level& level, bool& overlapping) const {
+    Region swept(const Level& level, bool& overlapping) const {
         clearance::Swept swept = clearance::sweptBy(inside, level);
         overlapping = swept.overlapping;
         return overlapping ? withoutOverlaps(swept.region, tol) : std::move(swept.region);
+    }
+
+    Region shrunk(double distance) const {
+        if (const auto level = clearance::levelAt(inside, distance, Tie::Blocked)) {
+            Region rings = clearance::ringsOf(inside, *level);
+            if (keepsDistance(inside, rings, distance)) return rings;
+        }
+        return byBooleans(inside, distance, [&](const Region& band) { return subtract(region, band, tol); });
+    }
+    Region grown(double distance) {
+        if (const auto level = clearance::levelAt(seenFromOutside(), distance, Tie::Blocked)) {
+            const Region rings = clearance::ringsOf(*outside, *level);
+            if (keepsDistance(*outside, rings, distance)) return reversedLoops(rings);
+        }
+        return byBooleans(*outside, distance, [&](const Region& band) { return unite(region, band, tol); });
+    }
+    /// Booleans move curves that nearly coincide by up to their snapping distance; then as much is added.
+    template <typename Combine>
+    Region byBooleans(const Profile& profile, double distance, const Combine& combine) const {
+        for (const double more : {0.0, tol.linear_mm}) {
+            const Region rings = combine(clearance::bandAround(region, distance + more, tol));
+            if (keepsDistance(profile, rings, distance)) return rings;
+        }
+        throw Error(ErrorCode::Internal, "clearance diagram",
+                    "an offset comes closer to the boundary than it should");
+    }
+    /// Without a level: the shrunk region grown again.
+    Region openedByBooleans(double radius) const {
+        const Region centres = shrunk(radius);
+        if (centres.empty()) return {};
+        const Region grown = unite(centres, clearance::bandAround(centres, radius, tol), tol);
+        return intersect(region, grown, tol);
     }
 };
 
@@ -86,12 +119,7 @@ const Region& ClearanceDiagram::region() const {
 Region ClearanceDiagram::offset(double distance_mm) const {
     const double distance = snapToGrid(std::abs(distance_mm));
     if (impl_->region.empty() || distance == 0) return impl_->region;
-    const bool grow = distance_mm > 0;
-    const Profile& profile = grow ? impl_->seenFromOutside() : impl_->inside;
-    const Level level = clearance::levelAt(profile, distance, Tie::Blocked);
-    Region rings = clearance::ringsOf(profile, level);
-    checkDistance(profile, rings, distance);
-    return grow ? reversedLoops(rings) : rings;
+    return distance_mm > 0 ? impl_->grown(distance) : impl_->shrunk(distance);
 }
 
 std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) const {
@@ -107,23 +135,26 @@ std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) con
 Region ClearanceDiagram::opening(double radius_mm) const {
     const double radius = snapToGrid(radius_mm);
     if (impl_->region.empty() || radius <= 0) return impl_->region;
+    const std::optional<Level> level = impl_->passableBy(radius);
+    if (!level) return impl_->openedByBooleans(radius);
     bool overlapping = false;
-    return impl_->openingAt(impl_->passableBy(radius), overlapping);
+    return impl_->swept(*level, overlapping);
 }
 
 Region ClearanceDiagram::restCentres(double large_mm, double small_mm) const {
     STEPMILL_CHECK(small_mm <= large_mm, "the first of a pair of discs is the larger one");
     const double large = snapToGrid(large_mm), small = snapToGrid(small_mm);
     if (impl_->region.empty() || large == small) return {};
-    const Level coarse = impl_->passableBy(large);
-    const Level fine = impl_->passableBy(small);
-    if (coarse.runs.empty()) return clearance::ringsOf(impl_->inside, fine);
+    const std::optional<Level> coarse = impl_->passableBy(large);
+    const std::optional<Level> fine = impl_->passableBy(small);
+    const Region centres = fine ? clearance::ringsOf(impl_->inside, *fine) : impl_->shrunk(small);
+    if (coarse && coarse->runs.empty()) return centres;
     bool overlapping = false;
-    const Region opened = impl_->openingAt(coarse, overlapping);
-    if (!overlapping)
-        if (std::optional<Region> left = clearance::centresLeft(impl_->inside, coarse, fine)) return *left;
-    const Region done = ClearanceDiagram(opened, impl_->tol).offset(-small);
-    return subtract(clearance::ringsOf(impl_->inside, fine), done, impl_->tol);
+    const Region opened =
+        coarse ? impl_->swept(*coarse, overlapping) : impl_->openedByBooleans(large);
+    if (coarse && fine && !overlapping)
+        if (std::optional<Region> left = clearance::centresLeft(impl_->inside, *coarse, *fine)) return *left;
+    return subtract(centres, ClearanceDiagram(opened, impl_->tol).offset(-small), impl_->tol);
 }
 
 double ClearanceDiagram::accessibleArea(double radius_mm) const {

@@ -1,8 +1,6 @@
 #include "planar/clearance_level.h"
 
-#include <fmt/format.h>
-
-#include "stepmill/core/error.h"
+#include <algorithm>
 
 namespace stepmill::clearance {
 
@@ -63,7 +61,8 @@ Ties tiesAt(const Profile& profile, double distance) {
 }
 
 /// The clearance at which to cut: the distance itself, or just beside it where vertices or ties ask for that.
-double cuttingClearance(const Profile& profile, double distance, Tie tie) {
+/// Nothing if no level lies between the vertices.
+std::optional<double> cuttingClearance(const Profile& profile, double distance, Tie tie) {
     const Ties ties = tiesAt(profile, distance);
     double cut = distance, step = 2 * kMarginMm;
     if (tie == Tie::Filled && ties.low_arc && !ties.neck) {
@@ -74,7 +73,7 @@ double cuttingClearance(const Profile& profile, double distance, Tie tie) {
     }
     for (int k = 0; k < kMostSteps; ++k, cut += step)
         if (!onVertex(profile, cut)) return cut;
-    throw Error(ErrorCode::Internal, "clearance diagram", "no level lies between the vertices");
+    return std::nullopt;
 }
 
 /// A place where the boundary comes above the level, or falls below it.
@@ -137,11 +136,9 @@ class Pairing {
                     if (!run.whole && run.next == kNone) pairEnd(run, reach, mutual);
     }
 
-    /// An end that found no beginning.
-    std::optional<Vec2> loose() const {
-        for (const Run& run : runs_)
-            if (run.next == kNone) return run.end.centre;
-        return std::nullopt;
+    /// Has every end found its beginning?
+    bool complete() const {
+        return std::none_of(runs_.begin(), runs_.end(), [](const Run& run) { return run.next == kNone; });
     }
 
   private:
@@ -170,15 +167,15 @@ class Pairing {
 
 }  // namespace
 
-Level levelAt(const Profile& profile, double distance_mm, Tie tie) {
+std::optional<Level> levelAt(const Profile& profile, double distance_mm, Tie tie) {
     const std::vector<Site>& sites = profile.sites();
-    const double cut = cuttingClearance(profile, distance_mm, tie);
+    const std::optional<double> cut = cuttingClearance(profile, distance_mm, tie);
+    if (!cut) return std::nullopt;
     double aside = 0;
-    std::optional<Vec2> loose;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         Level level;
         level.distance = distance_mm;
-        level.cut = cut + aside;
+        level.cut = *cut + aside;
         for (int first = 0; first < static_cast<int>(sites.size());) {
             int last = first;
             while (last < static_cast<int>(sites.size()) && sites[last].loop == sites[first].loop)
@@ -188,12 +185,10 @@ Level levelAt(const Profile& profile, double distance_mm, Tie tie) {
         }
         Pairing pairing(level);
         pairing.pair();
-        loose = pairing.loose();
-        if (!loose) return level;
+        if (pairing.complete()) return level;
         aside = aside == 0 ? kFirstAsideMm : 3 * aside;
     }
-    throw Error(ErrorCode::Internal, "clearance diagram",
-                fmt::format("the ring ends at ({:.6f}, {:.6f})", loose->x(), loose->y()));
+    return std::nullopt;
 }
 
 }  // namespace stepmill::clearance

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "planar/clearance_profile.h"
@@ -41,7 +42,7 @@ enum class Tie {
     Filled    ///< a concave arc of that radius stays; necks are closed even so
 };
 
-/// \throws Error(Internal) if ends and beginnings of runs do not pair up.
-Level levelAt(const Profile& profile, double distance_mm, Tie tie);
+/// Nothing where ends and beginnings of runs do not pair up: rounding has moved vertices there.
+std::optional<Level> levelAt(const Profile& profile, double distance_mm, Tie tie);
 
 }  // namespace stepmill::clearance

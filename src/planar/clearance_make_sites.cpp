@@ -102,7 +102,8 @@ double turnAt(const Site& before, const Site& after) {
     const double apart = angleFrom(Vec2(from - before.end), Vec2(to - before.end));
     // Seen from the joint, free space lies clockwise from the edge that arrives to the one that leaves:
     // a cusp of free space where the way back is the shorter one.
-    return apart <= 0 ? std::numbers::pi : -std::numbers::pi;
+    if (apart <= 0) return std::numbers::pi;
+    return turn < 0 ? turn : -std::numbers::pi;
 }
 
 /// Joints of one loop: marks convex corners and smooth joints, puts reflex corners in between.

@@ -47,7 +47,8 @@ bool capsCross(const Cap& a, const Cap& b, double radius) {
     if ((a.from - b.to).norm() < kMeetMm && (a.to - b.from).norm() < kMeetMm) return true;
     const bool neighbours = a.run_after == b.run_before || b.run_after == a.run_before;
     const double h = std::sqrt(std::max(0.0, radius * radius - distance * distance / 4));
-    const double margin = (neighbours ? kMeetMm : -kMeetMm) / radius;
+    // Rounded centres turn the line between close discs, and with it the points where they cross.
+    const double margin = neighbours ? kMeetMm / radius : -kMeetMm / radius - kMeetMm / distance;
     for (const double sign : {1.0, -1.0}) {
         const Vec2 x = d / 2 + sign * h / distance * Vec2(-d.y(), d.x());
         if (insideCap(a, x, margin) && insideCap(b, x - d, margin)) return true;

@@ -15,6 +15,9 @@ constexpr double kSameClearance = 1e-10;
 constexpr double kSamePointMm = 1e-11;
 constexpr int kDeepest = 200;
 constexpr int kRounds = 100;
+/// Rounds of look-ups: the first finds nearly all there is; where rounding makes two sites contradict each
+/// other, no number of them would be enough.
+constexpr int kLookUpRounds = 12;
 constexpr std::size_t kSitesPerTask = 64;
 
 bool same(double a, double b) {
@@ -59,7 +62,7 @@ Profile::Profile(const Region& region, bool outside) : tree_(region, outside) {
     else
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size(), kSitesPerTask),
                           [&](const auto& range) { work(range.begin(), range.end()); });
-    for (int round = 0; round < kRounds && lookUpOneSided(all); ++round) {
+    for (int round = 0; round < kLookUpRounds && lookUpOneSided(all); ++round) {
     }
     first_.push_back(0);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -158,9 +161,9 @@ void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pi
 bool Profile::lookUpOneSided(std::vector<Pieces>& all) const {
     bool changed = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        // A look-up may change the pieces of any site, this one too.
-        for (std::size_t k = 0; k < all[i].size(); ++k) {
-            const Piece piece = all[i][k];
+        // A look-up may change the pieces of any site, this one too; those it adds wait for the next round.
+        const Pieces pieces = all[i];
+        for (const Piece& piece : pieces) {
             if (piece.stop < 0) continue;
             // Two places, lest one is where they touch.
             for (const double share : {0.38, 0.81})

@@ -19,6 +19,9 @@ Vec2 ray(double angle) {
 /// 1 - cos of the angle between two normals beyond which edges lie back to back: 143 degrees.
 constexpr double kBackToBack = 1.8;
 
+/// How high over the next edge beyond a convex corner rounding may put a foot [mm].
+constexpr double kBesideMm = 5 * kTouchMm;
+
 /// Clearance at which the disc reaches a point.
 double stoppedByPoint(const Vec2& point, const Contact& contact) {
     const Vec2 w = point - contact.foot;
@@ -27,12 +30,20 @@ double stoppedByPoint(const Vec2& point, const Contact& contact) {
     return distance2 / approach;
 }
 
-/// The end of a site stops the disc whose contact with the whole line or circle lies beyond.
-double stoppedByEnd(const Site& site, bool at_start, const Contact& contact, const Site& own) {
+/// For a disc that touches the whole line or circle of a site beyond one of its ends: what that end does.
+/// `travel`: of the site at its end.
+Meeting meetingOfEnd(const Site& site, bool at_start, const Vec2& travel, const Contact& contact,
+                     const Site& own, const Meeting& carrier) {
     const Vec2& end = at_start ? site.start : site.end;
-    if (at_start ? site.corner_start : site.corner_end) return kNever;
-    if (end == own.start || end == own.end) return kNever;
-    return stoppedByPoint(end, contact);
+    if (at_start ? site.corner_start : site.corner_end) return {};
+    if (end == own.start || end == own.end) {
+        // Right beside a convex corner rounding may put the touch on the wrong side of the joint.
+        const bool sharp = at_start ? site.sharp_start : site.sharp_end;
+        const double towards = contact.normal.dot(travel) * (at_start ? 1 : -1);
+        const bool beside = towards > 0 && (contact.foot - end).norm() * towards < kBesideMm;
+        return sharp && beside ? carrier : Meeting{};
+    }
+    return {stoppedByPoint(end, contact), kNever};
 }
 
 Meeting meetingOfLine(const Site& line, const Contact& contact, const Site& own) {
@@ -45,11 +56,13 @@ Meeting meetingOfLine(const Site& line, const Contact& contact, const Site& own)
     const double approach = (contact.normal - line.normal).squaredNorm() / 2;
     if (approach <= 1e-20) return {};
     const double clearance = std::max(height, 0.0) / approach;
+    const Meeting meeting{clearance, height, approach > kBackToBack};
     const double sideways = clearance * contact.normal.dot(line.direction);
     if (from_start.dot(line.direction) + sideways < 0)
-        return {stoppedByEnd(line, true, contact, own), kNever};
-    if (from_end.dot(line.direction) + sideways > 0) return {stoppedByEnd(line, false, contact, own), kNever};
-    return {clearance, height, approach > kBackToBack};
+        return meetingOfEnd(line, true, line.direction, contact, own, meeting);
+    if (from_end.dot(line.direction) + sideways > 0)
+        return meetingOfEnd(line, false, line.direction, contact, own, meeting);
+    return meeting;
 }
 
 Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
@@ -62,16 +75,21 @@ Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
     if (approach <= 1e-15 * arc.radius) return {};
     const double clearance = std::max(height, 0.0) * (distance + arc.radius) / approach;
     const bool back_to_back = 1 - side * w.dot(contact.normal) / distance > kBackToBack;
+    const Meeting meeting{clearance, height, back_to_back};
     // A disc around the arc's own centre touches all of it.
     const Vec2 v = w + clearance * contact.normal;
-    if (v.norm() <= 1e-12 * arc.radius) return {clearance, height, back_to_back};
+    if (v.norm() <= 1e-12 * arc.radius) return meeting;
     const bool after_start = arc.turn * cross(arc.first_ray, v) >= 0;
     const bool before_end = arc.turn * cross(v, arc.last_ray) >= 0;
-    if (after_start && before_end) return {clearance, height, back_to_back};
-    double end = kNever;
-    if (!after_start) end = stoppedByEnd(arc, true, contact, own);
-    if (!before_end) end = std::min(end, stoppedByEnd(arc, false, contact, own));
-    return {end, kNever};
+    if (after_start && before_end) return meeting;
+    const auto ofEnd = [&](bool at_start) {
+        const Vec2& ray = at_start ? arc.first_ray : arc.last_ray;
+        return meetingOfEnd(arc, at_start, arc.turn * Vec2(-ray.y(), ray.x()), contact, own, meeting);
+    };
+    if (before_end) return ofEnd(true);
+    if (after_start) return ofEnd(false);
+    const Meeting of_start = ofEnd(true), of_end = ofEnd(false);
+    return of_start.clearance <= of_end.clearance ? of_start : of_end;
 }
 
 }  // namespace

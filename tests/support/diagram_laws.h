@@ -13,14 +13,13 @@
 
 namespace stepmill::test {
 
-/// A point rounded to the grid lies up to 0.7 nm off, a joint at a shallow angle a few more; never 10 nm.
-inline constexpr double kRoundingMm = 1e-5;
+/// How far a point of a ring may lie from where it belongs. A point rounded to the grid lies up to 0.7 nm off;
+/// where edges meet at a shallow angle, or are so short that rounding turns their tangents, joints move more:
+/// up to the distance within which curves count as one, a tenth of what counts as a gouge.
+inline constexpr double kRoundingMm = Tolerances{}.linear_mm;
 
 /// Points closer to the level than this may lie on either side.
-inline constexpr double kTieMm = 2e-5;
-
-/// No cutter is smaller than a tenth of a micrometre.
-inline constexpr double kSmallestRadiusMm = 1e-4;
+inline constexpr double kTieMm = 2 * kRoundingMm;
 
 /// Base of the laws that must hold on random regions of every kind.
 class DiagramLaws : public testing::TestWithParam<RegionKind> {

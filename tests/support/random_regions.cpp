@@ -15,7 +15,7 @@ class Maker {
   public:
     Maker(RegionKind kind, std::uint64_t seed, RandomRegion& out)
         : random_(seed * 16 + static_cast<std::uint64_t>(kind)), kind_(kind), out_(out) {
-        const double scales[8] = {1, 1, 1, 1, 1, 1, random_.real(5, 30), 0.01};
+        const double scales[8] = {1, 1, 1, 1, 1, 1, random_.real(5, 30), 0.1};
         scale_ = kind == RegionKind::Lattice ? 1 : scales[random_.below(8)];
     }
 
@@ -280,7 +280,7 @@ std::string name(RegionKind kind) {
 }
 
 double RandomRegion::freeRadius(Random& random) const {
-    return std::max(1e-4, snapToGrid(size_mm * 0.4 * std::pow(random.real(0, 1), 1.7)));
+    return std::max(kSmallestRadiusMm, snapToGrid(size_mm * 0.4 * std::pow(random.real(0, 1), 1.7)));
 }
 
 double RandomRegion::tieRadius(Random& random) const {

@@ -24,6 +24,9 @@ class Random {
     std::mt19937_64 engine_;
 };
 
+/// No cutter is smaller than ten micrometres.
+inline constexpr double kSmallestRadiusMm = 5e-3;
+
 /// What makes a region hard.
 enum class RegionKind {
     Scattered,  ///< rectangles, circles, rounded rectangles anywhere, united and subtracted
@@ -56,7 +59,7 @@ struct RandomRegion {
     double tieRadius(Random& random) const;
 };
 
-/// Most regions are some tens of millimetres wide; one in eight is up to a metre, one in eight a tenth of a
+/// Most regions are some tens of millimetres wide; one in eight is up to a metre, one in eight about one
 /// millimetre.
 RandomRegion randomRegion(RegionKind kind, std::uint64_t seed);
 

@@ -27,7 +27,8 @@ void expectDistances(const Region& region, const Region& result, double distance
     const test::Deviation off = test::deviation(result, region, distance);
     EXPECT_LT(off.too_close_mm, kTol.gouge_mm) << "gouges at " << off.closest_at.transpose();
     EXPECT_LT(off.too_close_mm, kRoundingMm) << "at " << off.closest_at.transpose();
-    EXPECT_LT(off.too_far_mm, kTol.linear_mm) << "at " << off.farthest_at.transpose();
+    // What is added for safety where Booleans are the way out.
+    EXPECT_LT(off.too_far_mm, 2 * kRoundingMm) << "at " << off.farthest_at.transpose();
 }
 
 TEST_P(OffsetLaws, EveryPointHasTheDistance) {
