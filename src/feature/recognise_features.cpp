@@ -2,6 +2,7 @@
 
 #include "feature/boundary.h"
 #include "feature/classify.h"
+#include "feature/leftovers.h"
 #include "feature/removal_forest.h"
 #include "feature/standing_material.h"
 #include "feature/unplanned.h"
@@ -19,7 +20,7 @@ class Recogniser {
     Recogniser(const LayerStack& layers, const Tolerances& tol)
         : layers_(layers),
           tol_(tol),
-          forest_(feature::buildRemovalForest(layers, tol)),
+          forest_(worthwhileForest(layers, tol)),
           standing_(layers, forest_, tol),
           owner_(forest_.components.size(), -1) {}
 
@@ -32,6 +33,12 @@ class Recogniser {
     }
 
   private:
+    static RemovalForest worthwhileForest(const LayerStack& layers, const Tolerances& tol) {
+        RemovalForest forest = feature::buildRemovalForest(layers, tol);
+        feature::markLeftovers(forest, layers, tol);
+        return forest;
+    }
+
     Feature makeFeature(const std::vector<int>& chain) {
         const int number = static_cast<int>(removed_.size());
         const RemovalComponent& first = forest_.components[chain.front()];

@@ -32,7 +32,7 @@ void addLayer(RemovalForest& forest, const Layer& layer, int index, const Tolera
         }
         const bool open = touchesStockBoundary(region, layer.stock, tol);
         forest.of_layer.back().push_back(static_cast<int>(forest.components.size()));
-        forest.components.push_back({index, std::move(region), area_mm2, open, false, {}, {}});
+        forest.components.push_back({index, std::move(region), area_mm2, open, false, false, {}, {}});
     }
 }
 
@@ -107,9 +107,19 @@ RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol
     return forest;
 }
 
+void dropLeft(RemovalForest& forest) {
+    for (RemovalComponent& component : forest.components) {
+        const auto other = [&](int index) { return forest.components[index].left != component.left; };
+        std::erase_if(component.parents, other);
+        std::erase_if(component.children, other);
+    }
+}
+
 std::vector<std::vector<int>> featureChains(const RemovalForest& forest, const Tolerances& tol) {
     std::vector<std::vector<int>> chains;
-    std::vector<bool> taken(forest.components.size(), false);
+    std::vector<bool> taken;
+    for (const RemovalComponent& component : forest.components)
+        taken.push_back(component.left);
     for (int first = 0; first < static_cast<int>(forest.components.size()); ++first) {
         if (taken[first]) continue;
         std::vector<int> chain;

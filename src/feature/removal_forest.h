@@ -15,6 +15,7 @@ struct RemovalComponent {
     double area_mm2 = 0;
     bool open = false;           ///< part of its boundary is the stock's own: a cutter can come in there
     bool inside_parent = false;  ///< lies within its only parent, as it always does in a box of stock
+    bool left = false;           ///< no feature takes it: not worth a pass after earlier setups
     std::vector<int> parents;    ///< components of the layer above that it overlaps
     std::vector<int> children;
 };
@@ -27,6 +28,9 @@ struct RemovalForest {
 };
 
 RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol);
+
+/// Unlinks components marked `left` from those that are not.
+void dropLeft(RemovalForest& forest);
 
 /// Components that one feature clears: a run of components from above to below, each but the first equal
 /// to its parent [algorithms.md, section 2]. In the order in which they start.

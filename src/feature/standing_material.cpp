@@ -28,7 +28,9 @@ std::vector<int> StandingMaterial::inTheWay(int layer, const std::vector<int>& r
         if (walledIn(above, removed)) continue;
         for (const int index : forest_.of_layer[above]) {
             const RemovalComponent& component = forest_.components[index];
-            if (!component.open || std::binary_search(removed.begin(), removed.end(), index)) continue;
+            if (!component.open || component.left ||
+                std::binary_search(removed.begin(), removed.end(), index))
+                continue;
             covered[index] = true;
             // Seen from above, what lies under a component already found adds nothing.
             if (component.inside_parent && covered[component.parents.front()]) continue;
@@ -38,8 +40,21 @@ std::vector<int> StandingMaterial::inTheWay(int layer, const std::vector<int>& r
     return found;
 }
 
-const Region& StandingMaterial::above(int layer, const std::vector<int>& removed) {
+const Region& StandingMaterial::ground(int layer) {
     const Region& shadow = layers_.layers[layer].shadow;
+    const auto [entry, is_new] = grounds_.try_emplace(layer);
+    if (is_new) {
+        std::vector<Region> regions{shadow};
+        for (int above = 0; above <= layer; ++above)
+            for (const int index : forest_.of_layer[above])
+                if (forest_.components[index].left) regions.push_back(forest_.components[index].region);
+        entry->second = regions.size() > 1 ? unite(regions, tol_) : shadow;
+    }
+    return entry->second;
+}
+
+const Region& StandingMaterial::above(int layer, const std::vector<int>& removed) {
+    const Region& shadow = ground(layer);
     std::vector<int> standing = inTheWay(layer, removed);
     if (standing.empty()) return shadow;
     const auto [entry, is_new] = known_.try_emplace({layer, standing});

@@ -27,6 +27,9 @@ class StandingMaterial {
     std::vector<Obstacle> obstacles(int layer, const std::vector<int>& removed);
 
   private:
+    /// What stands whatever is machined: the shadow, and what no feature takes.
+    const Region& ground(int layer);
+
     /// Are the removed components of the layer bounded by the shadow alone?
     bool walledIn(int layer, const std::vector<int>& removed) const;
     std::vector<int> inTheWay(int layer, const std::vector<int>& removed) const;
@@ -34,6 +37,7 @@ class StandingMaterial {
     const LayerStack& layers_;
     const RemovalForest& forest_;
     const Tolerances& tol_;
+    std::map<int, Region> grounds_;
     std::map<std::pair<int, std::vector<int>>, Region> known_;
 };
 

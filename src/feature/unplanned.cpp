@@ -11,6 +11,7 @@ namespace {
 
 constexpr const char* kUndercut = "undercut";
 constexpr const char* kSliver = "sliver";
+constexpr const char* kLeft = "left by earlier setups, no face to finish from here";
 
 /// Volumes below this are rounding [mm3].
 constexpr double kNoVolumeMm3 = 1e-9;
@@ -75,6 +76,7 @@ std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalFore
     Tally undercuts(kUndercut, tol);
     SlopeTallies slopes(tol);
     Tally slivers(kSliver, tol);
+    Tally leftovers(kLeft, tol);
     for (std::size_t i = 0; i < layers.layers.size(); ++i) {
         const Layer& layer = layers.layers[i];
         Region hidden = undercut(layer, tol);
@@ -87,6 +89,10 @@ std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalFore
         }
         slopes.add(layer);
         slivers.add(layer, sliver_mm2 * layer.height_mm(), {});
+        double left_mm2 = 0;
+        for (const int index : forest.of_layer[i])
+            if (forest.components[index].left) left_mm2 += forest.components[index].area_mm2;
+        leftovers.add(layer, left_mm2 * layer.height_mm(), {});
     }
     std::vector<Unplanned> all = undercuts.entries();
     const auto append = [&](const Tally& tally) {
@@ -95,6 +101,7 @@ std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalFore
     for (const auto& [reason, tally] : slopes.tallies())
         append(tally);
     append(slivers);
+    append(leftovers);
     return all;
 }
 

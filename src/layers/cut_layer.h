@@ -36,10 +36,11 @@ void castShadows(std::vector<CutLayer>& cuts, const Tolerances& tol);
 /// Joins neighbouring slabs over soft levels where that costs nothing that matters:
 /// - where no tool from above can tell: the lower slab's part adds nothing to the shadow;
 /// - where the upper slab is thinner than `thinnest_slab_mm` and no removal component loses more than
-///   `largest_hidden_share` of its area.
-/// The joined slab's part is the union, its shadow the lower one's.
+///   `largest_hidden_share` of its area;
+/// - where all slabs joined to one lose no more than `worthless_mm3` to air and hidden removal together.
+/// The joined slab's part and stock are the unions, its shadow the lower one's.
 /// \pre shadows are cast
-std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, const SliceOptions& options,
-                                 const Tolerances& tol);
+std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, double worthless_mm3,
+                                 const SliceOptions& options, const Tolerances& tol);
 
 }  // namespace stepmill::layers

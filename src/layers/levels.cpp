@@ -4,10 +4,10 @@
 
 namespace stepmill::layers {
 
-void addLevels(const SolidMesh& mesh, std::vector<Level>& levels) {
+void addLevels(const SolidMesh& mesh, Level::Rank planes, std::vector<Level>& levels) {
     for (const MeshFace& face : mesh.faces()) {
         if (face.horizontal) {
-            levels.push_back({face.offset_mm * (face.normal.z() > 0 ? 1 : -1), Level::Rank::Plane});
+            levels.push_back({face.offset_mm * (face.normal.z() > 0 ? 1 : -1), planes});
         } else {
             levels.push_back({face.z_max_mm, Level::Rank::FaceEnd});
             levels.push_back({face.z_min_mm, Level::Rank::FaceEnd});

@@ -71,7 +71,6 @@ void join(CutLayer& upper, CutLayer&& lower, const Tolerances& tol) {
     // The wider region below hides the narrower one above: ask that way round first.
     layer.part = uniteLocally(lower.layer.part, layer.part, tol);
     layer.shadow = std::move(lower.layer.shadow);
-    layer.stock_air_mm3 += lower.layer.stock_air_mm3;
     layer.mended_by_mm = std::max(layer.mended_by_mm, lower.layer.mended_by_mm);
     upper.part_volume_mm3 += lower.part_volume_mm3;
     for (const auto& [face, share] : lower.leaning)
@@ -79,10 +78,38 @@ void join(CutLayer& upper, CutLayer&& lower, const Tolerances& tol) {
     std::move(lower.remarks.begin(), lower.remarks.end(), std::back_inserter(upper.remarks));
 }
 
+/// What the slabs joined to one hold, each for itself.
+struct Contents {
+    double stock_mm3 = 0;
+    double air_mm3 = 0;  ///< in `stock_mm3`
+    double shadow_mm3 = 0;
+
+    void add(const Layer& layer) {
+        stock_mm3 += area(layer.stock) * layer.height_mm();
+        air_mm3 += layer.stock_air_mm3;
+        shadow_mm3 += area(layer.shadow) * layer.height_mm();
+    }
+};
+
+/// The stock of both slabs where they may be joined over stock that differs: all slabs so joined then cover
+/// air and hide removal of no more than `worthless_mm3`.
+std::optional<Region> commonStock(const Layer& upper, const CutLayer& lower, Contents apart,
+                                  double worthless_mm3, const Tolerances& tol) {
+    if (!lower.soft_top || worthless_mm3 <= 0) return std::nullopt;
+    apart.add(lower.layer);
+    const double height = upper.top_z_mm - lower.layer.bottom_z_mm;
+    const double hidden_mm3 = area(lower.layer.shadow) * height - apart.shadow_mm3;
+    const double widest_mm2 = std::max(area(upper.stock), area(lower.layer.stock));
+    if (hidden_mm3 + widest_mm2 * height - apart.stock_mm3 > worthless_mm3) return std::nullopt;
+    Region stock = uniteLocally(lower.layer.stock, upper.stock, tol);
+    if (hidden_mm3 + area(stock) * height - apart.stock_mm3 > worthless_mm3) return std::nullopt;
+    return stock;
+}
+
 }  // namespace
 
-std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, const SliceOptions& options,
-                                 const Tolerances& tol) {
+std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, double worthless_mm3,
+                                 const SliceOptions& options, const Tolerances& tol) {
     if (cuts.empty()) return cuts;
     // A millimetre is little on a part of common size; on a very small one a twentieth of its height is.
     const double height = cuts.front().layer.top_z_mm - cuts.back().layer.bottom_z_mm;
@@ -90,15 +117,30 @@ std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, const SliceOptions&
     std::vector<CutLayer> merged;
     // What the joined slab may cost is measured from its topmost slab, whose removal is the largest.
     Layer topmost;
+    Contents apart;
     for (CutLayer& cut : cuts) {
         if (!merged.empty()) {
-            topmost.bottom_z_mm = merged.back().layer.bottom_z_mm;
+            Layer& above = merged.back().layer;
+            topmost.bottom_z_mm = above.bottom_z_mm;
             if (mayJoin(topmost, cut, thinnest, options, tol)) {
+                apart.add(cut.layer);
+                const double more_air_mm3 = cut.layer.stock_air_mm3;
                 join(merged.back(), std::move(cut), tol);
+                above.stock_air_mm3 += more_air_mm3;
+                continue;
+            }
+            if (std::optional<Region> stock = commonStock(above, cut, apart, worthless_mm3, tol)) {
+                apart.add(cut.layer);
+                join(merged.back(), std::move(cut), tol);
+                above.stock_air_mm3 =
+                    std::max(0.0, apart.air_mm3 + area(*stock) * above.height_mm() - apart.stock_mm3);
+                above.stock = topmost.stock = std::move(*stock);
                 continue;
             }
         }
         topmost = cut.layer;
+        apart = {};
+        apart.add(cut.layer);
         merged.push_back(std::move(cut));
     }
     return merged;

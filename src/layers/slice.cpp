@@ -27,7 +27,12 @@ struct Solids {
     SolidMesh part;
     std::optional<SolidMesh> stock;  ///< none: an upright box
     Region stock_box;
+    double worthless_mm3 = 0;  ///< of which no slab makes a difference: SliceOptions::least_gain_share
 };
+
+bool wasCutBefore(const Setup& setup) {
+    return setup.stock.kind == Stock::Kind::InProcess;
+}
 
 bool isUprightBox(const Setup& setup) {
     if (setup.stock.kind != Stock::Kind::Box) return false;
@@ -35,12 +40,13 @@ bool isUprightBox(const Setup& setup) {
     return (r.array() * (1 - r.array())).matrix().norm() < 1e-12;
 }
 
-Solids makeSolids(const Setup& setup, const Tolerances& tol) {
+Solids makeSolids(const Setup& setup, const SliceOptions& options, const Tolerances& tol) {
     STEPMILL_CHECK(setup.part.shape, "a part to slice has a shape");
     Solids solids{
         SolidMesh(setup.part.shape->solid, setup.part_to_setup, layers::facetChord(setup.part.bbox_mm), tol),
         std::nullopt,
-        {}};
+        {},
+        wasCutBefore(setup) ? options.least_gain_share * setup.removable_mm3 : 0};
     if (isUprightBox(setup)) {
         const Box3& box = setup.stock_bbox_mm;
         solids.stock_box = makeRectangle(box.min().head<2>(), box.max().head<2>());
@@ -107,8 +113,8 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
     CutLayer cut = cutLayer(from.solids, top_mm, bottom_mm, from.options, from.tol);
     const double height = top_mm - bottom_mm;
     const double removable = area(cut.layer.stock) * height - cut.part_volume_mm3;
-    const double allowed =
-        std::max(from.options.largest_hidden_share * removable, from.tol.area_mm2 * height);
+    const double allowed = std::max({from.options.largest_hidden_share * removable,
+                                     from.tol.area_mm2 * height, from.solids.worthless_mm3});
     if (gainableVolume(cut, from.traces) <= allowed || height / 2 < from.options.thinnest_slab_mm) {
         out.push_back(std::move(cut));
         return;
@@ -136,16 +142,20 @@ std::vector<CutLayer> cutAll(const Cutting& from, const std::vector<Level>& leve
 }  // namespace
 
 LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& options) {
-    const Solids solids = makeSolids(setup, tol);
+    const Solids solids = makeSolids(setup, options, tol);
     std::vector<layers::Level> marks;
-    layers::addLevels(solids.part, marks);
-    if (solids.stock) layers::addLevels(*solids.stock, marks);
+    layers::addLevels(solids.part, Level::Rank::Plane, marks);
+    if (solids.stock)
+        layers::addLevels(*solids.stock, wasCutBefore(setup) ? Level::Rank::CutPlane : Level::Rank::Plane,
+                          marks);
     LayerStack stack;
     stack.setup_id = setup.id;
     stack.stock_top_z_mm = setup.stock_bbox_mm.max().z();
     stack.stock_bottom_z_mm = setup.stock_bbox_mm.min().z();
     stack.stock_volume_mm3 = setup.stock.volume_mm3;
     stack.part_volume_mm3 = setup.part.volume_mm3;
+    stack.stock_cut_before = wasCutBefore(setup);
+    stack.removable_mm3 = setup.removable_mm3;
     const std::vector<Level> levels = layers::mergeLevels(std::move(marks), stack.stock_top_z_mm,
                                                           stack.stock_bottom_z_mm, options.level_merge_mm);
     if (solids.part.openSides() > 0)
@@ -155,7 +165,7 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     std::vector<CutLayer> cuts = cutAll({solids, stack.traces, options, tol}, levels);
     layers::closeBooks(cuts, setup, tol, stack.remarks);
     layers::castShadows(cuts, tol);
-    if (options.join_slabs) cuts = layers::mergeSlabs(std::move(cuts), options, tol);
+    if (options.join_slabs) cuts = layers::mergeSlabs(std::move(cuts), solids.worthless_mm3, options, tol);
     layers::shareHiddenVolume(cuts, stack.traces);
     for (CutLayer& cut : cuts) {
         std::move(cut.remarks.begin(), cut.remarks.end(), std::back_inserter(stack.remarks));

@@ -31,6 +31,9 @@ bool changesTool(const std::vector<Operation>& operations, std::size_t index);
 /// Times of every setup and of the plan; tool changes counted once a visit.
 void addUpTotals(Plan& plan);
 
+/// The residual under a floor that the tools do not reach; nothing when they do.
+const Residual* belowReach(const PlannedFeature& planned);
+
 /// What the steps of a feature take away: its target less residuals that stand over its whole depth, down to
 /// where its tools reach. Residuals over a part of the depth (a drill's point) stand as a layer of the same
 /// volume on the floor.

@@ -13,6 +13,18 @@ double heightOf(const Residual& residual) {
 
 }  // namespace
 
+const Residual* belowReach(const PlannedFeature& planned) {
+    const double below_mm = planned.sequence.floor_z_mm - planned.feature.floor_z_mm;
+    if (below_mm <= kSameHeightMm) return nullptr;
+    // What stands beside the tools can be as high; it covers less.
+    const Residual* found = nullptr;
+    for (const Residual& residual : planned.sequence.residual) {
+        if (residual.region.empty() || std::abs(heightOf(residual) - below_mm) >= kSameHeightMm) continue;
+        if (found == nullptr || residual.area_mm2 > found->area_mm2) found = &residual;
+    }
+    return found;
+}
+
 std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& tol) {
     const Feature& feature = planned.feature;
     const ToolSequence& sequence = planned.sequence;
@@ -20,19 +32,15 @@ std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& to
     const double depth = feature.top_z_mm - sequence.floor_z_mm;
     std::vector<Region> standing;
     std::vector<const Residual*> low;
+    // No part of the depth cut, however high it is.
+    const Residual* below = belowReach(planned);
     for (const Residual& residual : sequence.residual) {
-        if (residual.region.empty()) continue;
+        if (residual.region.empty() || &residual == below) continue;
         if (heightOf(residual) >= depth - kSameHeightMm)
             standing.push_back(residual.region);
         else if (heightOf(residual) > kSameHeightMm)
             low.push_back(&residual);
     }
-    // Tools that do not reach the floor leave all below `sequence.floor_z_mm`: no part of the depth cut.
-    const double below_mm = sequence.floor_z_mm - feature.floor_z_mm;
-    if (below_mm > kSameHeightMm)
-        std::erase_if(low, [&](const Residual* residual) {
-            return std::abs(heightOf(*residual) - below_mm) < kSameHeightMm;
-        });
     Region cut = standing.empty() ? feature.target : subtract(feature.target, unite(standing, tol), tol);
     std::vector<Prism> prisms;
     for (const Residual* residual : low) {

@@ -36,10 +36,14 @@ std::vector<Vec2> pointsIn(const Region& region) {
 std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& features) {
     std::vector<ResidualPrism> prisms;
     for (const PlannedFeature& planned : features) {
+        const Residual* below = belowReach(planned);
         for (const Residual& residual : planned.sequence.residual) {
             if (residual.region.empty() || residual.area_mm2 <= 0) continue;
             const double height = residual.volume_mm3 / residual.area_mm2;
-            const double floor = planned.feature.floor_z_mm;
+            // What covers the whole depth stands on the feature's floor, what the tools leave on theirs.
+            const bool whole = height >= planned.feature.depth_mm() || planned.sequence.steps.empty();
+            const double floor =
+                &residual == below || whole ? planned.feature.floor_z_mm : planned.sequence.floor_z_mm;
             prisms.push_back(
                 {residual.reason, residual.volume_mm3, {residual.region, floor + height, floor}});
         }

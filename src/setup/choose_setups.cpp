@@ -126,6 +126,7 @@ class SetupMaker {
         made.axis = axis;
         made.part = part_;
         made.stock = stock;
+        made.removable_mm3 = stock.volume_mm3 - part_.volume_mm3;
         made.indexed = !isBoxDirection(axis);
         const Box3 turned = turnedStock(stock, axis, stock_facets_);
         placeOn(made, turned);

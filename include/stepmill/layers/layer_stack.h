@@ -47,6 +47,8 @@ struct LayerStack {
     double stock_bottom_z_mm = 0;
     double stock_volume_mm3 = 0;  ///< of the solids themselves
     double part_volume_mm3 = 0;
+    bool stock_cut_before = false;  ///< the stock is what earlier setups left
+    double removable_mm3 = 0;       ///< Setup::removable_mm3
     std::vector<std::string> remarks;  ///< levels where a section had to be mended, with what was done
     std::vector<FaceTrace> traces;     ///< every face of the part, by face index
 
@@ -71,11 +73,16 @@ struct SliceOptions {
     double largest_hidden_share = 0.1;
     /// ... but never below this height [mm].
     double thinnest_slab_mm = 1.0;
+    /// On stock that earlier setups cut, slabs are not parted either for less than this share of what all
+    /// setups have to remove: steps and corners they left would make a slab at every height.
+    double least_gain_share = 2e-5;
     /// Levels closer than this are one [mm].
     double level_merge_mm = 1e-3;
     /// Join neighbouring slabs where no tool from above can tell them apart, or where the upper one is
     /// thinner than `thinnest_slab_mm` and joining costs no removal component more than
-    /// `largest_hidden_share` of its area. Never over a horizontal plane or an end of the stock.
+    /// `largest_hidden_share` of its area. On stock that earlier setups cut, also where that costs less than
+    /// `least_gain_share` in air and lost removal. Never over a horizontal plane of the part or an end of
+    /// the stock.
     bool join_slabs = true;
 };
 

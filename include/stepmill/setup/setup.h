@@ -55,6 +55,7 @@ struct Setup {
     /// (plan/stages.h) replaces it by what the setups before left.
     Stock stock;
     Box3 stock_bbox_mm;  ///< in setup coordinates: min.z = -height, max.z = 0
+    double removable_mm3 = 0;  ///< raw stock less part, in every setup: what all of them have to remove
     /// Share of (raw stock - part) that is open to a tool along the axis, from the height map [0..1].
     double reachable_share = 0;
     /// Share of (raw stock - part) that of all setups only this one reaches, from samples [0..1]. 1 where

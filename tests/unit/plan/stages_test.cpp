@@ -107,5 +107,16 @@ TEST(RemovedBy, EndsWhereTheToolsDo) {
     EXPECT_NEAR(volumeOf(removedBy(planned, kTol)), (800 - 25) * 7, 1e-6);
 }
 
+TEST(RemovedBy, ReachesDownWhereMoreStaysBelowThanIsCut) {
+    PlannedFeature planned = pocket();
+    planned.sequence.floor_z_mm = -4;
+    planned.sequence.residual = {leaving(planned.feature.target, 6)};
+    EXPECT_NEAR(volumeOf(removedBy(planned, kTol)), 800 * 4, 1e-6);
+    planned.sequence.floor_z_mm = -5;
+    planned.sequence.residual = {leaving(makeRectangle(Vec2(0, 0), Vec2(5, 5)), 5),
+                                 leaving(planned.feature.target, 5)};
+    EXPECT_NEAR(volumeOf(removedBy(planned, kTol)), (800 - 25) * 5, 1e-6);
+}
+
 }  // namespace
 }  // namespace stepmill
