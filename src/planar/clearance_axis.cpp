@@ -1,5 +1,6 @@
 #include "planar/clearance_axis.h"
 
+#include <map>
 #include <numeric>
 
 namespace stepmill::clearance {
@@ -8,9 +9,10 @@ namespace {
 
 /// Nodes closer than this are one; the same vertex comes from all sites around it [mm].
 constexpr double kSameNodeMm = 1e-5;
-/// Discs at a smooth joint, seen from either edge: rounding of short arcs' ends turns their normals, the
-/// farther from the wall the more it moves the centre. Beyond this the clearance jumps [mm].
-constexpr double kJointMm = 0.1;
+/// A disc of one edge is known to be the disc of another by the order of the pieces. Rounding of short arcs'
+/// ends turns normals and moves its centre, the more the larger it is; beyond this share of its radius the
+/// clearance jumps, and the two are none.
+constexpr double kJointShare = 0.05;
 constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
 /// Clearances along an edge that differ by less are equal [mm].
 constexpr double kLevelMm = kTouchMm;
@@ -46,8 +48,9 @@ class Nodes {
 
     /// Two points that should be one, unless the clearance jumps between them.
     void joinIfNear(std::size_t a, std::size_t b) {
-        if ((raw_[a].point - raw_[b].point).norm() <= kJointMm) joints_.push_back({a, b});
+        if (distance(a, b) <= kSameNodeMm + kJointShare * raw_[a].clearance_mm) joints_.push_back({a, b});
     }
+    double distance(std::size_t a, std::size_t b) const { return (raw_[a].point - raw_[b].point).norm(); }
 
     const MedialAxis::Node& operator[](std::size_t i) const { return raw_[i]; }
 
@@ -77,9 +80,53 @@ class Nodes {
     std::vector<std::pair<std::size_t, std::size_t>> joints_;
 };
 
-/// Does this side draw the edge? Both sides know it; where they disagree by rounding, one is enough.
-bool drawsEdge(int site, const Piece& piece) {
-    return piece.stop > site;
+/// An edge of the graph as one of its two sites sees it.
+struct Side {
+    int site = 0;
+    int stop = kUnbounded;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+
+    /// Both sites know an edge; the first one draws it.
+    bool draws() const { return stop > site; }
+};
+
+/// All pieces in the order of the boundary. The disc at the end of each is the one at the next one's
+/// beginning, all round the loop.
+std::vector<Side> sidesOf(const Profile& profile, Nodes& nodes) {
+    const int count = static_cast<int>(profile.sites().size());
+    std::vector<Side> sides;
+    for (int site = 0; site < count;) {
+        const int loop = profile.sites()[site].loop;
+        const std::size_t first = sides.size();
+        for (; site < count && profile.sites()[site].loop == loop; ++site)
+            for (const Piece& piece : profile.pieces(site))
+                sides.push_back({site, piece.stop,
+                                 nodes.add(profile.centreAt(site, piece.from, piece.at_from), piece.at_from),
+                                 nodes.add(profile.centreAt(site, piece.to, piece.at_to), piece.at_to)});
+        for (std::size_t k = first; k < sides.size(); ++k)
+            nodes.joinIfNear(sides[k].end, sides[k + 1 < sides.size() ? k + 1 : first].begin);
+    }
+    return sides;
+}
+
+/// Joins the ends of every edge as its two sites see them.
+void joinSides(const std::vector<Side>& sides, Nodes& nodes) {
+    std::map<std::pair<int, int>, std::vector<const Side*>> drawn;
+    for (const Side& side : sides)
+        if (side.draws()) drawn[{side.site, side.stop}].push_back(&side);
+    for (const Side& side : sides) {
+        const auto others = drawn.find({side.stop, side.site});
+        if (others == drawn.end()) continue;
+        const auto apart = [&](const Side* other) {
+            return std::max(nodes.distance(side.begin, other->end), nodes.distance(side.end, other->begin));
+        };
+        const Side* other = *std::min_element(
+            others->second.begin(), others->second.end(),
+            [&](const Side* a, const Side* b) { return apart(a) < apart(b); });
+        nodes.joinIfNear(side.begin, other->end);
+        nodes.joinIfNear(side.end, other->begin);
+    }
 }
 
 }  // namespace
@@ -87,31 +134,8 @@ bool drawsEdge(int site, const Piece& piece) {
 MedialAxis medialAxisOf(const Profile& profile) {
     MedialAxis axis;
     Nodes nodes;
-    struct RawEdge {
-        std::size_t from, to;
-    };
-    std::vector<RawEdge> raw;
-    for (int first = 0; first < static_cast<int>(profile.sites().size());) {
-        // The disc at the end of each piece is the one at the next one's beginning, all round the loop.
-        std::optional<std::size_t> first_begin, last_end;
-        int site = first;
-        for (; site < static_cast<int>(profile.sites().size()) &&
-               profile.sites()[site].loop == profile.sites()[first].loop;
-             ++site) {
-            for (const Piece& piece : profile.pieces(site)) {
-                const std::size_t begin =
-                    nodes.add(profile.centreAt(site, piece.from, piece.at_from), piece.at_from);
-                const std::size_t end = nodes.add(profile.centreAt(site, piece.to, piece.at_to), piece.at_to);
-                if (last_end) nodes.joinIfNear(*last_end, begin);
-                if (!first_begin) first_begin = begin;
-                last_end = end;
-                // An arc's centre: the leaf in the arc, and all there is in a disc.
-                if (piece.stop == kOwnCentre || drawsEdge(site, piece)) raw.push_back({begin, end});
-            }
-        }
-        if (last_end) nodes.joinIfNear(*last_end, *first_begin);
-        first = site;
-    }
+    const std::vector<Side> sides = sidesOf(profile, nodes);
+    joinSides(sides, nodes);
     const std::vector<std::size_t> merged = nodes.merge();
     std::vector<std::size_t> number(merged.size(), kNoNode);
     const auto numberOf = [&](std::size_t added) {
@@ -122,8 +146,10 @@ MedialAxis medialAxisOf(const Profile& profile) {
         }
         return known;
     };
-    for (const RawEdge& edge : raw) {
-        const std::size_t from = numberOf(edge.from), to = numberOf(edge.to);
+    for (const Side& side : sides) {
+        // An arc's centre: the leaf in the arc, and all there is in a disc.
+        if (!side.draws() && side.stop != kOwnCentre) continue;
+        const std::size_t from = numberOf(side.begin), to = numberOf(side.end);
         if (from != to) axis.edges.push_back({from, to});
     }
     return axis;

@@ -67,10 +67,18 @@ struct ClearanceDiagram::Impl {
         if (!level) return std::nullopt;
         return clearance::withoutEmptyRings(inside, *level);
     }
-    Region swept(const Level& level, bool& overlapping) const {
-        clearance::Swept swept = clearance::sweptBy(inside, level);
-        overlapping = swept.overlapping;
-        return overlapping ? withoutOverlaps(swept.region, tol) : std::move(swept.region);
+    struct Opened {
+        Region region;
+        bool by_booleans = false;  ///< the level alone does not tell
+    };
+    Opened opened(const std::optional<Level>& level, double radius) const {
+        if (level) {
+            if (std::optional<clearance::Swept> swept = clearance::sweptBy(inside, *level)) {
+                if (!swept->overlapping) return {std::move(swept->region)};
+                return {withoutOverlaps(swept->region, tol), true};
+            }
+        }
+        return {openedByBooleans(radius), true};
     }
 
     Region shrunk(double distance) const {
@@ -135,10 +143,7 @@ std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) con
 Region ClearanceDiagram::opening(double radius_mm) const {
     const double radius = snapToGrid(radius_mm);
     if (impl_->region.empty() || radius <= 0) return impl_->region;
-    const std::optional<Level> level = impl_->passableBy(radius);
-    if (!level) return impl_->openedByBooleans(radius);
-    bool overlapping = false;
-    return impl_->swept(*level, overlapping);
+    return impl_->opened(impl_->passableBy(radius), radius).region;
 }
 
 Region ClearanceDiagram::restCentres(double large_mm, double small_mm) const {
@@ -149,12 +154,10 @@ Region ClearanceDiagram::restCentres(double large_mm, double small_mm) const {
     const std::optional<Level> fine = impl_->passableBy(small);
     const Region centres = fine ? clearance::ringsOf(impl_->inside, *fine) : impl_->shrunk(small);
     if (coarse && coarse->runs.empty()) return centres;
-    bool overlapping = false;
-    const Region opened =
-        coarse ? impl_->swept(*coarse, overlapping) : impl_->openedByBooleans(large);
-    if (coarse && fine && !overlapping)
+    const Impl::Opened opened = impl_->opened(coarse, large);
+    if (fine && !opened.by_booleans)
         if (std::optional<Region> left = clearance::centresLeft(impl_->inside, *coarse, *fine)) return *left;
-    return subtract(centres, ClearanceDiagram(opened, impl_->tol).offset(-small), impl_->tol);
+    return subtract(centres, ClearanceDiagram(opened.region, impl_->tol).offset(-small), impl_->tol);
 }
 
 double ClearanceDiagram::accessibleArea(double radius_mm) const {

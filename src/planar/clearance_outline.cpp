@@ -141,7 +141,11 @@ Level withoutEmptyRings(const Profile& profile, const Level& level) {
     return kept;
 }
 
-Swept sweptBy(const Profile& profile, const Level& level) {
+std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {
+    constexpr double kOneDiscMm = 2e-4;
+    for (const Run& run : level.runs)
+        if (!run.whole && (run.end.centre - level.runs[run.next].begin.centre).norm() > kOneDiscMm)
+            return std::nullopt;
     const BoundaryDrawer drawer(profile, 0);
     const std::vector<int> first_sites = firstSites(profile);
     Swept swept;

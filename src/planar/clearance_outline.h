@@ -17,7 +17,8 @@ struct Swept {
     /// Discs on both sides of a narrow place overlap; the region then winds around some points twice.
     bool overlapping = false;
 };
-Swept sweptBy(const Profile& profile, const Level& level);
+/// Nothing where rounding has set the centre of one disc apart as its two walls see it: no arc joins them.
+std::optional<Swept> sweptBy(const Profile& profile, const Level& level);
 
 /// Centres at `fine.distance` from the boundary whose discs do not lie in what the discs of `coarse` sweep;
 /// nothing where the two levels do not nest run by run. \pre discs of `coarse` do not overlap across necks

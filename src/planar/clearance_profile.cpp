@@ -142,12 +142,18 @@ void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pi
     // rise so steeply that they differ at any step.
     constexpr double kJump = 1e-3, kFarMm = 1e3;
     const double least = std::min(of_a, of_b);
+    const bool narrow = b.u - a.u <= 16 * step || depth >= kDeepest;
+    if (least >= kFarMm && std::max(of_a, of_b) == kNever && !narrow) {
+        const Sample middle = sample(index, (a.u + b.u) / 2);
+        between(index, a, middle, depth + 1, pieces);
+        between(index, middle, b, depth + 1, pieces);
+        return;
+    }
     const bool jumps = least < kFarMm && std::max(of_a, of_b) - least > kJump * (1 + least);
     if (jumps && of_a < kNever && of_b < kNever)
         u = of_a < of_b ? std::min(u + 4 * step, b.u) : std::max(u - 4 * step, a.u);
     const Sample third = jumps || least == kNever ? sample(index, u) : nearerAt(index, u, least);
     const bool known = third.stop == kNone || third.stop == a.stop || third.stop == b.stop;
-    const bool narrow = b.u - a.u <= 16 * step || depth >= kDeepest;
     if (narrow || known) {
         const double there = std::min(least, third.clearance);
         append({a.u, u, a.stop, a.clearance, there});

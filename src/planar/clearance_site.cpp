@@ -30,17 +30,19 @@ double stoppedByPoint(const Vec2& point, const Contact& contact) {
     return distance2 / approach;
 }
 
-/// For a disc that touches the whole line or circle of a site beyond one of its ends: what that end does.
-/// `travel`: of the site at its end.
-Meeting meetingOfEnd(const Site& site, bool at_start, const Vec2& travel, const Contact& contact,
-                     const Site& own, const Meeting& carrier) {
+/// A disc that touches the whole line or circle of a site at `touch`, which lies beyond one of its ends: what
+/// does that end? `travel`: of the site at its end.
+Meeting meetingOfEnd(const Site& site, bool at_start, const Vec2& travel, const Vec2& touch,
+                     const Contact& contact, const Site& own, const Meeting& carrier) {
     const Vec2& end = at_start ? site.start : site.end;
     if (at_start ? site.corner_start : site.corner_end) return {};
     if (end == own.start || end == own.end) {
         // Right beside a convex corner rounding may put the touch on the wrong side of the joint.
         const bool sharp = at_start ? site.sharp_start : site.sharp_end;
         const double towards = contact.normal.dot(travel) * (at_start ? 1 : -1);
-        const bool beside = towards > 0 && (contact.foot - end).norm() * towards < kBesideMm;
+        const double apart = (contact.foot - end).norm();
+        const bool beside =
+            towards > 0 && apart * towards < kBesideMm && (touch - end).norm() < 2 * apart + kTouchMm;
         return sharp && beside ? carrier : Meeting{};
     }
     return {stoppedByPoint(end, contact), kNever};
@@ -58,11 +60,11 @@ Meeting meetingOfLine(const Site& line, const Contact& contact, const Site& own)
     const double clearance = std::max(height, 0.0) / approach;
     const Meeting meeting{clearance, height, approach > kBackToBack};
     const double sideways = clearance * contact.normal.dot(line.direction);
-    if (from_start.dot(line.direction) + sideways < 0)
-        return meetingOfEnd(line, true, line.direction, contact, own, meeting);
-    if (from_end.dot(line.direction) + sideways > 0)
-        return meetingOfEnd(line, false, line.direction, contact, own, meeting);
-    return meeting;
+    const bool before_start = from_start.dot(line.direction) + sideways < 0;
+    const bool after_end = from_end.dot(line.direction) + sideways > 0;
+    if (!before_start && !after_end) return meeting;
+    const Vec2 touch = contact.centreAt(clearance) - clearance * line.normal;
+    return meetingOfEnd(line, before_start, line.direction, touch, contact, own, meeting);
 }
 
 Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
@@ -84,7 +86,8 @@ Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
     if (after_start && before_end) return meeting;
     const auto ofEnd = [&](bool at_start) {
         const Vec2& ray = at_start ? arc.first_ray : arc.last_ray;
-        return meetingOfEnd(arc, at_start, arc.turn * Vec2(-ray.y(), ray.x()), contact, own, meeting);
+        const Vec2 touch = arc.centre + arc.radius * v.normalized();
+        return meetingOfEnd(arc, at_start, arc.turn * Vec2(-ray.y(), ray.x()), touch, contact, own, meeting);
     };
     if (before_end) return ofEnd(true);
     if (after_start) return ofEnd(false);

@@ -1,5 +1,8 @@
 // The stock a setup leaves to the next one.
 
+#include <chrono>
+#include <iostream>
+#include <cstdio>
 #include <fmt/format.h>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -51,6 +54,10 @@ constexpr double kFacetRad = 0.4;
 
 /// Less than this removed is nothing [mm3].
 constexpr double kNothingMm3 = 1e-3;
+
+/// All prisms are cut in one operation up to this number of edges: its time grows with about the square, of
+/// prisms in turn in proportion.
+constexpr std::size_t kEdgesAtOnce = 300;
 
 /// How far prisms reach over a top or below a bottom of the stock: no coinciding faces there.
 constexpr double kBeyondMm = 1;
@@ -115,7 +122,7 @@ std::optional<TopoDS_Shape> combine(const TopTools_ListOfShape& arguments, const
     operation.SetNonDestructive(true);
     operation.SetToFillHistory(false);
     operation.Build();
-    if (!operation.IsDone() || operation.HasErrors()) return std::nullopt;
+    if (!operation.IsDone() || operation.HasErrors()) { operation.DumpErrors(std::cerr); return std::nullopt; }
     return compoundOf(solidsOf(operation.Shape()));
 }
 
@@ -124,6 +131,14 @@ double filmVolume(const std::vector<Prism>& prisms) {
     for (const Prism& prism : prisms)
         skin_mm2 += perimeter(prism.region) * (prism.top_z_mm - prism.bottom_z_mm) + 2 * area(prism.region);
     return kFilmMm * skin_mm2;
+}
+
+std::size_t edgesOf(const std::vector<Prism>& prisms) {
+    std::size_t count = 0;
+    for (const Prism& prism : prisms)
+        for (const Loop& loop : prism.region.loops)
+            count += loop.segments.size();
+    return count;
 }
 
 class StockCutter {
@@ -138,16 +153,25 @@ class StockCutter {
 
     StockAfter run() {
         using Try = std::function<std::optional<TopoDS_Shape>()>;
-        const std::vector<std::pair<std::string, Try>> tries = {
-            {"", [&] { return cutAtOnce(kFuzzyMm); }},
-            {fmt::format("cut with {} mm of slack", kWideFuzzyMm), [&] { return cutAtOnce(kWideFuzzyMm); }},
-            {"cut one height after another", [&] { return cutInTurn(kFuzzyMm); }},
-            {"rebuilt from slabs", [&] { return rebuilt(true); }},
-            {"rebuilt from slabs, not joined", [&] { return rebuilt(false); }},
-        };
+        const Try at_once = [&] { return cutAtOnce(kFuzzyMm); };
+        const Try with_slack = [&] { return cutAtOnce(kWideFuzzyMm); };
+        const Try in_turn = [&] { return cutInTurn(kFuzzyMm); };
+        std::vector<std::pair<std::string, Try>> tries;
+        if (edgesOf(removed_) <= kEdgesAtOnce) {
+            tries = {{"", at_once},
+                     {fmt::format("cut with {} mm of slack", kWideFuzzyMm), with_slack},
+                     {"cut one height after another", in_turn}};
+        } else {
+            tries = {{"", in_turn}};
+        }
+        tries.emplace_back("rebuilt from slabs", [&] { return rebuilt(true); });
+        tries.emplace_back("rebuilt from slabs, not joined", [&] { return rebuilt(false); });
         StockAfter after;
         for (const auto& [how, work] : tries) {
+            int DBGn=0; for (auto& q : removed_) for (auto& l : q.region.loops) DBGn += l.segments.size();
+            auto DBGt = std::chrono::steady_clock::now();
             const std::optional<Stock> made = attempt(work, after.remarks);
+            fprintf(stderr, "DBG %s try '%s' prisms %zu segs %d ok %d t %.2f %s\n", setup_.id.c_str(), how.c_str(), removed_.size(), DBGn, made.has_value(), std::chrono::duration<double>(std::chrono::steady_clock::now()-DBGt).count(), after.remarks.empty()?"":after.remarks.back().c_str());
             if (!made) continue;
             if (!how.empty()) after.remarks.push_back("the stock after this setup was " + how);
             after.stock = *made;
@@ -220,8 +244,11 @@ class StockCutter {
                          [](const Prism* a, const Prism* b) { return a->top_z_mm > b->top_z_mm; });
         std::optional<TopoDS_Shape> left = compoundOf(stockSolids());
         for (const Prism* prism : from_above) {
-            left = combine<BRepAlgoAPI_Cut>(solidsOf(*left), solidsOf(tool(*prism)), fuzzy_mm);
-            if (!left) break;
+            const TopTools_ListOfShape tools = solidsOf(tool(*prism));
+            std::optional<TopoDS_Shape> next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, fuzzy_mm);
+            if (!next) next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, kWideFuzzyMm);
+            if (!next) { fprintf(stderr, "DBG prism fails z %g %g area %g segs %zu\n", prism->top_z_mm, prism->bottom_z_mm, area(prism->region), prism->region.loops[0].segments.size()); return std::nullopt; }
+            left = std::move(next);
         }
         return left;
     }

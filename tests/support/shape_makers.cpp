@@ -28,6 +28,9 @@ void addHole(Region& region, const Region& hole) {
         region.loops.push_back(reversed(loop));
 }
 
+/// No drawing has smaller fillets [mm].
+constexpr double kLeastFilletMm = 2e-3;
+
 Loop filleted(const std::vector<Vec2>& corners, double largest_share, Random& random) {
     const std::size_t n = corners.size();
     Loop loop;
@@ -41,7 +44,7 @@ Loop filleted(const std::vector<Vec2>& corners, double largest_share, Random& ra
         const double half_rad = std::acos(std::clamp(back.dot(on), -1.0, 1.0)) / 2;
         const double room_mm = share * std::min(to_last.norm(), to_next.norm()) / 2;
         const double radius_mm = snapToGrid(room_mm * std::tan(half_rad));
-        if (random.below(3) == 0 || radius_mm < 10 * kGridMm) {
+        if (random.below(3) == 0 || radius_mm < kLeastFilletMm) {
             appendLine(loop, snapToGrid(corner));
             continue;
         }

@@ -191,7 +191,7 @@ TEST_P(OffsetLaws, GrowthFarBeyondTheSizeIsNearlyADisc) {
 void expectSameOffsets(const RandomRegion& which, const Region& other, Random& random) {
     const ClearanceDiagram diagram(which.region, kTol);
     const ClearanceDiagram moved(other, kTol);
-    const double slack = kRoundingMm * perimeter(which.region);
+    const double slack = 2 * kRoundingMm * perimeter(which.region);
     for (int k = 0; k < 3; ++k) {
         const double d = which.freeRadius(random);
         SCOPED_TRACE(fmt::format("radius {:.6f}", d));

@@ -21,8 +21,9 @@ const Tolerances kTol;
 
 class OpeningLaws : public test::DiagramLaws {};
 
+/// Openings are offsets there and back.
 double slackOf(const RandomRegion& which) {
-    return kRoundingMm * perimeter(which.region);
+    return 2 * kRoundingMm * perimeter(which.region);
 }
 
 TEST_P(OpeningLaws, LiesInsideAndShrinksAsTheCutterGrows) {
