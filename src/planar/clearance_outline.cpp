@@ -45,13 +45,19 @@ bool capsCross(const Cap& a, const Cap& b, double radius) {
     if (distance < kMeetMm) return true;
     // Discs on both sides of the gap between two corners.
     if ((a.from - b.to).norm() < kMeetMm && (a.to - b.from).norm() < kMeetMm) return true;
-    const bool neighbours = a.run_after == b.run_before || b.run_after == a.run_before;
     const double h = std::sqrt(std::max(0.0, radius * radius - distance * distance / 4));
     // Rounded centres turn the line between close discs, and with it the points where they cross.
-    const double margin = neighbours ? kMeetMm / radius : -kMeetMm / radius - kMeetMm / distance;
+    const double turned = kMeetMm / radius + kMeetMm / distance;
+    const auto isCorner = [&](const Vec2& p, const Vec2& one, const Vec2& other) {
+        return (one - other).norm() < kMeetMm && (p - one).norm() < 2 * radius * turned;
+    };
+    const auto meetsAtRun = [&](const Vec2& p) {
+        return (a.run_after == b.run_before && isCorner(p, a.to, b.from)) ||
+               (b.run_after == a.run_before && isCorner(p, b.to, a.from));
+    };
     for (const double sign : {1.0, -1.0}) {
         const Vec2 x = d / 2 + sign * h / distance * Vec2(-d.y(), d.x());
-        if (insideCap(a, x, margin) && insideCap(b, x - d, margin)) return true;
+        if (insideCap(a, x, -turned) && insideCap(b, x - d, -turned) && !meetsAtRun(a.centre + x)) return true;
     }
     return false;
 }
@@ -65,6 +71,16 @@ bool anyCapsCross(std::vector<Cap> caps, double radius) {
             if (capsCross(caps[i], caps[j], radius)) return true;
         }
     return false;
+}
+
+/// Do both walls at the end of a run see the same disc, and does no other wall reach into it?
+bool isOneDisc(const Profile& profile, const Level& level, const Run& run) {
+    constexpr double kOneDiscMm = 2e-4, kDeepMm = 5e-5;
+    const Vec2& here = run.end.centre;
+    const Vec2& there = level.runs[run.next].begin.centre;
+    if ((here - there).norm() > kOneDiscMm) return false;
+    const Vec2 centre = (here + there) / 2;
+    return profile.tree().distance(centre, level.distance) > level.distance - kDeepMm;
 }
 
 /// Visits the runs ring by ring: calls back with the runs of one ring, in order.
@@ -142,10 +158,8 @@ Level withoutEmptyRings(const Profile& profile, const Level& level) {
 }
 
 std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {
-    constexpr double kOneDiscMm = 2e-4;
     for (const Run& run : level.runs)
-        if (!run.whole && (run.end.centre - level.runs[run.next].begin.centre).norm() > kOneDiscMm)
-            return std::nullopt;
+        if (!run.whole && !isOneDisc(profile, level, run)) return std::nullopt;
     const BoundaryDrawer drawer(profile, 0);
     const std::vector<int> first_sites = firstSites(profile);
     Swept swept;
