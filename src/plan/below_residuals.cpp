@@ -6,6 +6,9 @@
 namespace stepmill {
 namespace {
 
+/// How the reason of what lies below standing material begins.
+constexpr const char* kBelow = "below material that stays in ";
+
 /// Material left by features above, seen from above, and how high it may stand.
 struct Standing {
     Region region;
@@ -16,6 +19,8 @@ std::vector<Standing> standingOf(const std::vector<const PlannedFeature*>& plann
     std::vector<Standing> found;
     for (const PlannedFeature* feature : planned) {
         for (const Residual& residual : feature->sequence.residual) {
+            // What an ancestor could not take below others lies below what those left, and they are here too.
+            if (residual.reason.starts_with(kBelow)) continue;
             if (!residual.region.empty()) found.push_back({residual.region, feature->feature.top_z_mm});
         }
     }
@@ -85,7 +90,7 @@ ReducedFeature belowResiduals(const Feature& feature, const std::vector<const Pl
     below.area_mm2 = area(below.region);
     if (below.area_mm2 <= tol.area_mm2) return reduced;
     below.volume_mm3 = below.area_mm2 * feature.depth_mm();
-    below.reason = "below material that stays in " + namesOf(parents);
+    below.reason = kBelow + namesOf(parents);
     below.advice = "what " + namesOf(parents) + " needs";
     free.target = subtract(feature.target, above, tol);
     free.area_mm2 = area(free.target);

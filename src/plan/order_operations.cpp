@@ -13,10 +13,12 @@ constexpr std::size_t kBeamWidth = 16;
 /// The operations as a precedence problem: per feature a queue, which opens when the queues of its
 /// ancestors are empty.
 struct Problem {
-    std::vector<int> tool;                  ///< of each operation, numbered by first appearance
-    std::vector<int> feature;               ///< of each operation
-    std::vector<std::vector<int>> queue;    ///< operations of each feature in their own order
-    std::vector<std::vector<int>> parents;  ///< of each feature
+    std::vector<int> tool;                ///< of each operation, numbered by first appearance
+    std::vector<int> feature;             ///< of each operation
+    std::vector<std::vector<int>> queue;  ///< operations of each feature in their own order
+    /// Of each feature: its nearest ancestors with operations, ascending. When theirs are done, so are those
+    /// of all before them.
+    std::vector<std::vector<int>> waits_for;
     int tools = 0;
 };
 
@@ -28,18 +30,37 @@ struct Partial {
     int tools_left = 0;
 };
 
+/// A parent without operations does not hold its children back, but its own parents do. \pre parents come
+/// before their children
+std::vector<std::vector<int>> nearestWithOperations(const std::vector<std::vector<int>>& parents,
+                                                    const std::vector<std::vector<int>>& queue) {
+    std::vector<std::vector<int>> nearest(parents.size());
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        std::set<int> found;
+        for (const int parent : parents[i]) {
+            STEPMILL_CHECK(parent < static_cast<int>(i), "parents come before their children");
+            if (queue[parent].empty())
+                found.insert(nearest[parent].begin(), nearest[parent].end());
+            else
+                found.insert(parent);
+        }
+        nearest[i].assign(found.begin(), found.end());
+    }
+    return nearest;
+}
+
 Problem makeProblem(const std::vector<Operation>& operations, const std::vector<Feature>& features) {
     Problem problem;
     std::map<std::string, int> feature_number;
     for (const Feature& feature : features)
         feature_number.emplace(feature.id, static_cast<int>(feature_number.size()));
     problem.queue.resize(features.size());
-    problem.parents.resize(features.size());
+    std::vector<std::vector<int>> parents(features.size());
     for (std::size_t i = 0; i < features.size(); ++i) {
         for (const std::string& parent : features[i].parents) {
             const auto found = feature_number.find(parent);
             STEPMILL_CHECK(found != feature_number.end(), "parent " + parent + " of " + features[i].id);
-            problem.parents[i].push_back(found->second);
+            parents[i].push_back(found->second);
         }
     }
     std::map<std::string, int> tool_number;
@@ -53,22 +74,18 @@ Problem makeProblem(const std::vector<Operation>& operations, const std::vector<
         problem.queue[found->second].push_back(static_cast<int>(i));
     }
     problem.tools = static_cast<int>(tool_number.size());
+    problem.waits_for = nearestWithOperations(parents, problem.queue);
     return problem;
 }
 
-/// A parent without operations does not hold its children back, but its own parents do.
 bool isFinished(const Problem& problem, const std::vector<int>& done, int feature) {
-    if (done[feature] < static_cast<int>(problem.queue[feature].size())) return false;
-    for (const int parent : problem.parents[feature]) {
-        if (!isFinished(problem, done, parent)) return false;
-    }
-    return true;
+    return done[feature] == static_cast<int>(problem.queue[feature].size());
 }
 
 /// The feature's next operation if it may run now, else -1.
 int nextOperation(const Problem& problem, const std::vector<int>& done, int feature) {
     if (done[feature] == static_cast<int>(problem.queue[feature].size())) return -1;
-    for (const int parent : problem.parents[feature]) {
+    for (const int parent : problem.waits_for[feature]) {
         if (!isFinished(problem, done, parent)) return -1;
     }
     return problem.queue[feature][done[feature]];

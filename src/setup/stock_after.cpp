@@ -1,8 +1,5 @@
 // The stock a setup leaves to the next one.
 
-#include <chrono>
-#include <iostream>
-#include <cstdio>
 #include <fmt/format.h>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
@@ -122,7 +119,7 @@ std::optional<TopoDS_Shape> combine(const TopTools_ListOfShape& arguments, const
     operation.SetNonDestructive(true);
     operation.SetToFillHistory(false);
     operation.Build();
-    if (!operation.IsDone() || operation.HasErrors()) { operation.DumpErrors(std::cerr); return std::nullopt; }
+    if (!operation.IsDone() || operation.HasErrors()) return std::nullopt;
     return compoundOf(solidsOf(operation.Shape()));
 }
 
@@ -168,10 +165,7 @@ class StockCutter {
         tries.emplace_back("rebuilt from slabs, not joined", [&] { return rebuilt(false); });
         StockAfter after;
         for (const auto& [how, work] : tries) {
-            int DBGn=0; for (auto& q : removed_) for (auto& l : q.region.loops) DBGn += l.segments.size();
-            auto DBGt = std::chrono::steady_clock::now();
             const std::optional<Stock> made = attempt(work, after.remarks);
-            fprintf(stderr, "DBG %s try '%s' prisms %zu segs %d ok %d t %.2f %s\n", setup_.id.c_str(), how.c_str(), removed_.size(), DBGn, made.has_value(), std::chrono::duration<double>(std::chrono::steady_clock::now()-DBGt).count(), after.remarks.empty()?"":after.remarks.back().c_str());
             if (!made) continue;
             if (!how.empty()) after.remarks.push_back("the stock after this setup was " + how);
             after.stock = *made;
@@ -247,7 +241,7 @@ class StockCutter {
             const TopTools_ListOfShape tools = solidsOf(tool(*prism));
             std::optional<TopoDS_Shape> next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, fuzzy_mm);
             if (!next) next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, kWideFuzzyMm);
-            if (!next) { fprintf(stderr, "DBG prism fails z %g %g area %g segs %zu\n", prism->top_z_mm, prism->bottom_z_mm, area(prism->region), prism->region.loops[0].segments.size()); return std::nullopt; }
+            if (!next) return std::nullopt;
             left = std::move(next);
         }
         return left;
