@@ -108,8 +108,10 @@ std::optional<Place> LeftWalls::trimmed(const Place& mark, const Place& limit, b
     for (bool first = true;; first = false) {
         const bool last = site == limit.site && (!first || (ahead ? u <= limit.u : u >= limit.u));
         const double end = last ? limit.u : ahead ? sites[site].extent : 0;
-        if (gap(site, end) >= kTipMm) {
-            double near = u, far = end;
+        // An arc may be away between ends that are not.
+        for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+            double near = u, far = u + share * (end - u);
+            if (gap(site, far) < kTipMm) continue;
             for (int halving = 0; halving < kHalvings; ++halving) {
                 const double middle = (near + far) / 2;
                 (gap(site, middle) < kTipMm ? near : far) = middle;

@@ -11,8 +11,9 @@ constexpr double kShortMm = 4 * kGridMm;
 constexpr double kLeastRadiusMm = 10 * kGridMm;
 /// Joints farther apart get a line between them [mm].
 constexpr double kBridgeMm = 1.5 * kGridMm;
-/// Loops of less area are what rounding leaves of a loop without any [mm2].
+/// Loops of less area, or thinner than this on average, are what rounding leaves of a loop without any.
 constexpr double kNothingMm2 = 1e-9;
+constexpr double kNothingMm = 2 * kGridMm;
 
 bool isShort(const Vec2& from, const Vec2& to) {
     return (to - from).norm() <= kShortMm;
@@ -90,8 +91,10 @@ void LoopDrawer::closeInto(Region& region) {
     }
     const bool circle = loop_.segments.size() == 1 && loop_.segments[0].arc;
     if (loop_.segments.size() < 2 && !circle) return;
-    if (std::abs(signedArea(loop_)) <= kNothingMm2) return;
-    region.loops.push_back(std::move(loop_));
+    Region drawn{{std::move(loop_)}};
+    const double area_mm2 = std::abs(area(drawn));
+    if (area_mm2 <= std::max(kNothingMm2, kNothingMm * perimeter(drawn) / 2)) return;
+    region.loops.push_back(std::move(drawn.loops[0]));
 }
 
 }  // namespace stepmill::clearance
