@@ -70,8 +70,14 @@ class Nodes {
                 if (apart.norm() <= kSameNodeMm) same.join(order[k], order[j]);
             }
         }
+        // The widest disc of each group: nothing near is wider than a room.
+        std::vector<std::size_t> widest(raw_.size(), kNoNode);
+        for (std::size_t i = 0; i < raw_.size(); ++i) {
+            std::size_t& known = widest[same.find(i)];
+            if (known == kNoNode || raw_[i].clearance_mm > raw_[known].clearance_mm) known = i;
+        }
         for (std::size_t i = 0; i < raw_.size(); ++i)
-            standing[i] = same.find(i);
+            standing[i] = widest[same.find(i)];
         return standing;
     }
 

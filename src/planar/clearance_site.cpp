@@ -31,7 +31,7 @@ double stoppedByPoint(const Vec2& point, const Contact& contact) {
 }
 
 /// A disc that touches the whole line or circle of a site at `touch`, which lies beyond one of its ends: what
-/// does that end? `travel`: of the site at its end.
+/// does that end? `travel`: of the line or circle there.
 Meeting meetingOfEnd(const Site& site, bool at_start, const Vec2& travel, const Vec2& touch,
                      const Contact& contact, const Site& own, const Meeting& carrier) {
     const Vec2& end = at_start ? site.start : site.end;
@@ -84,10 +84,10 @@ Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
     const bool after_start = arc.turn * cross(arc.first_ray, v) >= 0;
     const bool before_end = arc.turn * cross(v, arc.last_ray) >= 0;
     if (after_start && before_end) return meeting;
+    const Vec2 ray = v.normalized();
     const auto ofEnd = [&](bool at_start) {
-        const Vec2& ray = at_start ? arc.first_ray : arc.last_ray;
-        const Vec2 touch = arc.centre + arc.radius * v.normalized();
-        return meetingOfEnd(arc, at_start, arc.turn * Vec2(-ray.y(), ray.x()), touch, contact, own, meeting);
+        return meetingOfEnd(arc, at_start, arc.turn * Vec2(-ray.y(), ray.x()), arc.centre + arc.radius * ray,
+                            contact, own, meeting);
     };
     if (before_end) return ofEnd(true);
     if (after_start) return ofEnd(false);

@@ -53,7 +53,7 @@ constexpr double kFacetRad = 0.4;
 constexpr double kNothingMm3 = 1e-3;
 
 /// All prisms are cut in one operation up to this number of edges: its time grows with about the square, of
-/// prisms in turn in proportion.
+/// heights in turn in proportion.
 constexpr std::size_t kEdgesAtOnce = 300;
 
 /// How far prisms reach over a top or below a bottom of the stock: no coinciding faces there.
@@ -237,11 +237,15 @@ class StockCutter {
         std::stable_sort(from_above.begin(), from_above.end(),
                          [](const Prism* a, const Prism* b) { return a->top_z_mm > b->top_z_mm; });
         std::optional<TopoDS_Shape> left = compoundOf(stockSolids());
-        for (const Prism* prism : from_above) {
-            const TopTools_ListOfShape tools = solidsOf(tool(*prism));
+        for (std::size_t i = 0; i < from_above.size() && left;) {
+            // Prisms with one top lie beside each other.
+            TopTools_ListOfShape tools;
+            const double top_z_mm = from_above[i]->top_z_mm;
+            for (; i < from_above.size() && from_above[i]->top_z_mm == top_z_mm; ++i)
+                for (const TopoDS_Shape& solid : solidsOf(tool(*from_above[i])))
+                    tools.Append(solid);
             std::optional<TopoDS_Shape> next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, fuzzy_mm);
             if (!next) next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, kWideFuzzyMm);
-            if (!next) return std::nullopt;
             left = std::move(next);
         }
         return left;

@@ -231,5 +231,33 @@ TEST(RecogniseFeatures, ListsWhatStandsOverTheFloorFromBelowToAbove) {
     expectBooksClose(stack, set);
 }
 
+TEST(RecogniseFeatures, LeavesStepsOfEarlierSetupsOnWallsThatLean) {
+    // 2 mm of stock along the upper edge of a block that earlier setups cut, 0.04 % of all there was to remove.
+    LayerStack stack = makeStack(kBlock, {{-1, rect(0, 0, 100, 78)}, {-30, kBlock}});
+    stack.stock_cut_before = true;
+    stack.removable_mm3 = 5e5;
+    const FeatureSet left = recogniseFeatures(stack, kTol);
+    EXPECT_TRUE(left.features.empty());
+    ASSERT_EQ(left.unplanned.size(), 1U);
+    EXPECT_EQ(left.unplanned.front().reason, "left by earlier setups, no face to finish from here");
+    expectBooksClose(stack, left);
+
+    stack.removable_mm3 = 3e5;  // a lump worth its pass
+    EXPECT_EQ(recogniseFeatures(stack, kTol).features.size(), 1U);
+}
+
+TEST(RecogniseFeatures, FinishesUprightWallsAfterEarlierSetups) {
+    LayerStack stack = makeStack(kBlock, {{-1, rect(0, 0, 100, 78)}, {-30, kBlock}});
+    stack.stock_cut_before = true;
+    stack.removable_mm3 = 5e5;
+    FaceTrace wall;
+    wall.stand = FaceStand::Wall;
+    wall.top_z_mm = 0;
+    wall.bottom_z_mm = -1;
+    wall.footprint = {{100, 78}, {{{0, 78}, {}}}};
+    stack.traces = {wall};
+    EXPECT_EQ(recogniseFeatures(stack, kTol).features.size(), 1U);
+}
+
 }  // namespace
 }  // namespace stepmill

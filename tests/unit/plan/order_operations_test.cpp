@@ -61,6 +61,18 @@ TEST(OrderOperations, AParentWithoutOperationsStillWaitsForItsOwnParent) {
     EXPECT_EQ(orderOperations(operations, features), (std::vector<int>{1, 0}));
 }
 
+TEST(OrderOperations, AsksAncestorsOnceHoweverManyWaysLeadToThem) {
+    // Two features a layer, each the child of both above it: 2^60 chains from the last to the first.
+    std::vector<Feature> features{feature("A0"), feature("B0")};
+    for (int i = 1; i < 60; ++i) {
+        const std::vector<std::string> above{"A" + std::to_string(i - 1), "B" + std::to_string(i - 1)};
+        features.push_back(feature("A" + std::to_string(i), above));
+        features.push_back(feature("B" + std::to_string(i), above));
+    }
+    const std::vector<Operation> operations{operation("A59", "20"), operation("A0", "20")};
+    EXPECT_EQ(orderOperations(operations, features), (std::vector<int>{1, 0}));
+}
+
 TEST(OrderOperations, LooksAheadToSaveAChange) {
     // Starting with the tool of the most operations at hand (A) would call A twice.
     const std::vector<Operation> operations{operation("F1", "A"), operation("F2", "A"), operation("F3", "B"),
