@@ -156,6 +156,37 @@ TEST(Slice, StepStockIsSlicedWithItsOwnLevels) {
     EXPECT_NEAR(booksError(stack), 0, 1e-6);
 }
 
+TEST(Slice, PartsStockThatWasCutBeforeOnlyWhereItMatters) {
+    // Steps of 0.01 mm in a corner are worth no slabs; a step of 10 x 10 mm is.
+    TopoDS_Shape stock = box(0, 0, 0, 60, 40, 20);
+    for (int i = 0; i < 4; ++i)
+        stock = cut(stock, box(0, 0, 18 - 0.5 * i, 0.04 - 0.01 * i, 40, 9));
+    stock = cut(stock, box(50, 0, 10, 10, 40, 10));
+    auto setup = setupOf(part(box(0, 0, 0, 40, 40, 5)));
+    const Part cut_before = part(stock);
+    setup.stock.kind = Stock::Kind::InProcess;
+    setup.stock.shape = cut_before.shape;
+    setup.stock.volume_mm3 = cut_before.volume_mm3;
+    setup.stock.bbox_mm = cut_before.bbox_mm;
+    setup = onStock(setup, setup.stock);
+    setup.removable_mm3 = 60 * 40 * 20 - 40 * 40 * 5;
+    SliceOptions options;
+    options.least_gain_share = 0;
+    EXPECT_EQ(slice(setup, Tolerances{}, options).layers.size(), 7u);
+    options.least_gain_share = 2e-4;
+    const LayerStack stack = slice(setup, Tolerances{}, options);
+    ASSERT_EQ(stack.layers.size(), 3u);
+    EXPECT_TRUE(stack.stock_cut_before);
+    double hull_mm3 = 0;
+    double air_mm3 = 0;
+    for (const Layer& layer : stack.layers) {
+        hull_mm3 += area(layer.stock) * layer.height_mm();
+        air_mm3 += layer.stock_air_mm3;
+    }
+    EXPECT_GT(air_mm3, 0);
+    EXPECT_NEAR(hull_mm3 - air_mm3, cut_before.volume_mm3, 1e-6);
+}
+
 TEST(LayerStack, AnswersByHeight) {
     const LayerStack stack = sliced(cut(box(0, 0, 0, 100, 80, 30), box(20, 10, 18, 50, 40, 12)));
     const Tolerances tol;
