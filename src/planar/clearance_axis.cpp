@@ -154,9 +154,10 @@ MedialAxis medialAxisOf(const Profile& profile) {
     };
     for (const Side& side : sides) {
         // An arc's centre: the leaf in the arc, and all there is in a disc.
-        if (!side.draws() && side.stop != kOwnCentre) continue;
-        const std::size_t from = numberOf(side.begin), to = numberOf(side.end);
-        if (from != to) axis.edges.push_back({from, to});
+        if (side.stop == kOwnCentre) numberOf(side.begin);
+        if (!side.draws() || merged[side.begin] == merged[side.end]) continue;
+        const std::size_t from = numberOf(side.begin);
+        axis.edges.push_back({from, numberOf(side.end)});
     }
     return axis;
 }

@@ -53,7 +53,7 @@ constexpr double kFacetRad = 0.4;
 constexpr double kNothingMm3 = 1e-3;
 
 /// All prisms are cut in one operation up to this number of edges: its time grows with about the square, of
-/// heights in turn in proportion.
+/// prisms in turn in proportion.
 constexpr std::size_t kEdgesAtOnce = 300;
 
 /// How far prisms reach over a top or below a bottom of the stock: no coinciding faces there.
@@ -157,7 +157,7 @@ class StockCutter {
         if (edgesOf(removed_) <= kEdgesAtOnce) {
             tries = {{"", at_once},
                      {fmt::format("cut with {} mm of slack", kWideFuzzyMm), with_slack},
-                     {"cut one height after another", in_turn}};
+                     {"cut one prism after another", in_turn}};
         } else {
             tries = {{"", in_turn}};
         }
@@ -237,15 +237,11 @@ class StockCutter {
         std::stable_sort(from_above.begin(), from_above.end(),
                          [](const Prism* a, const Prism* b) { return a->top_z_mm > b->top_z_mm; });
         std::optional<TopoDS_Shape> left = compoundOf(stockSolids());
-        for (std::size_t i = 0; i < from_above.size() && left;) {
-            // Prisms with one top lie beside each other.
-            TopTools_ListOfShape tools;
-            const double top_z_mm = from_above[i]->top_z_mm;
-            for (; i < from_above.size() && from_above[i]->top_z_mm == top_z_mm; ++i)
-                for (const TopoDS_Shape& solid : solidsOf(tool(*from_above[i])))
-                    tools.Append(solid);
+        for (const Prism* prism : from_above) {
+            const TopTools_ListOfShape tools = solidsOf(tool(*prism));
             std::optional<TopoDS_Shape> next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, fuzzy_mm);
             if (!next) next = combine<BRepAlgoAPI_Cut>(solidsOf(*left), tools, kWideFuzzyMm);
+            if (!next) return std::nullopt;
             left = std::move(next);
         }
         return left;

@@ -122,7 +122,7 @@ TEST_P(OffsetLaws, ArcsStayArcsAndLinesStayLines) {
                 ++result_edges;
                 if (s.arc) {
                     EXPECT_TRUE(isParallel(which.region, *s.arc, distance)) << s.arc->centre.transpose();
-                } else if ((s.to - from).norm() > 3 * kGridMm) {  // shorter ones have no direction
+                } else if ((s.to - from).norm() > kTieMm) {  // shorter ones join what rounding set apart
                     EXPECT_TRUE(isParallel(which.region, from, s.to, distance)) << from.transpose();
                 }
             });
