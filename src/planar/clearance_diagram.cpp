@@ -95,10 +95,10 @@ struct ClearanceDiagram::Impl {
         }
         return byBooleans(*outside, distance, [&](const Region& band) { return unite(region, band, tol); });
     }
-    /// Booleans move curves that nearly coincide by up to their snapping distance; then as much is added.
+    /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is added.
     template <typename Combine>
     Region byBooleans(const Profile& profile, double distance, const Combine& combine) const {
-        for (const double more : {0.0, tol.linear_mm}) {
+        for (const double more : {0.0, tol.linear_mm, 3 * tol.linear_mm}) {
             const Region rings = combine(clearance::bandAround(region, distance + more, tol));
             if (keepsDistance(profile, rings, distance)) return rings;
         }
