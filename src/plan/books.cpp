@@ -5,16 +5,6 @@
 namespace stepmill {
 namespace {
 
-/// Under which volumes stay that leaning walls hide.
-constexpr const char* kLeaning = "wall not vertical";
-
-double hullAir(const LayerStack& layers) {
-    double air_mm3 = 0;
-    for (const Layer& layer : layers.layers)
-        air_mm3 += layer.stock_air_mm3;
-    return air_mm3;
-}
-
 double sumOf(const std::vector<ReasonVolume>& list) {
     double sum = 0;
     for (const ReasonVolume& entry : list)
@@ -106,15 +96,12 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     const double residual_mm3 = sumOf(listOf(residual));
     books.planned_mm3 = features_mm3 - residual_mm3;
     // Where the stock's walls lean, prisms hold air that earlier setups cut from other sides: what went is
-    // what the solid lost. Air was taken off the unplanned volumes first; what of it the prisms held goes
-    // back.
-    const double cut_air_mm3 =
-        std::clamp(books.planned_mm3 - account.stock.removed_mm3, 0.0, hullAir(*account.layers));
-    books.planned_mm3 -= cut_air_mm3;
-    if (cut_air_mm3 > account.air_mm3) unreachable[kLeaning] += cut_air_mm3 - account.air_mm3;
-    const double air_left_mm3 = std::max(0.0, account.air_mm3 - cut_air_mm3);
-    lessen(residual, air_left_mm3);
-    lessen(unreachable, air_left_mm3 - residual_mm3);
+    // what the solid lost.
+    const SettledAir air = settleAir(account.air, books.planned_mm3, account.stock.removed_mm3);
+    books.planned_mm3 -= air.in_prisms_mm3;
+    unreachable[kLeaningWall] += air.back_mm3;
+    lessen(residual, air.left_mm3);
+    lessen(unreachable, air.left_mm3 - residual_mm3);
     books.residual_by_reason = listOf(residual);
     books.unreachable_by_reason = listOf(unreachable);
     books.residual_mm3 = sumOf(books.residual_by_reason);

@@ -216,7 +216,7 @@ std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machin
 struct PlannedStage {
     PlannedSetup setup;
     LayerStack layers;
-    double air_mm3 = 0;
+    StageAir air;
     std::vector<Prism> removed;
     std::vector<Warning> warnings;
 };
@@ -224,7 +224,7 @@ struct PlannedStage {
 PlannedStage planStage(const Stage& found, const Request& request, double start_share, double end_share) {
     PlannedStage stage;
     stage.layers = found.layers;
-    stage.air_mm3 = found.air_mm3;
+    stage.air = airOf(found);
     stage.setup.setup = found.setup;
     stage.setup.clamping = found.clamping;
     stage.setup.unplanned = found.found.unplanned;
@@ -276,7 +276,7 @@ std::vector<SetupAccount> accountsOf(Plan& plan, const std::vector<PlannedStage>
                                      const WalkedSetups& walked) {
     std::vector<SetupAccount> accounts;
     for (std::size_t i = 0; i < stages.size(); ++i) {
-        SetupAccount account{&plan.setups[i], &stages[i].layers, walked.steps[i], stages[i].air_mm3,
+        SetupAccount account{&plan.setups[i], &stages[i].layers, walked.steps[i], stages[i].air,
                              stages[i].removed};
         plan.setups[i].balance = setupBooks(account);
         accounts.push_back(std::move(account));

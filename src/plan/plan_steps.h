@@ -46,7 +46,7 @@ struct SetupAccount {
     const PlannedSetup* planned = nullptr;
     const LayerStack* layers = nullptr;
     StockStep stock;
-    double air_mm3 = 0;          ///< Stage::air_mm3
+    StageAir air;
     std::vector<Prism> removed;  ///< in setup coordinates
 };
 

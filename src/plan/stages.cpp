@@ -89,6 +89,21 @@ StockAfter stockOrAsItWas(const Stage& stage, const std::vector<Prism>& removed,
 
 }  // namespace
 
+StageAir airOf(const Stage& stage) {
+    StageAir air{0, stage.air_mm3};
+    for (const Layer& layer : stage.layers.layers)
+        air.hull_mm3 += layer.stock_air_mm3;
+    return air;
+}
+
+SettledAir settleAir(const StageAir& air, double prisms_mm3, double removed_mm3) {
+    SettledAir settled;
+    settled.in_prisms_mm3 = std::clamp(prisms_mm3 - removed_mm3, 0.0, air.hull_mm3);
+    settled.back_mm3 = std::max(0.0, settled.in_prisms_mm3 - air.unsettled_mm3);
+    settled.left_mm3 = std::max(0.0, air.unsettled_mm3 - settled.in_prisms_mm3);
+    return settled;
+}
+
 std::vector<Prism> featurePrisms(const FeatureSet& found) {
     std::vector<Prism> prisms;
     for (const Feature& feature : found.features)

@@ -56,8 +56,12 @@ class Inspector {
             if (!failures[i].empty())
                 inspection_.warnings.push_back(found.features[i].id + ": not measured: " + failures[i]);
         inspection_.setups.push_back(std::move(inspected));
+        airs_.push_back(airOf(stage));
         return featurePrisms(found);
     }
+
+    /// Of every stage visited.
+    const std::vector<StageAir>& airs() const { return airs_; }
 
     void finish() {
         inspection_.forms = partForms(graph_, on_stock_, tol_);
@@ -133,10 +137,22 @@ class Inspector {
     FaceGraph graph_;
     std::vector<Owner> owners_;
     std::vector<bool> on_stock_;
+    std::vector<StageAir> airs_;
 };
 
+/// Takes a volume off all entries, in proportion.
+void lessen(std::vector<Unplanned>& unplanned, double by_mm3) {
+    double sum_mm3 = 0;
+    for (const Unplanned& entry : unplanned)
+        sum_mm3 += entry.volume_mm3;
+    if (sum_mm3 <= 0) return;
+    const double keep = std::max(0.0, 1 - by_mm3 / sum_mm3);
+    for (Unplanned& entry : unplanned)
+        entry.volume_mm3 *= keep;
+}
+
 /// What the last setup's stock still has over the part, by reason.
-void closeBooks(Inspection& inspection, const WalkedSetups& walked) {
+void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::vector<StageAir>& airs) {
     InspectedBooks& books = inspection.books;
     books.stock_minus_part_mm3 = inspection.stock.volume_mm3 - inspection.part.volume_mm3;
     for (std::size_t i = 0; i < inspection.setups.size(); ++i) {
@@ -144,6 +160,10 @@ void closeBooks(Inspection& inspection, const WalkedSetups& walked) {
         setup.stock = walked.steps.at(i);
         for (const std::string& remark : setup.stock.remarks)
             inspection.warnings.push_back(setup.setup.id + ": " + remark);
+        const SettledAir air = settleAir(airs.at(i), setup.stock.prisms_mm3, setup.stock.removed_mm3);
+        lessen(setup.unplanned, air.left_mm3);
+        if (air.back_mm3 > 0)
+            setup.unplanned.push_back({kLeaningWall, air.back_mm3, 0, setup.setup.stock_bbox_mm.min().z(), {}});
         // What the features took of the stock itself: where an earlier setup left the stock's walls leaning
         // their prisms hold air too.
         books.features_mm3 += setup.stock.removed_mm3;
@@ -192,7 +212,7 @@ Inspection inspectPart(const Part& part, const InspectRequest& request, const To
         return inspector.visit(stage);
     });
     inspector.finish();
-    closeBooks(inspection, walked);
+    closeBooks(inspection, walked, inspector.airs());
     return inspection;
 }
 

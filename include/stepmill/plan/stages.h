@@ -25,6 +25,25 @@ struct Stage {
     double air_mm3 = 0;
 };
 
+/// Air among a stage's volumes: what slabs of stock whose walls lean cover beyond the stock [mm3].
+struct StageAir {
+    double hull_mm3 = 0;       ///< all of it
+    double unsettled_mm3 = 0;  ///< what the unplanned volumes had no room for: Stage::air_mm3
+};
+StageAir airOf(const Stage& stage);
+
+/// Where that air was, once it is known what the prisms really took from the stock. It was taken off the
+/// unplanned volumes first; what of it the prisms held goes back there.
+struct SettledAir {
+    double in_prisms_mm3 = 0;
+    double back_mm3 = 0;  ///< to the unplanned volumes, where walls lean
+    double left_mm3 = 0;  ///< still to be taken off
+};
+SettledAir settleAir(const StageAir& air, double prisms_mm3, double removed_mm3);
+
+/// Reason under which volumes stay that leaning walls hide.
+inline constexpr const char* kLeaningWall = "wall not vertical";
+
 /// A setup's stock account: what came, what went, what is left, measured on the solids [mm3].
 struct StockStep {
     std::string setup_id;
