@@ -16,8 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// No part may take longer. A casting of 664 faces does not get ready in it and ends with that reason.
-constexpr int kTimeLimitS = 120;
+/// No part may take longer. Castings and sheet metal of hundreds of free-form faces do not get ready in it and
+/// end with that reason.
+constexpr int kTimeLimitS = 45;
 /// algorithms.md, section 2.
 constexpr double kBooksShare = 1e-3;
 
