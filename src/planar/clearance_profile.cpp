@@ -14,6 +14,10 @@ constexpr double kSameClearance = 1e-10;
 /// Points of a site closer than this are one [mm].
 constexpr double kSamePointMm = 1e-11;
 constexpr int kDeepest = 200;
+/// Two clearances at one place that differ by more than this share of 1 mm + themselves are a jump, no rounding.
+constexpr double kJump = 1e-3;
+/// Beyond this clearances rise so steeply that they differ by that at any step [mm].
+constexpr double kFarMm = 1e3;
 constexpr int kRounds = 100;
 /// Rounds of look-ups: the first finds nearly all there is; where rounding makes two sites contradict each
 /// other, no number of them would be enough.
@@ -138,11 +142,10 @@ void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pi
     const double step = smallestStep(sites()[index]);
     double u = equalAt(index, a, b);
     const double of_a = clearanceAt(index, u, a.stop), of_b = clearanceAt(index, u, b.stop);
-    // Where one of the two drops out of sight instead, a third one stands beside that place. Far away both
-    // rise so steeply that they differ at any step.
-    constexpr double kJump = 1e-3, kFarMm = 1e3;
     const double least = std::min(of_a, of_b);
     const bool narrow = b.u - a.u <= 16 * step || depth >= kDeepest;
+    // Where one of the two drops out of sight instead, a third one stands beside that place. Far away both
+    // rise so steeply that they differ at any step; there halving finds it.
     if (least >= kFarMm && std::max(of_a, of_b) == kNever && !narrow) {
         const Sample middle = sample(index, (a.u + b.u) / 2);
         between(index, a, middle, depth + 1, pieces);

@@ -26,6 +26,7 @@ table { border-collapse:collapse; width:100%; font-size:12.5px; margin:6px 0 12p
 th { text-align:left; border-bottom:1.5px solid var(--ink); padding:3px 8px 3px 0; vertical-align:bottom; }
 td { border-bottom:1px solid var(--line); padding:3px 8px 3px 0; vertical-align:top; }
 td.n, th.n { text-align:right; font-variant-numeric:tabular-nums; white-space:nowrap; }
+td:first-child { white-space:nowrap; }
 .views { display:grid; grid-template-columns:repeat(2,1fr); gap:14px; }
 figure { margin:0; border:1px solid var(--line); border-radius:6px; padding:8px; break-inside:avoid; }
 figcaption { font-size:12px; color:var(--soft); padding-top:5px; }
