@@ -8,6 +8,7 @@
 #include "layers/local_boolean.h"
 #include "layers/mended_section.h"
 #include "layers/slab_facets.h"
+#include "layers/smooth_hulls.h"
 
 namespace stepmill::layers {
 
@@ -64,6 +65,10 @@ class SlabCutter {
         cut_.volume_mm3 = volumeInSlab(mesh_, facets, top_, bottom_);
         cut_.leaning = sharesOfFaces(facets);
         cutUnion(facets);
+        if (cut_.mended_by_mm > 0) {
+            cut_.region = smoothHulls(cut_.region, cut_.mended_by_mm, tol_);
+            cut_.mended_by_mm *= 2;
+        }
         if (const auto trouble = diagnose(cut_.region))
             cut_.remarks.push_back(
                 fmt::format("union over z {:.4f} .. {:.4f} mm: {}", top_, bottom_, *trouble));

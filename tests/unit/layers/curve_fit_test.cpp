@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "layers/curve_fit.h"
+#include "layers/smooth_hulls.h"
 #include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
 
 using namespace stepmill;
 
@@ -58,4 +60,23 @@ TEST(FitSafeSide, StraightChainIsOneLine) {
     const auto fit = layers::fitSafeSide(points, 1e-3);
     EXPECT_LE(fit.size(), 3u);
     EXPECT_EQ(fit.back().to, points.back());
+}
+
+TEST(SmoothHulls, AHullOfManyLinesBecomesAFewEdgesOnItsOutside) {
+    std::vector<Vec2> corners{{0, 0}, {30, 0}};
+    for (int i = 0; i <= 200; ++i) {
+        // A bulge of short lines between long sides, rough by two hundredths as facets' hulls are.
+        const double t = kPi * i / 200;
+        const double r = 15 + (i % 2 == 0 ? 0.0 : 0.02);
+        corners.push_back(snapToGrid(Vec2(15 + r * std::cos(t), 10 + r * std::sin(t))));
+    }
+    const Region rough = makePolygon(corners);
+    const Tolerances tol;
+    const Region smooth = layers::smoothHulls(rough, 0.1, tol);
+    EXPECT_LT(smooth.loops.front().segments.size(), 20u);
+    EXPECT_TRUE(covers(smooth, rough, tol.gouge_mm, tol));
+    EXPECT_LT(area(smooth) - area(rough), 0.11 * perimeter(rough));
+    // What has no runs of short lines stays as it is.
+    const Region box = makePolygon({{0, 0}, {30, 0}, {30, 20}, {0, 20}});
+    EXPECT_EQ(area(layers::smoothHulls(box, 0.1, tol)), area(box));
 }
