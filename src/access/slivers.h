@@ -5,7 +5,7 @@
 
 namespace stepmill::access {
 
-/// The components that are somewhere wider than `tol.sliver_mm`, untouched. Unlike withoutSlivers() it leaves
+/// The components that are somewhere wider than `tol.sliver_mm`, untouched. Unlike an opening this leaves
 /// the thin ends of a cusp in place: they carry centres that clear a strip as long as the wall beside them.
 Region withoutSliverComponents(const Region& region, const Tolerances& tol);
 

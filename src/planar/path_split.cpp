@@ -119,9 +119,4 @@ bool covers(const Region& outer, const Region& inner, double slack_mm, const Tol
     return true;
 }
 
-Region withoutSlivers(const Region& region, double width_mm, const Tolerances& tol) {
-    if (region.empty() || width_mm <= 0) return region;
-    return ClearanceDiagram(region, tol).opening(width_mm / 2);
-}
-
 }  // namespace stepmill

@@ -83,7 +83,8 @@ inline ClearingTask restTask(const Region& target, const Region& obstruction, do
     ClearingTask task = fullTask(target, obstruction, radius_mm, tol);
     const Region larger = fullTask(target, obstruction, larger_mm, tol).free_centres;
     task.cleared_centres = larger.empty() ? Region{} : offset(larger, larger_mm - radius_mm, tol);
-    task.centres = withoutSlivers(subtract(task.free_centres, task.cleared_centres, tol), tol.sliver_mm, tol);
+    const ClearanceDiagram left(subtract(task.free_centres, task.cleared_centres, tol), tol);
+    task.centres = left.opening(tol.sliver_mm / 2);
     return task;
 }
 

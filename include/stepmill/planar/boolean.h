@@ -39,8 +39,4 @@ SplitPath split(const Path& path, const Region& region, const Tolerances& tol);
 /// Does every point of `inner` lie in `outer`, but for strips thinner than `slack_mm` at the boundary?
 bool covers(const Region& outer, const Region& inner, double slack_mm, const Tolerances& tol);
 
-/// The region without parts narrower than `width_mm`: what a disc of that diameter can sweep inside it,
-/// to within the disc's rounding of corners.
-Region withoutSlivers(const Region& region, double width_mm, const Tolerances& tol);
-
 }  // namespace stepmill
