@@ -12,9 +12,9 @@ namespace stepmill::feature {
 namespace {
 
 /// Lumps that finish no face pay from this share of what all setups remove: half of what pays for a setup.
-constexpr double kLumpShare = 5e-4;
+constexpr double kLumpShare = 2.5e-3;
 /// Crumbs on faces: less is no pass for any cutter, as a share and ...
-constexpr double kCrumbShare = 1e-6;
+constexpr double kCrumbShare = 2e-5;
 /// ... as a volume [mm3]: what is listed, but not worth a warning when it stays.
 constexpr double kCrumbMm3 = 1;
 /// A cut finishes a wall when this share of the wall it runs along stands upright, ...

@@ -243,7 +243,7 @@ TEST(RecogniseFeatures, LeavesStepsOfEarlierSetupsOnWallsThatLean) {
     EXPECT_EQ(left.unplanned.front().reason, "left by earlier setups, no face to finish from here");
     expectBooksClose(stack, left);
 
-    stack.removable_mm3 = 3e5;  // a lump worth its pass
+    stack.removable_mm3 = 7e4;  // a lump worth its pass
     EXPECT_EQ(recogniseFeatures(stack, kTol).features.size(), 1U);
 }
 
