@@ -139,6 +139,16 @@ std::vector<CutLayer> cutAll(const Cutting& from, const std::vector<Level>& leve
     return all;
 }
 
+/// Slabs of one solid are mended for the same few reasons again and again: the first ones stand for all.
+void appendShortened(std::vector<std::string> of_slabs, std::vector<std::string>& remarks) {
+    constexpr std::size_t kShown = 3;
+    const std::size_t shown = of_slabs.size() > kShown + 1 ? kShown : of_slabs.size();
+    std::move(of_slabs.begin(), of_slabs.begin() + static_cast<std::ptrdiff_t>(shown),
+              std::back_inserter(remarks));
+    if (shown < of_slabs.size())
+        remarks.push_back(fmt::format("{} more remarks like these", of_slabs.size() - shown));
+}
+
 }  // namespace
 
 LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& options) {
@@ -167,10 +177,12 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     layers::castShadows(cuts, tol);
     if (options.join_slabs) cuts = layers::mergeSlabs(std::move(cuts), solids.worthless_mm3, options, tol);
     layers::shareHiddenVolume(cuts, stack.traces);
+    std::vector<std::string> of_slabs;
     for (CutLayer& cut : cuts) {
-        std::move(cut.remarks.begin(), cut.remarks.end(), std::back_inserter(stack.remarks));
+        std::move(cut.remarks.begin(), cut.remarks.end(), std::back_inserter(of_slabs));
         stack.layers.push_back(std::move(cut.layer));
     }
+    appendShortened(std::move(of_slabs), stack.remarks);
     return stack;
 }
 
