@@ -4,9 +4,9 @@
 
 namespace stepmill::setup {
 
-/// A further setup pays when it alone reaches this share of all that is to be removed (clamping and probing
-/// take ten minutes of a machinist's time), ...
-inline constexpr double kSetupPaysShare = 5e-3;
+/// A further setup pays when it alone reaches this share of all that is to be removed, ... Asking more leaves
+/// what cutters are too short for from the other side: reach knows sight only.
+inline constexpr double kSetupPaysShare = 1e-3;
 /// ... or this much of a face that no other setup reaches (a small hole is worth its setup), ...
 inline constexpr double kSetupPaysFace = 0.5;
 /// ... or when it alone finishes plane, cylinder or cone faces in front of this share, which the others could
