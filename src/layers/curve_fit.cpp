@@ -2,13 +2,11 @@
 
 #include "layers/curve_fit.h"
 
+#include "layers/plane_vectors.h"
+
 namespace stepmill::layers {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 Vec2 rightOf(const Vec2& direction) {
     return Vec2(direction.y(), -direction.x());

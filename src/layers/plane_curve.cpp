@@ -3,16 +3,13 @@
 #include "layers/plane_curve.h"
 
 #include "layers/curve_fit.h"
+#include "layers/plane_vectors.h"
 #include "layers/tidy_loop.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill::layers {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Where two faces meet: the end of one curve and the start of the next, one point unless the solid's own
 /// tolerances part them.

@@ -4,15 +4,12 @@
 
 #include <Geom_CylindricalSurface.hxx>
 
+#include "layers/plane_vectors.h"
 #include "layers/section_points.h"
 
 namespace stepmill::layers {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// Where a run begins and ends, on the true edges.
 struct Ends {

@@ -2,15 +2,12 @@
 
 #include "layers/tidy_loop.h"
 
+#include "layers/plane_vectors.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill::layers {
 
 namespace {
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 bool sameCircle(const Arc& a, const Arc& b) {
     return a.ccw == b.ccw && (a.centre - b.centre).norm() <= kJointMm &&

@@ -12,13 +12,10 @@ namespace stepmill {
 
 namespace {
 
+using clearance::kNearerMm;
 using clearance::Level;
 using clearance::Profile;
 using clearance::Tie;
-
-/// How much nearer to the boundary than asked a ring may come: half of what edges of a region may overlap by,
-/// a twentieth of Tolerances::gouge_mm [mm].
-constexpr double kNearerMm = 5e-5;
 
 /// Does every edge of the rings stay that far from the boundary?
 bool keepsDistance(const Profile& profile, const Region& rings, double distance) {
@@ -95,7 +92,8 @@ struct ClearanceDiagram::Impl {
         }
         return byBooleans(*outside, distance, [&](const Region& band) { return unite(region, band, tol); });
     }
-    /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is added.
+    /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is
+    /// added.
     template <typename Combine>
     Region byBooleans(const Profile& profile, double distance, const Combine& combine) const {
         for (const double more : {0.0, tol.linear_mm, 3 * tol.linear_mm}) {

@@ -10,6 +10,7 @@ namespace stepmill::clearance {
 namespace {
 
 using planar::cross;
+using planar::leftOf;
 
 /// Normals that differ by less belong to a smooth joint: end points on the grid turn the tangents of short
 /// arcs by that much. A disc of 100 mm then cuts half a nanometre [rad].
@@ -20,10 +21,6 @@ constexpr double kCuspRad = 1e-3;
 constexpr double kSpeckMm = 2e-5;
 /// Arcs of smaller radius are drawn straight [mm].
 constexpr double kLeastRadiusMm = 5e-6;
-
-Vec2 leftOf(const Vec2& v) {
-    return {-v.y(), v.x()};
-}
 
 Site lineSite(const Vec2& from, const Vec2& to) {
     Site site;

@@ -56,8 +56,9 @@ bool capsCross(const Cap& a, const Cap& b, double radius) {
                (b.run_after == a.run_before && isCorner(p, b.to, a.from));
     };
     for (const double sign : {1.0, -1.0}) {
-        const Vec2 x = d / 2 + sign * h / distance * Vec2(-d.y(), d.x());
-        if (insideCap(a, x, -turned) && insideCap(b, x - d, -turned) && !meetsAtRun(a.centre + x)) return true;
+        const Vec2 x = d / 2 + sign * h / distance * planar::leftOf(d);
+        if (insideCap(a, x, -turned) && insideCap(b, x - d, -turned) && !meetsAtRun(a.centre + x))
+            return true;
     }
     return false;
 }
@@ -75,12 +76,12 @@ bool anyCapsCross(std::vector<Cap> caps, double radius) {
 
 /// Do both walls at the end of a run see the same disc, and does no other wall reach into it?
 bool isOneDisc(const Profile& profile, const Level& level, const Run& run) {
-    constexpr double kOneDiscMm = 2e-4, kDeepMm = 5e-5;
+    constexpr double kOneDiscMm = 2e-4;
     const Vec2& here = run.end.centre;
     const Vec2& there = level.runs[run.next].begin.centre;
     if ((here - there).norm() > kOneDiscMm) return false;
     const Vec2 centre = (here + there) / 2;
-    return profile.tree().distance(centre, level.distance) > level.distance - kDeepMm;
+    return profile.tree().distance(centre, level.distance) > level.distance - kNearerMm;
 }
 
 /// Visits the runs ring by ring: calls back with the runs of one ring, in order.

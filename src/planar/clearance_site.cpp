@@ -86,7 +86,7 @@ Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
     if (after_start && before_end) return meeting;
     const Vec2 ray = v.normalized();
     const auto ofEnd = [&](bool at_start) {
-        return meetingOfEnd(arc, at_start, arc.turn * Vec2(-ray.y(), ray.x()), arc.centre + arc.radius * ray,
+        return meetingOfEnd(arc, at_start, arc.turn * planar::leftOf(ray), arc.centre + arc.radius * ray,
                             contact, own, meeting);
     };
     if (before_end) return ofEnd(true);

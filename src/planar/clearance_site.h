@@ -13,6 +13,9 @@ inline constexpr int kNone = -1;
 /// Boundary points behind an edge by no more than this touch it: edges of a region may overlap by the
 /// distance within which Booleans take curves for one, Tolerances::linear_mm [mm].
 inline constexpr double kOverlapMm = 1e-4;
+/// How much nearer to the boundary than asked a ring or a disc may come: half of kOverlapMm, a twentieth of
+/// Tolerances::gouge_mm [mm].
+inline constexpr double kNearerMm = kOverlapMm / 2;
 /// Points closer than rounding of end points and centres may bring them are one [mm].
 inline constexpr double kTouchMm = 2 * kGridMm;
 

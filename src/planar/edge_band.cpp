@@ -9,16 +9,14 @@ namespace stepmill::clearance {
 
 namespace {
 
+using planar::leftOf;
+
 /// Arcs are swept in pieces no longer than this, so that no loop comes round to itself [rad].
 constexpr double kMostTurnRad = std::numbers::pi / 2;
 /// Arcs of smaller radius lose their shape on the grid [mm].
 constexpr double kLeastRadiusMm = 1e-5;
 /// Edges shorter than this lie within a disc on their neighbours [mm].
 constexpr double kShortMm = 2 * kGridMm;
-
-Vec2 leftOf(const Vec2& v) {
-    return {-v.y(), v.x()};
-}
 
 Region loopOf(const Vec2& start, std::vector<Segment> segments) {
     Region region;

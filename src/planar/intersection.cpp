@@ -12,10 +12,6 @@ namespace {
 
 using Points = std::vector<Vec2>;
 
-Vec2 perpendicular(const Vec2& v) {
-    return {-v.y(), v.x()};
-}
-
 Points lineLine(const Vec2& from1, const Vec2& to1, const Vec2& from2, const Vec2& to2) {
     const Vec2 d1 = to1 - from1;
     const Vec2 d2 = to2 - from2;
@@ -55,7 +51,7 @@ Points circleCircle(const Arc& a, const Arc& b, double reach_mm, double coincide
     // Distance of the common chord from a's centre, and half its length.
     const double along = (d * d + (ra - rb) * (ra + rb)) / (2 * d);
     const double half = std::sqrt(std::max(0.0, (ra - along) * (ra + along)));
-    const Vec2 across = perpendicular(axis);
+    const Vec2 across = leftOf(axis);
     return {a.centre + along * axis - half * across, a.centre + along * axis + half * across};
 }
 

@@ -12,8 +12,6 @@ constexpr double kSameVolume = 0.1;
 constexpr double kSameDepth = 0.05;
 /// Seats must differ by more than this share to decide.
 constexpr double kSameSeat = 0.01;
-/// Level and upright, as sine (0.6 degrees).
-constexpr double kUprightSine = 0.01;
 /// The seat's facets lie this near the part's lowest point [mm].
 constexpr double kSeatMm = 1e-3;
 

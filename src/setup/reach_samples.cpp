@@ -25,9 +25,6 @@ constexpr double kSkinMm = 0.02;
 constexpr double kGapShare = 0.25;
 constexpr double kSizeShare = 2e-3;
 
-/// Faces this near to level or upright are floors or walls (0.6 degrees).
-constexpr double kUprightSine = 0.01;
-
 /// Deeper than this many times the gap's width end mills get slim and slow.
 constexpr double kDeepRatio = 6;
 /// Deeper than this common end mills do not reach at all [mm].

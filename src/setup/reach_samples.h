@@ -4,6 +4,9 @@
 
 namespace stepmill::setup {
 
+/// Faces this near to level or upright are floors or walls (0.6 degrees).
+inline constexpr double kUprightSine = 0.01;
+
 /// How a tool along an axis meets a place in front of a face.
 enum class Reach : char {
     None,     ///< the part is in the way

@@ -13,13 +13,21 @@
 
 namespace stepmill::test {
 
-/// How far a point of a ring may lie from where it belongs. A point rounded to the grid lies up to 0.7 nm off;
-/// where edges meet at a shallow angle, or are so short that rounding turns their tangents, joints move more:
-/// up to the distance within which curves count as one, a tenth of what counts as a gouge.
+/// How far a point of a ring may lie from where it belongs. A point rounded to the grid lies up to 0.7 nm
+/// off; where edges meet at a shallow angle, or are so short that rounding turns their tangents, joints move
+/// more: up to the distance within which curves count as one, a tenth of what counts as a gouge.
 inline constexpr double kRoundingMm = Tolerances{}.linear_mm;
+
+inline const Tolerances kTol;
 
 /// Points closer to the level than this may lie on either side.
 inline constexpr double kTieMm = 2 * kRoundingMm;
+
+/// Do necks open or rooms vanish within the tolerance of ties?
+inline bool ties(const ClearanceDiagram& diagram, double distance_mm) {
+    return diagram.offset(distance_mm - kTieMm).loops.size() !=
+           diagram.offset(distance_mm + kTieMm).loops.size();
+}
 
 /// Base of the laws that must hold on random regions of every kind.
 class DiagramLaws : public testing::TestWithParam<RegionKind> {

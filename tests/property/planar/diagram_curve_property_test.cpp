@@ -10,17 +10,10 @@
 #include "stepmill/planar/clearance_diagram.h"
 #include "support/diagram_laws.h"
 
-namespace stepmill {
+namespace stepmill::test {
 namespace {
 
-using test::kRoundingMm;
-using test::kTieMm;
-using test::Random;
-using test::RandomRegion;
-
-const Tolerances kTol;
-
-class CurveLaws : public test::DiagramLaws {};
+class CurveLaws : public DiagramLaws {};
 
 /// Where in (low, high) the curve falls most steeply, to within `width_mm`.
 std::pair<double, double> steepest(const ClearanceDiagram& diagram, double low, double high,
@@ -93,8 +86,8 @@ TEST_P(CurveLaws, BetweenEventsItIsSmooth) {
         for (int i = 0; i < 10; ++i) {
             const double r = random.real(0.02, 0.98) * widest;
             const double step = widest / 1000;
-            // Beyond a neck the curve falls like a root, which calms down slowly; discs on both sides of it go
-            // on overlapping until a bend that is not listed.
+            // Beyond a neck the curve falls like a root, which calms down slowly; discs on both sides of it
+            // go on overlapping until a bend that is not listed.
             if (eventNear(events, std::min(r / 1.06, r - 15 * step), r + 15 * step)) continue;
             // The fourth difference of a smooth function is far smaller than that of a kinked one.
             const double weights[5] = {1, -4, 6, -4, 1};
@@ -131,7 +124,7 @@ TEST_P(CurveLaws, EventsAreDiscsThatTouchTheBoundary) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(On, CurveLaws, testing::ValuesIn(test::kRegionKinds), test::kindName);
+INSTANTIATE_TEST_SUITE_P(On, CurveLaws, testing::ValuesIn(kRegionKinds), kindName);
 
 }  // namespace
-}  // namespace stepmill
+}  // namespace stepmill::test

@@ -10,22 +10,12 @@
 #include "support/diagram_laws.h"
 #include "support/geos_oracle.h"
 
-namespace stepmill {
+namespace stepmill::test {
 namespace {
 
-using test::kTieMm;
-using test::Random;
-using test::RandomRegion;
-
-const Tolerances kTol;
 constexpr double kShare = 1e-6;
 
-class GeosOracle : public test::DiagramLaws {};
-
-/// Does the offset change its loops within the tolerance of ties?
-bool ties(const ClearanceDiagram& diagram, double distance) {
-    return diagram.offset(distance - kTieMm).loops.size() != diagram.offset(distance + kTieMm).loops.size();
-}
+class GeosOracle : public DiagramLaws {};
 
 TEST_P(GeosOracle, AgreesOnAreas) {
     forSeeds(10, [](const RandomRegion& which, Random& random) {
@@ -36,17 +26,16 @@ TEST_P(GeosOracle, AgreesOnAreas) {
         for (const double distance : {-d, d}) {
             if (ties(diagram, distance)) continue;
             SCOPED_TRACE(fmt::format("offset {:.6f} chord {}", distance, chord));
-            EXPECT_NEAR(area(diagram.offset(distance)), test::geosOffsetArea(which.region, distance, chord),
-                        slack);
+            EXPECT_NEAR(area(diagram.offset(distance)), geosOffsetArea(which.region, distance, chord), slack);
         }
         const Region centres = diagram.offset(-d);
         if (ties(diagram, -d) || centres.empty()) return;
         SCOPED_TRACE(fmt::format("opening {:.6f} chord {}", d, chord));
-        EXPECT_NEAR(area(diagram.opening(d)), test::geosOffsetArea(centres, d, chord), slack);
+        EXPECT_NEAR(area(diagram.opening(d)), geosOffsetArea(centres, d, chord), slack);
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(On, GeosOracle, testing::ValuesIn(test::kRegionKinds), test::kindName);
+INSTANTIATE_TEST_SUITE_P(On, GeosOracle, testing::ValuesIn(kRegionKinds), kindName);
 
 }  // namespace
-}  // namespace stepmill
+}  // namespace stepmill::test

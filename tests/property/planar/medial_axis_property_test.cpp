@@ -13,18 +13,10 @@
 #include "stepmill/planar/clearance_diagram.h"
 #include "support/diagram_laws.h"
 
-namespace stepmill {
+namespace stepmill::test {
 namespace {
 
-using test::kRoundingMm;
-using test::kTieMm;
-using test::Random;
-using test::RandomRegion;
-using test::RegionKind;
-
-const Tolerances kTol;
-
-class MedialLaws : public test::DiagramLaws {};
+class MedialLaws : public DiagramLaws {};
 
 /// The graph without edges so short that rounding may add or drop them: a thousandth of their disc's radius.
 MedialAxis withoutShortEdges(const MedialAxis& axis) {
@@ -103,12 +95,12 @@ TEST_P(MedialLaws, NodesAreAsFarFromTheBoundaryAsTheySay) {
     });
 }
 
-/// Known faults, seven of 2250: discs that touch all of an arc of some hundredths of a millimetre, and waves of
-/// arcs that short, leave the graph with a part or a cycle too many.
+/// Known faults, seven of 2250: discs that touch all of an arc of some hundredths of a millimetre, and waves
+/// of arcs that short, leave the graph with a part or a cycle too many.
 bool isKnownToBreak(const RandomRegion& which) {
     static const std::set<std::pair<RegionKind, std::uint64_t>> known = {
-        {RegionKind::Shifted, 44},    {RegionKind::Slivers, 194},   {RegionKind::ManyEdges, 14},
-        {RegionKind::ManyEdges, 19},  {RegionKind::ManyEdges, 122}, {RegionKind::ManyEdges, 171},
+        {RegionKind::Shifted, 44},   {RegionKind::Slivers, 194},   {RegionKind::ManyEdges, 14},
+        {RegionKind::ManyEdges, 19}, {RegionKind::ManyEdges, 122}, {RegionKind::ManyEdges, 171},
         {RegionKind::ManyEdges, 196}};
     return known.contains({which.kind, which.seed});
 }
@@ -146,8 +138,8 @@ TEST_P(MedialLaws, MiddlesOfEdgesAreNearTheBoundaryOnBothSides) {
             const Vec2 middle = (a.point + b.point) / 2;
             double best = -1;
             for (int k = -60; k <= 60; ++k)
-                best = std::max(
-                    best, test::signedClearance(which.region, middle + across * (chord.norm() * k / 60)));
+                best =
+                    std::max(best, signedClearance(which.region, middle + across * (chord.norm() * k / 60)));
             EXPECT_GT(best, std::min(a.clearance_mm, b.clearance_mm) - chord.norm() / 60 - kRoundingMm)
                 << a.point.transpose() << " to " << b.point.transpose();
         }
@@ -165,7 +157,7 @@ double widestBySearch(const Region& region, double within_mm, int budget) {
     double best = 0;
     std::priority_queue<Square> queue;
     const auto push = [&](const Vec2& centre, double half) {
-        const double clearance = test::signedClearance(region, centre);
+        const double clearance = signedClearance(region, centre);
         best = std::max(best, clearance);
         queue.push({clearance + half * std::sqrt(2.0), half, centre});
     };
@@ -196,7 +188,7 @@ TEST_P(MedialLaws, DistanceIsTheOneToTheNearestEdge) {
     forSeeds(200, [](const RandomRegion& which, Random& random) {
         const ClearanceDiagram diagram(which.region, kTol);
         for (int i = 0; i < 40; ++i) {
-            const Vec2 p = test::probePoint(which.region, which.size_mm, random);
+            const Vec2 p = probePoint(which.region, which.size_mm, random);
             EXPECT_NEAR(diagram.distanceToBoundary(p), distanceToBoundary(which.region, p),
                         1e-9 * (1 + p.norm()))
                 << p.transpose();
@@ -208,7 +200,7 @@ TEST_P(MedialLaws, DistanceIsTheOneToTheNearestEdge) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(On, MedialLaws, testing::ValuesIn(test::kRegionKinds), test::kindName);
+INSTANTIATE_TEST_SUITE_P(On, MedialLaws, testing::ValuesIn(kRegionKinds), kindName);
 
 }  // namespace
-}  // namespace stepmill
+}  // namespace stepmill::test

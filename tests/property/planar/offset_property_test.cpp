@@ -11,20 +11,13 @@
 #include "stepmill/planar/clearance_diagram.h"
 #include "support/diagram_laws.h"
 
-namespace stepmill {
+namespace stepmill::test {
 namespace {
 
-using test::kRoundingMm;
-using test::kTieMm;
-using test::Random;
-using test::RandomRegion;
-
-const Tolerances kTol;
-
-class OffsetLaws : public test::DiagramLaws {};
+class OffsetLaws : public DiagramLaws {};
 
 void expectDistances(const Region& region, const Region& result, double distance) {
-    const test::Deviation off = test::deviation(result, region, distance);
+    const Deviation off = deviation(result, region, distance);
     EXPECT_LT(off.too_close_mm, kTol.gouge_mm) << "gouges at " << off.closest_at.transpose();
     EXPECT_LT(off.too_close_mm, kRoundingMm) << "at " << off.closest_at.transpose();
     // What is added for safety where Booleans are the way out.
@@ -56,19 +49,14 @@ TEST_P(OffsetLaws, NothingIsMissingAndNothingTooMuch) {
                 SCOPED_TRACE(fmt::format("offset {:.6f}", distance));
                 const Region result = diagram.offset(distance);
                 for (int i = 0; i < 24; ++i) {
-                    const Vec2 p = test::probePoint(which.region, std::max(0.0, distance), random);
-                    const double above = test::signedClearance(which.region, p) + distance;
+                    const Vec2 p = probePoint(which.region, std::max(0.0, distance), random);
+                    const double above = signedClearance(which.region, p) + distance;
                     if (std::abs(above) < kTieMm) continue;
                     EXPECT_EQ(contains(result, p), above > 0) << p.transpose() << " is above by " << above;
                 }
             }
         }
     });
-}
-
-/// Do necks open or rooms vanish within the tolerance of ties?
-bool ties(const ClearanceDiagram& diagram, double distance) {
-    return diagram.offset(distance - kTieMm).loops.size() != diagram.offset(distance + kTieMm).loops.size();
 }
 
 /// Calls visit(from, segment) for every edge.
@@ -144,7 +132,7 @@ TEST_P(OffsetLaws, ErosionsAdd) {
         const Region twice = offset(diagram.offset(-first), -second, kTol);
         const Region once = diagram.offset(-(first + second));
         EXPECT_NEAR(area(twice), area(once), kRoundingMm * perimeter(which.region));
-        const test::Deviation off = test::deviation(twice, which.region, first + second);
+        const Deviation off = deviation(twice, which.region, first + second);
         EXPECT_LT(off.too_close_mm, 2 * kRoundingMm) << "at " << off.closest_at.transpose();
     });
 }
@@ -165,8 +153,8 @@ TEST_P(OffsetLaws, GrowingAfterShrinkingNeverLeavesTheRegion) {
             EXPECT_NEAR(area(back), opened, kRoundingMm * perimeter(which.region));
         }
         for (int i = 0; i < 10; ++i) {
-            const Vec2 p = test::probePoint(back, 0, random);
-            if (test::signedClearance(back, p) > kTieMm) {
+            const Vec2 p = probePoint(back, 0, random);
+            if (signedClearance(back, p) > kTieMm) {
                 EXPECT_TRUE(contains(which.region, p)) << p.transpose();
             }
         }
@@ -215,26 +203,26 @@ void expectSameOffsets(const RandomRegion& which, const Region& other, Random& r
 TEST_P(OffsetLaws, PlaceAndQuarterTurnsDoNotMatter) {
     forSeeds(100, [](const RandomRegion& which, Random& random) {
         const Vec2 by = snapToGrid(Vec2(random.real(-300, 300), random.real(-300, 300)));
-        expectSameOffsets(which, test::turned(which.region, random.below(4) * kPi / 2, by), random);
+        expectSameOffsets(which, turned(which.region, random.below(4) * kPi / 2, by), random);
     });
 }
 
 TEST_P(OffsetLaws, FreeTurnsDoNotMatter) {
     forSeeds(100, [](const RandomRegion& which, Random& random) {
-        const Region other = test::turned(which.region, random.real(0, 2 * kPi), {0, 0});
+        const Region other = turned(which.region, random.real(0, 2 * kPi), {0, 0});
         if (!diagnose(other)) expectSameOffsets(which, other, random);
     });
 }
 
 TEST_P(OffsetLaws, MirroringDoesNotMatter) {
     forSeeds(60, [](const RandomRegion& which, Random& random) {
-        expectSameOffsets(which, test::mirrored(which.region), random);
+        expectSameOffsets(which, mirrored(which.region), random);
     });
 }
 
 TEST_P(OffsetLaws, StartVertexAndLoopOrderDoNotMatter) {
     forSeeds(60, [](const RandomRegion& which, Random& random) {
-        expectSameOffsets(which, test::renumbered(which.region, random), random);
+        expectSameOffsets(which, renumbered(which.region, random), random);
     });
 }
 
@@ -256,7 +244,7 @@ TEST_P(OffsetLaws, RingsAreTheOffsetsAndNested) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(On, OffsetLaws, testing::ValuesIn(test::kRegionKinds), test::kindName);
+INSTANTIATE_TEST_SUITE_P(On, OffsetLaws, testing::ValuesIn(kRegionKinds), kindName);
 
 }  // namespace
-}  // namespace stepmill
+}  // namespace stepmill::test

@@ -9,17 +9,10 @@
 #include "stepmill/planar/region_text.h"
 #include "support/diagram_laws.h"
 
-namespace stepmill {
+namespace stepmill::test {
 namespace {
 
-using test::kRoundingMm;
-using test::kTieMm;
-using test::Random;
-using test::RandomRegion;
-
-const Tolerances kTol;
-
-class OpeningLaws : public test::DiagramLaws {};
+class OpeningLaws : public DiagramLaws {};
 
 /// Openings are offsets there and back.
 double slackOf(const RandomRegion& which) {
@@ -46,7 +39,7 @@ TEST_P(OpeningLaws, LiesInsideAndShrinksAsTheCutterGrows) {
                 for (const Segment& s : loop.segments) {
                     for (const double t : {0.0, 0.5}) {
                         const Vec2 p = pointAt(from, s, t);
-                        EXPECT_GT(test::signedClearance(which.region, p), -kRoundingMm) << p.transpose();
+                        EXPECT_GT(signedClearance(which.region, p), -kRoundingMm) << p.transpose();
                     }
                     from = s.to;
                 }
@@ -66,11 +59,11 @@ TEST_P(OpeningLaws, HoldsWhatDiscsSweepAndNothingElse) {
             const Region surely = diagram.offset(-(r + kTieMm));
             const Region perhaps = diagram.offset(-std::max(r / 2, r - kTieMm));
             for (int i = 0; i < 24; ++i) {
-                const Vec2 p = test::probePoint(which.region, 0, random);
-                if (test::sweptBy(surely, r, p) > kTieMm) {
+                const Vec2 p = probePoint(which.region, 0, random);
+                if (sweptBy(surely, r, p) > kTieMm) {
                     EXPECT_TRUE(contains(opened, p)) << p.transpose() << " is swept";
                 }
-                if (test::sweptBy(perhaps, r, p) < -kTieMm) {
+                if (sweptBy(perhaps, r, p) < -kTieMm) {
                     EXPECT_FALSE(contains(opened, p)) << p.transpose() << " is not swept";
                 }
             }
@@ -110,9 +103,9 @@ void expectRest(const RandomRegion& which, const ClearanceDiagram& diagram, doub
     const auto trouble = diagnose(rest);
     EXPECT_EQ(trouble, std::nullopt);
     for (int i = 0; i < 24; ++i) {
-        const Vec2 p = test::probePoint(which.region, 0, random);
-        const double free = test::signedClearance(which.region, p) - small;
-        const double swept = test::signedClearance(done, p) - small;
+        const Vec2 p = probePoint(which.region, 0, random);
+        const double free = signedClearance(which.region, p) - small;
+        const double swept = signedClearance(done, p) - small;
         if (std::abs(free) < kTieMm || std::abs(swept) < kTieMm) continue;
         EXPECT_EQ(contains(rest, p), free > 0 && swept < 0)
             << p.transpose() << " free by " << free << ", swept by " << swept;
@@ -120,7 +113,7 @@ void expectRest(const RandomRegion& which, const ClearanceDiagram& diagram, doub
     if (toText(done) == toText(diagram.opening(small))) {
         EXPECT_TRUE(rest.empty()) << "equal openings";
     }
-    const test::Deviation off = test::deviation(rest, which.region, small);
+    const Deviation off = deviation(rest, which.region, small);
     EXPECT_LT(off.too_close_mm, kRoundingMm) << "at " << off.closest_at.transpose();
     // Strips along shared walls, thinner than the tolerance, are in one of the two and not in the other.
     const Region expected = subtract(centres, offset(done, -small, kTol), kTol);
@@ -156,15 +149,15 @@ TEST_P(OpeningLaws, LargeAndRestTogetherSweepWhatTheSmallCutterSweeps) {
         EXPECT_NEAR(area(unite(first, rest, kTol)), area(whole),
                     slackOf(which) + 2 * kTol.linear_mm * perimeter(rest));
         for (int i = 0; i < 16; ++i) {
-            const Vec2 p = test::probePoint(which.region, 0, random);
-            if (std::abs(test::signedClearance(whole, p)) < kTieMm) continue;
+            const Vec2 p = probePoint(which.region, 0, random);
+            if (std::abs(signedClearance(whole, p)) < kTieMm) continue;
             if (std::min(distanceToBoundary(first, p), distanceToBoundary(rest, p)) < kTieMm) continue;
             EXPECT_EQ(contains(first, p) || contains(rest, p), contains(whole, p)) << p.transpose();
         }
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(On, OpeningLaws, testing::ValuesIn(test::kRegionKinds), test::kindName);
+INSTANTIATE_TEST_SUITE_P(On, OpeningLaws, testing::ValuesIn(kRegionKinds), kindName);
 
 }  // namespace
-}  // namespace stepmill
+}  // namespace stepmill::test
