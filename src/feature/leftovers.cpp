@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "stepmill/planar/boolean.h"
@@ -21,8 +22,26 @@ constexpr double kCrumbMm3 = 1;
 constexpr double kUprightShare = 0.5;
 /// ... and a floor when this share of its area lies on one.
 constexpr double kFloorShare = 0.3;
+/// A cutter that fits an inner fillet of radius r reaches about five diameters deep: what lies deeper is left
+/// to the setup in which the fillet is one of a floor.
+constexpr double kReachRadii = 10;
+/// A lump that finishes less than this share of every face it touches is what cutters left in passing; it
+/// then pays from kLumpShare, too.
+constexpr double kFaceShare = 0.6;
 /// Probes on the boundary are as far apart as edges are long; no wall is farther from them [mm].
 constexpr double kOnWallMm = 0.01;
+
+/// What a component finishes: [mm2] by face, and whether that is what it is there for.
+struct Finished {
+    bool any = false;
+    std::map<int, double> area_mm2;
+};
+
+/// Of a wall or floor.
+double areaOf(const FaceTrace& trace) {
+    if (trace.stand == FaceStand::Floor) return area(trace.region);
+    return length(trace.footprint) * (trace.top_z_mm - trace.bottom_z_mm);
+}
 
 struct Wall {
     const FaceTrace* trace = nullptr;
@@ -38,15 +57,43 @@ class Judge {
         }
     }
 
-    bool finishes(const RemovalComponent& component) const {
-        return finishesWall(component) || finishesFloor(component);
+    /// Is the component mostly what its slab's hull covers beyond stock whose walls lean?
+    bool isSkin(const RemovalComponent& component) const {
+        const Layer& layer = layers_.layers[component.layer];
+        if (layer.stock_air_mm3 <= 0) return false;
+        return area(intersect(component.region, layer.stock_half_way, tol_)) < 0.5 * component.area_mm2;
+    }
+
+    /// What of the part's faces a component finishes; skin finishes none.
+    Finished finished(const RemovalComponent& component) const {
+        if (isSkin(component)) return {};
+        Finished walls = finishedWalls(component);
+        Finished floors = finishedFloors(component);
+        walls.any = walls.any || floors.any;
+        for (const auto& [face, area_mm2] : floors.area_mm2)
+            walls.area_mm2[face] += area_mm2;
+        return walls;
+    }
+
+    /// Does a lump finish enough of some face to be worth a pass?
+    bool isWorth(const std::map<int, double>& finished_mm2) const {
+        return std::any_of(finished_mm2.begin(), finished_mm2.end(), [&](const auto& entry) {
+            return entry.second >= kFaceShare * areaOf(layers_.traces[entry.first]);
+        });
     }
 
   private:
-    /// Does an upright face of the part that spans the layer's middle stand here?
-    bool onUpright(const Vec2& p, double z_mm) const {
-        return std::any_of(walls_.begin(), walls_.end(), [&](const Wall& wall) {
+    static bool isDeepFillet(const FaceTrace& wall, double bottom_mm) {
+        const bool fillet = wall.hollow && wall.radius_mm > 0 && !wall.footprint.closed();
+        return fillet && wall.top_z_mm - bottom_mm > kReachRadii * wall.radius_mm;
+    }
+
+    /// The upright face of the part that spans the layer's middle and stands here.
+    const FaceTrace* uprightAt(const Vec2& p, const Layer& layer) const {
+        const double z_mm = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+        const auto found = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& wall) {
             if (z_mm > wall.trace->top_z_mm || z_mm < wall.trace->bottom_z_mm) return false;
+            if (isDeepFillet(*wall.trace, layer.bottom_z_mm)) return false;
             if ((p.array() < wall.box.min.array()).any() || (p.array() > wall.box.max.array()).any())
                 return false;
             Vec2 from = wall.trace->footprint.start;
@@ -56,11 +103,12 @@ class Judge {
             }
             return false;
         });
+        return found == walls_.end() ? nullptr : found->trace;
     }
 
-    bool finishesWall(const RemovalComponent& component) const {
+    Finished finishedWalls(const RemovalComponent& component) const {
         const Layer& layer = layers_.layers[component.layer];
-        const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+        Finished finished;
         double upright_mm = 0;
         double closed_mm = 0;
         for (const Loop& loop : component.region.loops) {
@@ -71,22 +119,30 @@ class Judge {
                 from = segment.to;
                 if (distanceToBoundary(layer.shadow, probe) > tol_.sliver_mm) continue;
                 closed_mm += long_mm;
-                if (onUpright(probe, middle)) upright_mm += long_mm;
+                const FaceTrace* wall = uprightAt(probe, layer);
+                if (wall == nullptr) continue;
+                upright_mm += long_mm;
+                finished.area_mm2[wall->face] += long_mm * layer.height_mm();
             }
         }
-        return closed_mm > 0 && upright_mm >= kUprightShare * closed_mm;
+        finished.any = closed_mm > 0 && upright_mm >= kUprightShare * closed_mm;
+        return finished;
     }
 
-    bool finishesFloor(const RemovalComponent& component) const {
+    Finished finishedFloors(const RemovalComponent& component) const {
+        Finished finished;
         const double z_mm = layers_.layers[component.layer].bottom_z_mm;
         double on_mm2 = 0;
         const Box2 box = boundingBox(component.region);
         for (const FaceTrace& trace : layers_.traces) {
             if (trace.stand != FaceStand::Floor || std::abs(trace.top_z_mm - z_mm) > tol_.gouge_mm) continue;
-            if (boundingBox(trace.region).overlaps(box))
-                on_mm2 += area(intersect(component.region, trace.region, tol_));
+            if (!boundingBox(trace.region).overlaps(box)) continue;
+            const double covered_mm2 = area(intersect(component.region, trace.region, tol_));
+            on_mm2 += covered_mm2;
+            finished.area_mm2[trace.face] += covered_mm2;
         }
-        return on_mm2 >= kFloorShare * component.area_mm2;
+        finished.any = on_mm2 >= kFloorShare * component.area_mm2;
+        return finished;
     }
 
     const LayerStack& layers_;
@@ -116,7 +172,8 @@ class Lumps {
 
 /// Volumes of lumps of components of one kind, at their first component.
 std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& layers,
-                                const std::vector<bool>& kind, bool wanted, Lumps& lumps) {
+                                const std::vector<bool>& kind, bool wanted, const Judge& judge,
+                                Lumps& lumps) {
     const int count = static_cast<int>(forest.components.size());
     for (int i = 0; i < count; ++i) {
         for (const int child : forest.components[i].children)
@@ -125,7 +182,7 @@ std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& l
     std::vector<double> volumes(forest.components.size(), 0);
     for (int i = 0; i < count; ++i) {
         const RemovalComponent& component = forest.components[i];
-        if (kind[i] == wanted)
+        if (kind[i] == wanted && !judge.isSkin(component))
             volumes[lumps.of(i)] += component.area_mm2 * layers.layers[component.layer].height_mm();
     }
     return volumes;
@@ -139,19 +196,30 @@ void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolera
     const Judge judge(layers, tol);
     // From below: what lies over a component that is wanted has to go as well.
     std::vector<bool> wanted(forest.components.size(), false);
+    std::vector<Finished> finished(forest.components.size());
     for (int i = count; i-- > 0;) {
         const RemovalComponent& component = forest.components[i];
-        wanted[i] = std::any_of(component.children.begin(), component.children.end(),
-                                [&](int child) { return wanted[child]; }) ||
-                    judge.finishes(component);
+        finished[i] = judge.finished(component);
+        wanted[i] = finished[i].any || std::any_of(component.children.begin(), component.children.end(),
+                                                   [&](int child) { return wanted[child]; });
     }
     for (const bool kind : {true, false}) {
         Lumps lumps(forest.components.size());
-        const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, kind, lumps);
-        const double least_mm3 = kind ? std::max(kCrumbMm3, kCrumbShare * layers.removable_mm3)
-                                      : kLumpShare * layers.removable_mm3;
-        for (int i = 0; i < count; ++i)
-            if (wanted[i] == kind && volumes[lumps.of(i)] < least_mm3) forest.components[i].left = true;
+        const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, kind, judge, lumps);
+        std::map<int, std::map<int, double>> finished_by_lump;
+        for (int i = 0; kind && i < count; ++i) {
+            if (!wanted[i]) continue;
+            for (const auto& [face, area_mm2] : finished[i].area_mm2)
+                finished_by_lump[lumps.of(i)][face] += area_mm2;
+        }
+        for (int i = 0; i < count; ++i) {
+            if (wanted[i] != kind) continue;
+            const int lump = lumps.of(i);
+            const bool finishes = kind && judge.isWorth(finished_by_lump[lump]);
+            const double least_mm3 = finishes ? std::max(kCrumbMm3, kCrumbShare * layers.removable_mm3)
+                                              : kLumpShare * layers.removable_mm3;
+            if (volumes[lump] < least_mm3) forest.components[i].left = true;
+        }
     }
     // A crumb over a lump that stays in would be cut with it.
     for (int i = count; i-- > 0;) {

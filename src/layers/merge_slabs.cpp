@@ -63,8 +63,13 @@ bool mayJoin(const Layer& upper, const CutLayer& lower, double thinnest_mm, cons
            losesLittle(upper, lower.layer, options.largest_hidden_share, tol);
 }
 
+const Region& halfWay(const Layer& layer) {
+    return layer.stock_air_mm3 > 0 ? layer.stock_half_way : layer.stock;
+}
+
 void join(CutLayer& upper, CutLayer&& lower, const Tolerances& tol) {
     Layer& layer = upper.layer;
+    layer.stock_half_way = uniteLocally(halfWay(lower.layer), halfWay(layer), tol);
     layer.vertical_walls = layer.vertical_walls && lower.layer.vertical_walls &&
                            compareLoops(layer.part, lower.layer.part).places.empty();
     layer.bottom_z_mm = lower.layer.bottom_z_mm;

@@ -5,8 +5,10 @@
 
 #include "layers/cut_layer.h"
 #include "layers/levels.h"
+#include "layers/section.h"
 #include "layers/slab.h"
 #include "layers/solid_mesh.h"
+#include "layers/stock_air.h"
 #include "layers/trace_faces.h"
 #include "stepmill/core/error.h"
 #include "stepmill/layers/layer_stack.h"
@@ -25,14 +27,11 @@ namespace {
 /// The solids of a setup, ready to cut.
 struct Solids {
     SolidMesh part;
-    std::optional<SolidMesh> stock;  ///< none: an upright box
+    std::optional<SolidMesh> raw_stock;  ///< none: an upright box
     Region stock_box;
+    layers::StockAir air;      ///< what earlier setups cut from the raw stock
     double worthless_mm3 = 0;  ///< of which no slab makes a difference: SliceOptions::least_gain_share
 };
-
-bool wasCutBefore(const Setup& setup) {
-    return setup.stock.kind == Stock::Kind::InProcess;
-}
 
 bool isUprightBox(const Setup& setup) {
     if (setup.stock.kind != Stock::Kind::Box) return false;
@@ -46,16 +45,45 @@ Solids makeSolids(const Setup& setup, const SliceOptions& options, const Toleran
         SolidMesh(setup.part.shape->solid, setup.part_to_setup, layers::facetChord(setup.part.bbox_mm), tol),
         std::nullopt,
         {},
-        wasCutBefore(setup) ? options.least_gain_share * setup.removable_mm3 : 0};
+        layers::StockAir(setup, tol),
+        setup.stock.isRaw() ? 0 : options.least_gain_share * setup.removable_mm3};
     if (isUprightBox(setup)) {
         const Box3& box = setup.stock_bbox_mm;
         solids.stock_box = makeRectangle(box.min().head<2>(), box.max().head<2>());
     } else {
         STEPMILL_CHECK(setup.stock.shape, "a stock other than an upright box has a shape");
-        solids.stock.emplace(setup.stock.shape->solid, setup.part_to_setup,
-                             layers::facetChord(setup.stock.bbox_mm), tol);
+        solids.raw_stock.emplace(setup.stock.shape->solid, setup.part_to_setup,
+                                 layers::facetChord(setup.stock.bbox_mm), tol);
     }
     return solids;
+}
+
+/// The stock in the slab: raw, less what is air at every height of it.
+void cutStock(const Solids& solids, const SliceOptions& options, const Tolerances& tol, CutLayer& cut) {
+    Layer& layer = cut.layer;
+    layer.stock = solids.stock_box;
+    double stock_mm3 = area(layer.stock) * layer.height_mm();
+    const double half_way = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+    Region raw_half_way = layer.stock;
+    if (solids.raw_stock) {
+        SlabCut raw = layers::cutSlab(*solids.raw_stock, layer.top_z_mm, layer.bottom_z_mm, options, tol);
+        layer.stock = std::move(raw.region);
+        stock_mm3 = raw.vertical ? area(layer.stock) * layer.height_mm() : raw.volume_mm3;
+        for (const std::string& remark : raw.remarks)
+            cut.remarks.push_back("stock: " + remark);
+        raw_half_way = layer.stock;
+        if (!raw.vertical && !solids.air.empty())
+            raw_half_way = layers::exactSection(*solids.raw_stock, half_way, tol).value_or(layer.stock);
+    }
+    if (!solids.air.empty()) {
+        stock_mm3 -= solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm);
+        layer.stock = subtract(layer.stock, solids.air.between(layer.bottom_z_mm, layer.top_z_mm), tol);
+    }
+    const double air_mm3 = area(layer.stock) * layer.height_mm() - stock_mm3;
+    const bool leans = air_mm3 > tol.area_mm2 * layer.height_mm();
+    layer.stock_air_mm3 = leans ? air_mm3 : 0;
+    if (leans && !solids.air.empty())
+        layer.stock_half_way = subtract(raw_half_way, solids.air.at(half_way), tol);
 }
 
 CutLayer cutLayer(const Solids& solids, double top_mm, double bottom_mm, const SliceOptions& options,
@@ -70,17 +98,7 @@ CutLayer cutLayer(const Solids& solids, double top_mm, double bottom_mm, const S
     cut.part_volume_mm3 = part.volume_mm3;
     cut.leaning = std::move(part.leaning);
     cut.remarks = std::move(part.remarks);
-    if (solids.stock) {
-        SlabCut stock = layers::cutSlab(*solids.stock, top_mm, bottom_mm, options, tol);
-        cut.layer.stock = std::move(stock.region);
-        if (!stock.vertical)
-            cut.layer.stock_air_mm3 =
-                std::max(0.0, area(cut.layer.stock) * cut.layer.height_mm() - stock.volume_mm3);
-        for (const std::string& remark : stock.remarks)
-            cut.remarks.push_back("stock: " + remark);
-    } else {
-        cut.layer.stock = solids.stock_box;
-    }
+    cutStock(solids, options, tol, cut);
     // Hulls of facets may reach out of the stock; the part does not.
     if (part.mended_by_mm > 0) cut.layer.part = intersect(cut.layer.part, cut.layer.stock, tol);
     return cut;
@@ -115,11 +133,14 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
     const double removable = area(cut.layer.stock) * height - cut.part_volume_mm3;
     const double allowed = std::max({from.options.largest_hidden_share * removable,
                                      from.tol.area_mm2 * height, from.solids.worthless_mm3});
-    if (gainableVolume(cut, from.traces) <= allowed || height / 2 < from.options.thinnest_slab_mm) {
+    const bool thin = height / 2 < from.options.thinnest_slab_mm;
+    const bool stock_leans = cut.layer.stock_air_mm3 > std::max(allowed, from.solids.worthless_mm3);
+    if (thin || (gainableVolume(cut, from.traces) <= allowed && !stock_leans)) {
         out.push_back(std::move(cut));
         return;
     }
-    const double middle = (top_mm + bottom_mm) / 2;
+    const double middle =
+        stock_leans ? from.solids.air.bendNearMiddle(bottom_mm, top_mm) : (top_mm + bottom_mm) / 2;
     cutAndHalve(from, top_mm, middle, out);
     cutAndHalve(from, middle, bottom_mm, out);
 }
@@ -155,16 +176,16 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     const Solids solids = makeSolids(setup, options, tol);
     std::vector<layers::Level> marks;
     layers::addLevels(solids.part, Level::Rank::Plane, marks);
-    if (solids.stock)
-        layers::addLevels(*solids.stock, wasCutBefore(setup) ? Level::Rank::CutPlane : Level::Rank::Plane,
-                          marks);
+    if (solids.raw_stock) layers::addLevels(*solids.raw_stock, Level::Rank::Plane, marks);
+    for (const double z : solids.air.planes())
+        marks.push_back({z, Level::Rank::CutPlane});
     LayerStack stack;
     stack.setup_id = setup.id;
     stack.stock_top_z_mm = setup.stock_bbox_mm.max().z();
     stack.stock_bottom_z_mm = setup.stock_bbox_mm.min().z();
     stack.stock_volume_mm3 = setup.stock.volume_mm3;
     stack.part_volume_mm3 = setup.part.volume_mm3;
-    stack.stock_cut_before = wasCutBefore(setup);
+    stack.stock_cut_before = !setup.stock.isRaw();
     stack.removable_mm3 = setup.removable_mm3;
     const std::vector<Level> levels = layers::mergeLevels(std::move(marks), stack.stock_top_z_mm,
                                                           stack.stock_bottom_z_mm, options.level_merge_mm);

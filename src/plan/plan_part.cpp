@@ -322,8 +322,6 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const double removable_mm3 = plan.stock.volume_mm3 - part.volume_mm3;
     const std::vector<SetupAccount> accounts = accountsOf(plan, stages, walked);
     plan.balance = partBooks(accounts, removable_mm3);
-    for (const StockStep& step : walked.steps)
-        warnOfStock(plan, step);
     warnOfUnreachable(plan);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup);

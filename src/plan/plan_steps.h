@@ -82,8 +82,6 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
 void warnOfInput(Plan& plan, const LayerStack& layers);
 /// Residuals, travel, magazine.
 void warnOfSetup(Plan& plan, const PlannedSetup& setup);
-/// What making the in-process stock took.
-void warnOfStock(Plan& plan, const StockStep& step);
 /// What no setup plans, one warning a reason. \pre the books are made up
 void warnOfUnreachable(Plan& plan);
 /// Books of part and setups that do not close, with the difference located.

@@ -83,11 +83,6 @@ void warnOfInput(Plan& plan, const LayerStack& layers) {
         plan.warnings.push_back({"section", layers.setup_id, remark});
 }
 
-void warnOfStock(Plan& plan, const StockStep& step) {
-    for (const std::string& remark : step.remarks)
-        plan.warnings.push_back({"in-process-stock", step.setup_id, remark});
-}
-
 void warnOfUnreachable(Plan& plan) {
     for (const ReasonVolume& entry : plan.balance.unreachable_by_reason) {
         if (entry.volume_mm3 < kWorthAWarningMm3) continue;

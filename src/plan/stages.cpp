@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "stepmill/core/error.h"
+#include "stepmill/layers/stock_after.h"
 
 namespace stepmill {
 namespace {
@@ -74,19 +74,6 @@ Stage makeStage(Setup setup, const SliceOptions& slicing, const Tolerances& tol)
     return stage;
 }
 
-/// One stock that OCCT cannot make must not lose the plan: the next setup then sees it uncut, and the books
-/// say so.
-StockAfter stockOrAsItWas(const Stage& stage, const std::vector<Prism>& removed, const Tolerances& tol) {
-    try {
-        return stockAfter(stage.setup, removed, stockSlabs(stage.layers), tol);
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::GeometryKernel) throw;
-        return {stage.setup.stock,
-                0,
-                {fmt::format("{}; later setups see the stock as it arrived", error.what())}};
-    }
-}
-
 }  // namespace
 
 StageAir airOf(const Stage& stage) {
@@ -123,9 +110,9 @@ WalkedSetups walkSetups(const std::vector<Setup>& setups, const SliceOptions& sl
         if (!first && planned.chosen && stage.found.features.empty()) continue;
         const std::optional<std::vector<Prism>> removed = visit(stage);
         if (!removed) continue;
-        StockAfter after = stockOrAsItWas(stage, *removed, tol);
+        StockAfter after = stockAfter(stage.setup, stage.layers, *removed, tol);
         walked.steps.push_back({stage.setup.id, stage.setup.stock.volume_mm3, after.removed_mm3,
-                                volumeOf(*removed), after.stock.volume_mm3, std::move(after.remarks)});
+                                volumeOf(*removed), after.stock.volume_mm3});
         walked.left = std::move(after.stock);
     }
     return walked;

@@ -158,8 +158,6 @@ void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::v
     for (std::size_t i = 0; i < inspection.setups.size(); ++i) {
         InspectedSetup& setup = inspection.setups[i];
         setup.stock = walked.steps.at(i);
-        for (const std::string& remark : setup.stock.remarks)
-            inspection.warnings.push_back(setup.setup.id + ": " + remark);
         const SettledAir air = settleAir(airs.at(i), setup.stock.prisms_mm3, setup.stock.removed_mm3);
         lessen(setup.unplanned, air.left_mm3);
         if (air.back_mm3 > 0)

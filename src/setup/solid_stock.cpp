@@ -2,11 +2,7 @@
 
 #include "setup/solid_stock.h"
 
-#include <Bnd_Box.hxx>
-#include <BRepBndLib.hxx>
-#include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
-#include <GProp_GProps.hxx>
 
 #include "setup/frame.h"
 #include "stepmill/part/part_shape.h"
@@ -25,16 +21,6 @@ Box3 tidyBox(const Box3& box) {
     return Box3(box.min().unaryExpr(tidy), box.max().unaryExpr(tidy));
 }
 
-Box3 boxAround(const TopoDS_Shape& shape) {
-    Bnd_Box box;
-    BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
-    box.SetGap(0);
-    Vec3 low;
-    Vec3 high;
-    box.Get(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
-    return Box3(low, high);
-}
-
 }  // namespace
 
 Stock boxStock(const Part& part, const StockMargin& margin, const Vec3& axis) {
@@ -46,6 +32,7 @@ Stock boxStock(const Part& part, const StockMargin& margin, const Vec3& axis) {
         stock.bbox_mm.min()[i] -= !along ? margin.side_mm : (up[i] > 0 ? margin.bottom_mm : margin.top_mm);
         stock.bbox_mm.max()[i] += !along ? margin.side_mm : (up[i] > 0 ? margin.top_mm : margin.bottom_mm);
     }
+    stock.raw_bbox_mm = stock.bbox_mm;
     stock.volume_mm3 = stock.bbox_mm.volume();
     return stock;
 }
@@ -64,21 +51,9 @@ Stock stepStock(const Part& stock_part) {
     Stock stock;
     stock.kind = Stock::Kind::Step;
     stock.bbox_mm = tidyBox(stock_part.bbox_mm);
+    stock.raw_bbox_mm = stock.bbox_mm;
     stock.volume_mm3 = stock_part.volume_mm3;
     stock.shape = stock_part.shape;
-    return stock;
-}
-
-Stock inProcessStock(const TopoDS_Shape& solids) {
-    Stock stock;
-    stock.kind = Stock::Kind::InProcess;
-    guardOcct(ErrorCode::GeometryKernel, "in-process stock", [&] {
-        stock.bbox_mm = tidyBox(boxAround(solids));
-        GProp_GProps properties;
-        BRepGProp::VolumeProperties(solids, properties);
-        stock.volume_mm3 = properties.Mass();
-    });
-    stock.shape = std::make_shared<PartShape>(PartShape{solids});
     return stock;
 }
 

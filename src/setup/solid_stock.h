@@ -1,7 +1,5 @@
 #pragma once
 
-#include <TopoDS_Shape.hxx>
-
 #include "stepmill/setup/setup.h"
 
 namespace stepmill::setup {
@@ -13,8 +11,5 @@ void addBoxShape(Stock& stock);
 
 /// The solid of a file.
 Stock stepStock(const Part& stock_part);
-
-/// What earlier setups left.
-Stock inProcessStock(const TopoDS_Shape& solids);
 
 }  // namespace stepmill::setup

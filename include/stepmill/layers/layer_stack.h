@@ -22,6 +22,9 @@ struct Layer {
     /// What `stock` covers more than the stock itself because its walls are not vertical: cuts of earlier
     /// setups from other sides [mm3]. 0 where they are.
     double stock_air_mm3 = 0;
+    /// Where `stock_air_mm3` is not 0: the stock half-way up (of joined slabs, of each of them). What of
+    /// `stock` lies beyond is a skin that stands up from the floor or hangs from the top.
+    Region stock_half_way;
     /// The part in this slab and in all slabs above it: what a tool from above must keep clear of.
     Region shadow;
     /// Are all part walls of the slab vertical, so that `part` is exact at every height?
@@ -75,7 +78,7 @@ struct SliceOptions {
     double thinnest_slab_mm = 1.0;
     /// On stock that earlier setups cut, slabs are not parted either for less than this share of what all
     /// setups have to remove: steps and corners they left would make a slab at every height.
-    double least_gain_share = 2e-5;
+    double least_gain_share = 2e-4;
     /// Levels closer than this are one [mm].
     double level_merge_mm = 1e-3;
     /// Join neighbouring slabs where no tool from above can tell them apart, or where the upper one is

@@ -8,7 +8,6 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/setup/clamping.h"
-#include "stepmill/setup/in_process.h"
 #include "stepmill/setup/setup.h"
 
 namespace stepmill {
@@ -48,10 +47,9 @@ inline constexpr const char* kLeaningWall = "wall not vertical";
 struct StockStep {
     std::string setup_id;
     double arrives_mm3 = 0;
-    double removed_mm3 = 0;  ///< by OCCT
+    double removed_mm3 = 0;
     double prisms_mm3 = 0;   ///< volume of the prisms removed, from the planar books; air in them included
     double leaves_mm3 = 0;
-    std::vector<std::string> remarks;  ///< retries and fall-backs of the in-process stock
 };
 
 /// All setups done.

@@ -3,7 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "stepmill/setup/in_process.h"
+#include "stepmill/core/tolerances.h"
+#include "stepmill/part/part.h"
+#include "stepmill/setup/prism.h"
 
 namespace stepmill {
 

@@ -6,20 +6,24 @@
 #include <vector>
 
 #include "stepmill/part/part.h"
+#include "stepmill/setup/prism.h"
 
 namespace stepmill {
 
-/// A solid to be cut, in part coordinates.
+/// A solid to be cut, in part coordinates: a raw solid, less what setups have taken from it.
 struct Stock {
     enum class Kind {
-        Box,       ///< the part's box with margins
-        Step,      ///< from a file
-        InProcess  ///< what earlier setups left
+        Box,  ///< the part's box with margins
+        Step  ///< from a file
     };
     Kind kind = Kind::Box;
-    Box3 bbox_mm;
-    double volume_mm3 = 0;
-    std::shared_ptr<const PartShape> shape;
+    Box3 bbox_mm;                            ///< of what is left
+    double volume_mm3 = 0;                   ///< of what is left
+    std::shared_ptr<const PartShape> shape;  ///< the raw solid
+    Box3 raw_bbox_mm;
+    std::vector<CutPrisms> cuts;  ///< by setup, in the order they were made; empty: raw
+
+    bool isRaw() const { return cuts.empty(); }
 };
 
 /// Extra material of a box stock over the part's bounding box, seen from the spindle of the (first)
@@ -54,7 +58,7 @@ struct Setup {
     /// As it arrives, in part coordinates. From chooseSetups: the raw stock in every setup; walkSetups
     /// (plan/stages.h) replaces it by what the setups before left.
     Stock stock;
-    Box3 stock_bbox_mm;  ///< in setup coordinates: min.z = -height, max.z = 0
+    Box3 stock_bbox_mm;        ///< in setup coordinates: min.z = -height, max.z = 0
     double removable_mm3 = 0;  ///< raw stock less part, in every setup: what all of them have to remove
     /// Share of (raw stock - part) that is open to a tool along the axis, from the height map [0..1].
     double reachable_share = 0;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "stepmill/planar/region.h"
+
+namespace stepmill {
+
+/// An upright prism in setup coordinates.
+struct Prism {
+    Region region;
+    double top_z_mm = 0;
+    double bottom_z_mm = 0;
+
+    double volume_mm3() const { return area(region) * (top_z_mm - bottom_z_mm); }
+};
+
+/// Sum of the prisms' volumes [mm3].
+double volumeOf(const std::vector<Prism>& prisms);
+
+/// What one setup took from the stock: prisms whose interiors do not meet, in its coordinates.
+struct CutPrisms {
+    Eigen::Isometry3d part_to_setup = Eigen::Isometry3d::Identity();
+    std::vector<Prism> prisms;
+};
+
+}  // namespace stepmill

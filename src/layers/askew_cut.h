@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "stepmill/core/tolerances.h"
+#include "stepmill/part/part.h"
+#include "stepmill/planar/region.h"
+#include "stepmill/setup/prism.h"
+
+namespace stepmill::layers {
+
+/// A prism whose axis is neither along a setup's axis nor across it.
+///
+/// Kept as a polygon inside the prism's outline, in the prism's own coordinates, where the way straight up in
+/// the setup runs aslant over the ground and along the prism's axis.
+class AskewCut {
+  public:
+    /// \param to_setup  from the prism's coordinates to the setup's
+    AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup, const Tolerances& tol);
+
+    /// Outline heights in the setup [mm].
+    double low_mm() const { return low_mm_; }
+    double high_mm() const { return high_mm_; }
+    /// Points over and under which the prism goes on at all heights between, in the setup's plane. The same
+    /// height twice gives the section there. O(n log n) in the outline's edges.
+    Region between(double low_mm, double high_mm, const Tolerances& tol) const;
+
+  private:
+    Region strip(double z_mm, double rise_mm) const;
+    Region toSetup(const Region& region, double z_mm) const;
+
+    Region outline_;
+    double top_mm_;
+    double bottom_mm_;
+    Eigen::Isometry3d to_setup_;
+    Vec3 up_;  ///< the setup's axis in the prism's coordinates
+    double low_mm_ = 1e300;
+    double high_mm_ = -1e300;
+};
+
+}  // namespace stepmill::layers

@@ -1,0 +1,330 @@
+// What earlier setups cut, seen from a setup.
+
+#include "layers/stock_air.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::layers {
+
+namespace {
+
+/// Walls that reach less than this into a slab do not count there [mm]: levels that near are one.
+constexpr double kIntoSlabMm = 1e-3;
+/// Heights nearer than this are one [mm].
+constexpr double kSameHeightMm = 1e-6;
+
+struct Interval {
+    double from = 0;
+    double to = 0;
+
+    bool operator==(const Interval&) const = default;
+};
+
+/// Gauss and Legendre's points on [0, 1], of equal weight: exact for cubics.
+constexpr std::array<double, 2> kGaussAt = {0.21132486540518713, 0.7886751345948129};
+
+/// Slabs are integrated over at most as many stretches between bends.
+constexpr double kMostStretches = 32;
+
+/// Cuts askew to the axis that are less than this share of all there is to remove count as uncut: each costs
+/// a union a slab.
+constexpr double kAskewShare = 1e-4;
+
+/// Shares of an arc at which it passes the outermost points of its circle.
+std::vector<double> turningShares(const Vec2& from, const Segment& segment) {
+    const Arc& arc = *segment.arc;
+    const Vec2 out = from - arc.centre;
+    const double start = std::atan2(out.y(), out.x());
+    const double sweep = sweepAngle(from, segment.to, arc);
+    std::vector<double> shares;
+    // Quarter turns from -4 to 4 cover a start in (-pi, pi] and a sweep of a full turn either way.
+    for (int quarter = -6; quarter <= 6; ++quarter) {
+        const double share = (quarter * kPi / 2 - start) / sweep;
+        if (share > 1e-9 && share < 1 - 1e-9) shares.push_back(share);
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
+void addPieces(const Vec2& from, const Segment& segment, std::vector<MonotonePiece>& into) {
+    if (!segment.arc) return into.push_back({from, segment.to, std::nullopt, false});
+    std::vector<double> shares = turningShares(from, segment);
+    shares.push_back(1);
+    Vec2 at = from;
+    double done = 0;
+    for (const double share : shares) {
+        const Vec2 to = share == 1 ? segment.to : pointAt(from, segment, share);
+        const Vec2 middle = pointAt(from, segment, (done + share) / 2);
+        into.push_back({at, to, segment.arc, middle.x() > segment.arc->centre.x()});
+        at = to;
+        done = share;
+    }
+}
+
+/// Loops of a region, moved by an isometry of the plane.
+template <typename Move>
+Region moved(const Region& region, bool mirrors, const Move& move) {
+    Region result;
+    for (const Loop& loop : region.loops) {
+        Loop copy;
+        copy.start = snapToGrid(move(loop.start));
+        for (Segment segment : loop.segments) {
+            segment.to = snapToGrid(move(segment.to));
+            if (segment.arc) {
+                segment.arc->centre = snapToGrid(move(segment.arc->centre));
+                segment.arc->ccw = segment.arc->ccw != mirrors;
+            }
+            copy.segments.push_back(std::move(segment));
+        }
+        // A mirrored loop runs the other way round.
+        result.loops.push_back(mirrors ? reversed(copy) : std::move(copy));
+    }
+    return result;
+}
+
+/// The prisms cut at all their heights: what is gone between each two neighbouring ones.
+std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolerances& tol) {
+    std::set<double> heights;
+    for (const Prism& prism : prisms)
+        heights.insert({prism.top_z_mm, prism.bottom_z_mm});
+    std::vector<Prism> found;
+    for (auto low = heights.begin(); low != heights.end() && std::next(low) != heights.end(); ++low) {
+        const double high = *std::next(low);
+        if (high - *low < kSameHeightMm) continue;
+        const double middle = (*low + high) / 2;
+        std::vector<Region> gone;
+        for (const Prism& prism : prisms)
+            if (prism.bottom_z_mm < middle && middle < prism.top_z_mm) gone.push_back(prism.region);
+        if (!gone.empty()) found.push_back({unite(gone, tol), high, *low});
+    }
+    return found;
+}
+
+/// Where the vertical line through x lies inside the outline all the way between the heights.
+std::vector<Interval> clearIntervals(const LyingCut& cut, double low, double high) {
+    if (cut.low_mm >= high || cut.high_mm <= low) return {};
+    const double middle = (low + high) / 2;
+    std::vector<double> crossings;
+    std::vector<Interval> walls;
+    for (const MonotonePiece& piece : cut.outline) {
+        if ((piece.from.y() > middle) != (piece.to.y() > middle)) crossings.push_back(piece.xAt(middle));
+        if (piece.high() <= low || piece.low() >= high) continue;
+        const bool level = piece.high() - piece.low() < kSameHeightMm;
+        const double one = level ? piece.from.x() : piece.xAt(std::max(low, piece.low()));
+        const double other = level ? piece.to.x() : piece.xAt(std::min(high, piece.high()));
+        if (one != other) walls.push_back({std::min(one, other), std::max(one, other)});
+    }
+    std::sort(crossings.begin(), crossings.end());
+    std::sort(walls.begin(), walls.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    std::vector<Interval> clear;
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        double from = crossings[i];
+        for (const Interval& wall : walls) {
+            if (wall.to <= from || wall.from >= crossings[i + 1]) continue;
+            if (wall.from > from) clear.push_back({from, wall.from});
+            from = wall.to;
+        }
+        if (from < crossings[i + 1]) clear.push_back({from, crossings[i + 1]});
+    }
+    return clear;
+}
+
+}  // namespace
+
+double MonotonePiece::xAt(double y) const {
+    if (!arc) {
+        const double rise = to.y() - from.y();
+        return rise == 0 ? from.x()
+                         : from.x() + (to.x() - from.x()) * std::clamp((y - from.y()) / rise, 0.0, 1.0);
+    }
+    const double up = y - arc->centre.y();
+    const double out = std::sqrt(std::max(0.0, arc->radius_mm * arc->radius_mm - up * up));
+    return arc->centre.x() + (right_of_centre ? out : -out);
+}
+
+Region LyingCut::box(double place_from, double place_to, double reach_to) const {
+    const auto corner = [&](double place, double reach) {
+        return Vec2(origin + place * along + reach * sweep);
+    };
+    std::vector<Vec2> corners = {corner(place_from, from_mm), corner(place_to, from_mm),
+                                 corner(place_to, reach_to), corner(place_from, reach_to)};
+    if (along.x() * sweep.y() < along.y() * sweep.x()) std::reverse(corners.begin(), corners.end());
+    return makePolygon(corners);
+}
+
+StockAir::StockAir(const Setup& setup, const Tolerances& tol) : tol_(tol) {
+    for (const CutPrisms& cut : setup.stock.cuts)
+        add(cut, setup);
+    for (const Prism& prism : upright_)
+        planes_.insert(planes_.end(), {prism.top_z_mm, prism.bottom_z_mm});
+    for (const LyingCut& lying : lying_)
+        for (const MonotonePiece& piece : lying.outline) {
+            bends_.push_back(piece.from.y());
+            if (!piece.arc && piece.high() - piece.low() < kSameHeightMm) planes_.push_back(piece.from.y());
+        }
+    for (const AskewCut& askew : askew_)
+        bends_.insert(bends_.end(), {askew.low_mm(), askew.high_mm()});
+    bends_.insert(bends_.end(), planes_.begin(), planes_.end());
+    std::sort(planes_.begin(), planes_.end());
+    std::sort(bends_.begin(), bends_.end());
+}
+
+void StockAir::add(const CutPrisms& cut, const Setup& setup) {
+    const Eigen::Isometry3d to_setup = setup.part_to_setup * cut.part_to_setup.inverse();
+    const double cosine = to_setup.linear()(2, 2);
+    if (std::abs(cosine) < tol_.angular_rad) return addLying(cut, to_setup);
+    if (1 - std::abs(cosine) > tol_.angular_rad * tol_.angular_rad) {
+        for (const Prism& prism : cut.prisms)
+            if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3)
+                askew_.emplace_back(prism, to_setup, tol_);
+        return;
+    }
+    for (const Prism& prism : cut.prisms) {
+        const double one = (to_setup * Vec3(0, 0, prism.top_z_mm)).z();
+        const double other = (to_setup * Vec3(0, 0, prism.bottom_z_mm)).z();
+        const auto move = [&](const Vec2& p) { return Vec2((to_setup * Vec3(p.x(), p.y(), 0)).head<2>()); };
+        upright_.push_back(
+            {moved(prism.region, cosine < 0, move), std::max(one, other), std::min(one, other)});
+    }
+}
+
+void StockAir::addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup) {
+    // In the cut's own plane: up here, and along the slab.
+    const Vec2 up = Vec2(to_setup.linear().row(2).head<2>()).normalized();
+    const Vec2 level(up.y(), -up.x());
+    const double raised = to_setup.translation().z();
+    const auto seen = [&](const Vec2& p) { return Vec2(level.dot(p), up.dot(p) + raised); };
+    const int number = lying_.empty() ? 0 : lying_.back().cut + 1;
+    for (const Prism& prism : betweenHeights(cut.prisms, tol_)) {
+        LyingCut lying;
+        lying.cut = number;
+        lying.origin = to_setup.translation().head<2>();
+        lying.along = (to_setup.linear() * Vec3(level.x(), level.y(), 0)).head<2>();
+        lying.sweep = to_setup.linear().col(2).head<2>();
+        lying.from_mm = prism.bottom_z_mm;
+        lying.to_mm = prism.top_z_mm;
+        for (const Loop& loop : moved(prism.region, false, seen).loops) {
+            Vec2 from = loop.start;
+            for (const Segment& segment : loop.segments) {
+                addPieces(from, segment, lying.outline);
+                from = segment.to;
+            }
+        }
+        for (const MonotonePiece& piece : lying.outline) {
+            lying.low_mm = std::min(lying.low_mm, piece.low());
+            lying.high_mm = std::max(lying.high_mm, piece.high());
+        }
+        lying_.push_back(std::move(lying));
+    }
+}
+
+double StockAir::bendNearMiddle(double bottom_mm, double top_mm) const {
+    const double middle = (bottom_mm + top_mm) / 2;
+    double best = middle;
+    double nearest = (top_mm - bottom_mm) / 4;
+    for (const double bend : bends_) {
+        if (std::abs(bend - middle) >= nearest) continue;
+        nearest = std::abs(bend - middle);
+        best = bend;
+    }
+    return best;
+}
+
+Region StockAir::between(double bottom_mm, double top_mm) const {
+    const double margin = std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4);
+    const double low = bottom_mm + margin;
+    const double high = top_mm - margin;
+    std::vector<Region> air;
+    for (const Prism& prism : upright_)
+        if (prism.bottom_z_mm <= low && high <= prism.top_z_mm) air.push_back(prism.region);
+
+    addBoxes(low, high, air);
+    for (const AskewCut& cut : askew_)
+        if (Region gone = cut.between(low, high, tol_); !gone.empty()) air.push_back(std::move(gone));
+    return air.empty() ? Region{} : unite(air, tol_);
+}
+
+void StockAir::addBoxes(double low_mm, double high_mm, std::vector<Region>& air) const {
+    /// A box that may go on through the next cut.
+    struct Run {
+        const LyingCut* lying = nullptr;
+        Interval place;
+        double to_mm = 0;
+    };
+    std::vector<Run> runs;
+    const auto finish = [&](const std::vector<Run>& done) {
+        for (const Run& run : done)
+            air.push_back(run.lying->box(run.place.from, run.place.to, run.to_mm));
+    };
+    for (const LyingCut& lying : lying_) {
+        std::vector<Run> going_on;
+        for (const Interval& place : clearIntervals(lying, low_mm, high_mm)) {
+            if (place.to - place.from <= tol_.linear_mm) continue;
+            const auto same = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
+                return run.lying->cut == lying.cut && run.place == place &&
+                       std::abs(run.to_mm - lying.from_mm) < kSameHeightMm;
+            });
+            if (same == runs.end()) {
+                going_on.push_back({&lying, place, lying.to_mm});
+            } else {
+                going_on.push_back({same->lying, place, lying.to_mm});
+                runs.erase(same);
+            }
+        }
+        finish(runs);
+        runs = std::move(going_on);
+    }
+    finish(runs);
+}
+
+bool StockAir::isUpright(double bottom_mm, double top_mm) const {
+    const double margin = std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4);
+    const double low = bottom_mm + margin;
+    const double high = top_mm - margin;
+    const auto ends = [&](const Prism& prism) {
+        const bool meets = prism.bottom_z_mm < high && prism.top_z_mm > low;
+        return meets && (prism.bottom_z_mm > low || prism.top_z_mm < high);
+    };
+    const auto leans = [&](const MonotonePiece& piece) {
+        return piece.from.x() != piece.to.x() && piece.low() < high && piece.high() > low;
+    };
+    const bool askew = std::any_of(askew_.begin(), askew_.end(), [&](const AskewCut& cut) {
+        return cut.low_mm() < high && cut.high_mm() > low;
+    });
+    return !askew && std::none_of(upright_.begin(), upright_.end(), ends) &&
+           std::none_of(lying_.begin(), lying_.end(), [&](const LyingCut& lying) {
+               return std::any_of(lying.outline.begin(), lying.outline.end(), leans);
+           });
+}
+
+double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm) const {
+    if (over.empty() || empty()) return 0;
+    std::vector<double> ends{bottom_mm};
+    const double apart = std::max(kIntoSlabMm, (top_mm - bottom_mm) / kMostStretches);
+    for (auto bend = std::upper_bound(bends_.begin(), bends_.end(), bottom_mm);
+         bend != bends_.end() && *bend < top_mm - apart; ++bend)
+        if (*bend > ends.back() + apart) ends.push_back(*bend);
+    ends.push_back(top_mm);
+    double volume_mm3 = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double height = ends[i + 1] - ends[i];
+        const auto areaOf = [&](const Region& air) {
+            return air.empty() ? 0 : area(intersect(over, air, tol_));
+        };
+        if (isUpright(ends[i], ends[i + 1])) {
+            volume_mm3 += areaOf(between(ends[i], ends[i + 1])) * height;
+            continue;
+        }
+        for (const double share : kGaussAt)
+            volume_mm3 += height / kGaussAt.size() * areaOf(at(ends[i] + share * height));
+    }
+    return volume_mm3;
+}
+
+}  // namespace stepmill::layers
