@@ -41,29 +41,36 @@ std::vector<int> StandingMaterial::inTheWay(int layer, const std::vector<int>& r
 }
 
 const Region& StandingMaterial::ground(int layer) {
-    const Region& shadow = layers_.layers[layer].shadow;
-    const auto [entry, is_new] = grounds_.try_emplace(layer);
-    if (is_new) {
+    // From the top down, each layer on the one above: what was left there stands over this one too.
+    while (static_cast<int>(grounds_.size()) <= layer) {
+        const int next = static_cast<int>(grounds_.size());
+        const Region& shadow = layers_.layers[next].shadow;
         std::vector<Region> regions{shadow};
-        for (int above = 0; above <= layer; ++above)
-            for (const int index : forest_.of_layer[above])
-                if (forest_.components[index].left) regions.push_back(forest_.components[index].region);
-        entry->second = regions.size() > 1 ? unite(regions, tol_) : shadow;
+        for (const int index : forest_.of_layer[next])
+            if (forest_.components[index].left) regions.push_back(forest_.components[index].region);
+        leaves_.push_back(regions.size() > 1 || (next > 0 && leaves_.back()));
+        if (next > 0 && leaves_[next - 1]) regions.push_back(grounds_.back());
+        grounds_.push_back(regions.size() > 1 ? unite(regions, tol_) : shadow);
     }
-    return entry->second;
+    return grounds_[layer];
 }
 
 const Region& StandingMaterial::above(int layer, const std::vector<int>& removed) {
-    const Region& shadow = ground(layer);
-    std::vector<int> standing = inTheWay(layer, removed);
-    if (standing.empty()) return shadow;
+    return united(layer, inTheWay(layer, removed));
+}
+
+const Region& StandingMaterial::united(int layer, std::vector<int> standing) {
+    if (standing.empty()) return ground(layer);
     const auto [entry, is_new] = known_.try_emplace({layer, standing});
-    if (is_new) {
-        std::vector<Region> regions{shadow};
-        for (const int index : standing)
-            regions.push_back(forest_.components[index].region);
-        entry->second = unite(regions, tol_);
+    if (!is_new) return entry->second;
+    std::vector<Region> regions{ground(layer)};
+    while (!standing.empty() && forest_.components[standing.back()].layer == layer) {
+        regions.push_back(forest_.components[standing.back()].region);
+        standing.pop_back();
     }
+    // What stands in the layers above is known already, mostly from a feature before.
+    if (layer > 0) regions.push_back(united(layer - 1, std::move(standing)));
+    entry->second = unite(regions, tol_);
     return entry->second;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <utility>
 #include <vector>
@@ -34,10 +35,14 @@ class StandingMaterial {
     bool walledIn(int layer, const std::vector<int>& removed) const;
     std::vector<int> inTheWay(int layer, const std::vector<int>& removed) const;
 
+    /// The ground of a layer with components of it and of layers above, ascending.
+    const Region& united(int layer, std::vector<int> standing);
+
     const LayerStack& layers_;
     const RemovalForest& forest_;
     const Tolerances& tol_;
-    std::map<int, Region> grounds_;
+    std::deque<Region> grounds_;  ///< of the layers asked for so far, from the top
+    std::vector<bool> leaves_;    ///< is anything left in this layer or above?
     std::map<std::pair<int, std::vector<int>>, Region> known_;
 };
 

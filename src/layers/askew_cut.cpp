@@ -4,19 +4,27 @@
 
 #include "layers/plane_vectors.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill::layers {
 
 namespace {
 
-/// The polygon stays this far inside the outline, as a share of its size: arcs seen aslant are no arcs.
-constexpr double kInsideShare = 1e-4;
-
-std::vector<Vec2> cornersOf(const Loop& loop, double chord_mm) {
-    std::vector<Vec2> corners = tessellate(loop, chord_mm);
-    corners.pop_back();
-    return corners;
+/// Adds an arc as a polygon on the region's side of it: chords where the region lies inside the circle,
+/// tangents where it lies outside.
+void addArc(const Vec2& from, const Segment& segment, double sagitta_mm, std::vector<Vec2>& corners) {
+    const Arc& arc = *segment.arc;
+    const double sweep = sweepAngle(from, segment.to, arc);
+    const double widest = 2 * std::acos(1 - std::min(sagitta_mm / arc.radius_mm, 0.5));
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / widest)));
+    const double step = sweep / parts;
+    const double start = std::atan2(from.y() - arc.centre.y(), from.x() - arc.centre.x());
+    const double reach = arc.ccw ? arc.radius_mm : arc.radius_mm / std::cos(step / 2);
+    for (int i = 0; i < parts; ++i) {
+        const double angle = start + (arc.ccw ? i + 1 : i + 0.5) * step;
+        if (arc.ccw && i + 1 == parts) break;
+        corners.push_back(arc.centre + reach * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    corners.push_back(segment.to);
 }
 
 Loop closedPath(const std::vector<Vec2>& corners) {
@@ -28,11 +36,19 @@ Loop closedPath(const std::vector<Vec2>& corners) {
 }
 
 Region insidePolygon(const Region& region, const Tolerances& tol) {
-    if (region.empty()) return {};
-    const double chord_mm = std::max(tol.chord_mm, kInsideShare * boundingBox(region).size().norm());
     Region inside;
-    for (const Loop& loop : offset(region, -chord_mm, tol).loops)
-        inside.loops.push_back(closedPath(cornersOf(loop, chord_mm)));
+    for (const Loop& loop : region.loops) {
+        std::vector<Vec2> corners;
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            if (segment.arc)
+                addArc(from, segment, tol.chord_mm, corners);
+            else
+                corners.push_back(segment.to);
+            from = segment.to;
+        }
+        inside.loops.push_back(closedPath(corners));
+    }
     return inside;
 }
 

@@ -11,8 +11,9 @@ namespace stepmill::layers {
 
 /// A prism whose axis is neither along a setup's axis nor across it.
 ///
-/// Kept as a polygon inside the prism's outline, in the prism's own coordinates, where the way straight up in
-/// the setup runs aslant over the ground and along the prism's axis.
+/// Kept as a polygon inside the prism's outline, off it by Tolerances::chord_mm at arcs only, in the prism's
+/// own coordinates, where the way straight up in the setup runs aslant over the ground and along the prism's
+/// axis.
 class AskewCut {
   public:
     /// \param to_setup  from the prism's coordinates to the setup's

@@ -33,7 +33,7 @@ constexpr double kMostStretches = 32;
 
 /// Cuts askew to the axis that are less than this share of all there is to remove count as uncut: each costs
 /// a union a slab.
-constexpr double kAskewShare = 1e-4;
+constexpr double kAskewShare = 1e-5;
 
 /// Shares of an arc at which it passes the outermost points of its circle.
 std::vector<double> turningShares(const Vec2& from, const Segment& segment) {
@@ -180,7 +180,7 @@ void StockAir::add(const CutPrisms& cut, const Setup& setup) {
     const double cosine = to_setup.linear()(2, 2);
     if (std::abs(cosine) < tol_.angular_rad) return addLying(cut, to_setup);
     if (1 - std::abs(cosine) > tol_.angular_rad * tol_.angular_rad) {
-        for (const Prism& prism : cut.prisms)
+        for (const Prism& prism : betweenHeights(cut.prisms, tol_))
             if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3)
                 askew_.emplace_back(prism, to_setup, tol_);
         return;
