@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::string_view kHeader = "diameter_mm,volume_cm3,mrr_cm3_per_min";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+/// No magazine or catalogue page holds more, and sequences are compared pair by pair.
+constexpr std::size_t kMostCutters = 1000;
 constexpr std::string_view kBlanks = " \t\r";
 
 std::string_view trimmed(std::string_view text) {
@@ -50,6 +52,8 @@ class TableReader {
             if (line_ == 1) {
                 requireHeader(line);
             } else if (!line.empty()) {
+                if (rows.size() == kMostCutters)
+                    fail(fmt::format("expected no more than {} cutters", kMostCutters));
                 rows.push_back(readRow(line));
             }
         }

@@ -32,6 +32,7 @@ Json rowJson(const RankedRow& row) {
             // As given: tables may hold finer numbers than reports print.
             {"diameter_mm", row.cutter.diameter_mm},
             {"volume_cm3", row.cutter.volume_cm3},
+            {"clear_volume_cm3", numberOrNull(row.cutter.clear_volume_cm3)},
             {"mrr_cm3_per_min", row.cutter.mrr_cm3_per_min},
             {"time_min", number(row.time_min)},
             {"share_percent", number(kPercent * row.share)},

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "report/text.h"
+#include "stepmill/core/units.h"
 #include "stepmill/report/rank.h"
 
 namespace stepmill {
@@ -13,12 +14,16 @@ std::string orDash(const std::optional<double>& value) {
     return value ? fmt::format("{:.3f}", *value) : std::string("-");
 }
 
+constexpr const char* kColumns = "{:<8} {:>8} {:>11} {:>11} {:>9} {:>10} {:>8} {:>4} {:>10} {:>10} {:>12}\n";
+
 std::string rowText(const RankedRow& row) {
-    return fmt::format(
-        "{:<10} {:>8.3f} {:>12.3f} {:>12.3f} {:>10.3f} {:>8.3f} {:>5} {:>10} {:>10.3f} {:>12.3f}\n",
-        row.cutter.tool, row.cutter.diameter_mm, row.cutter.volume_cm3, row.cutter.mrr_cm3_per_min,
-        row.time_min, kPercent * row.share, row.rank ? std::to_string(*row.rank) : "-", orDash(row.dvcd_min),
-        row.rdvc_min, row.rdvc_with_changes_min);
+    const auto digits = [](double value) { return fmt::format("{:.3f}", value); };
+    const AccessRow& cutter = row.cutter;
+    return fmt::format(fmt::runtime(kColumns), cutter.tool, digits(cutter.diameter_mm),
+                       digits(cutter.volume_cm3), orDash(cutter.clear_volume_cm3),
+                       digits(cutter.mrr_cm3_per_min), digits(row.time_min), digits(kPercent * row.share),
+                       row.rank ? std::to_string(*row.rank) : "-", orDash(row.dvcd_min), digits(row.rdvc_min),
+                       digits(row.rdvc_with_changes_min));
 }
 
 std::string setText(const Ranking& ranking, const RankedSet& set) {
@@ -40,11 +45,10 @@ std::string headText(const RankReport& report) {
 }
 
 std::string tableText(const Ranking& ranking) {
-    std::string text =
-        fmt::format("{:<10} {:>8} {:>12} {:>12} {:>10} {:>8} {:>5} {:>10} {:>10} {:>12}\n", "tool",
-                    "diameter", "volume", "rate", "time", "share", "rank", "if next", "RDVC", "with changes");
-    text += fmt::format("{:<10} {:>8} {:>12} {:>12} {:>10} {:>8} {:>5} {:>10} {:>10} {:>12}\n", "", "mm",
-                        "cm3", "cm3/min", "min", "%", "", "min", "min", "min");
+    std::string text = fmt::format(fmt::runtime(kColumns), "tool", "diameter", "volume", "with holder",
+                                   "rate", "time", "share", "rank", "if next", "RDVC", "with changes");
+    text += fmt::format(fmt::runtime(kColumns), "", "mm", "cm3", "cm3", "cm3/min", "min", "%", "", "min",
+                        "min", "min");
     for (const RankedRow& row : ranking.rows)
         text += rowText(row);
     text += "\nranking        " + setText(ranking, ranking.greedy) + "\n";
@@ -82,11 +86,37 @@ std::string sensitivityText(const Sensitivity& sensitivity) {
 }
 
 std::string gainText(const Purchase& purchase) {
-    const double saved_min = purchase.saved_s / 60;
+    const double saved_min = purchase.saved_s / kSecondsPerMinute;
     if (purchase.more_mm3 > 0)
         return fmt::format("machines {:.4g} mm3 more, in {:.2f} min {}", purchase.more_mm3,
                            std::abs(saved_min), saved_min < 0 ? "more" : "less");
     return fmt::format("saves {:.2f} min", saved_min);
+}
+
+/// The tools that help more than one feature, most minutes first.
+std::string sharedPurchases(const std::vector<PurchaseAdvice>& purchases) {
+    struct Sum {
+        std::string tool;
+        int features = 0;
+        double saved_s = 0;
+    };
+    std::vector<Sum> sums;
+    for (const PurchaseAdvice& advice : purchases) {
+        if (!advice.best) continue;
+        const std::string& tool = advice.best->tool.id;
+        auto sum = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) { return s.tool == tool; });
+        if (sum == sums.end()) sum = sums.insert(sum, {tool});
+        ++sum->features;
+        sum->saved_s += advice.best->saved_s;
+    }
+    std::erase_if(sums, [](const Sum& sum) { return sum.features < 2; });
+    std::stable_sort(sums.begin(), sums.end(),
+                     [](const Sum& a, const Sum& b) { return a.saved_s > b.saved_s; });
+    std::string text;
+    for (const Sum& sum : sums)
+        text += fmt::format("  {}: {:.2f} min over {} features\n", sum.tool, sum.saved_s / kSecondsPerMinute,
+                            sum.features);
+    return text.empty() ? text : "Tools that help several features, each counted by itself:\n" + text;
 }
 
 std::string purchasesText(const std::vector<PurchaseAdvice>& purchases) {
@@ -101,7 +131,7 @@ std::string purchasesText(const std::vector<PurchaseAdvice>& purchases) {
         text += fmt::format("{} ({}): {}, then {}\n", best.tool.id, best.why, gainText(best),
                             toolsText(best.tools));
     }
-    return text;
+    return text + sharedPurchases(purchases);
 }
 
 }  // namespace

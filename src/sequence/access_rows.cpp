@@ -10,11 +10,15 @@ namespace {
 
 constexpr double kMm3PerCm3 = 1000;
 
-double accessVolumeMm3(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material) {
-    const AccessibleArea area = accessibleArea(ground, tool, material);
+/// Of the access volume, what the whole tool may reach.
+double clearVolumeMm3(const AccessibleArea& area, double depth_mm) {
     if (!area.excluded) return area.access_volume_mm3;
-    const auto limited = limitedArea(ground, tool, area);
-    return limited ? limited->access_volume_mm3 : 0;
+    if (area.excluded->reason != ExclusionReason::HolderCollision) return 0;
+    return area.collision_free_area_mm2 * depth_mm;
+}
+
+bool leavesFlatFloor(const ToolAssembly& tool) {
+    return tool.type == ToolType::Flat || tool.type == ToolType::Face;
 }
 
 }  // namespace
@@ -26,16 +30,18 @@ std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const T
     std::vector<AccessRow> rows;
     for (const ToolAssembly& tool : library.tools) {
         const CuttingData* cutting = tool.cuttingFor(material);
-        if (tool.isDrill() || cutting == nullptr) continue;
+        if (!leavesFlatFloor(tool) || cutting == nullptr) continue;
         const double rate_mm3_per_s = removalRateMm3PerS(limitedBy(machine, *cutting));
         if (rate_mm3_per_s <= 0) continue;
         tools.push_back(&tool);
-        rows.push_back({tool.id, tool.diameter_mm, 0, rate_mm3_per_s * kSecondsPerMinute / kMm3PerCm3});
+        rows.push_back({tool.id, tool.diameter_mm, 0, rate_mm3_per_s * kSecondsPerMinute / kMm3PerCm3, 0});
     }
     for (const Feature& feature : features) {
         const FeatureGround ground(feature, tol);
         tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
-            rows[i].volume_cm3 += accessVolumeMm3(ground, *tools[i], material) / kMm3PerCm3;
+            const AccessibleArea area = accessibleArea(ground, *tools[i], material);
+            rows[i].volume_cm3 += area.access_volume_mm3 / kMm3PerCm3;
+            *rows[i].clear_volume_cm3 += clearVolumeMm3(area, feature.depth_mm()) / kMm3PerCm3;
         });
     }
     return rows;

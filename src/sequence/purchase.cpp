@@ -11,6 +11,12 @@
 namespace stepmill {
 namespace {
 
+/// A tool that saves less of a feature's time or cost is not worth talking about.
+constexpr double kWorthBuyingShare = 0.01;
+
+/// Nor is one for what is less of the feature's volume: every smaller cutter gets farther into corners.
+constexpr double kWorthReachingShare = 0.01;
+
 /// What the area model expects of a library: what its cutters reach together and how long the best sequence
 /// takes.
 struct Forecast {
@@ -107,12 +113,11 @@ class Adviser {
         return chosen;
     }
 
-    /// Volumes that differ by less are the same.
-    double sameVolume() const { return sameArea(feature_, tol_) * feature_.depth_mm(); }
+    double worthReachingMm3() const { return kWorthReachingShare * feature_.volume_mm3; }
 
     bool isBetter(const Forecast& a, const Forecast& b) const {
-        // Counted in steps of what is the same, so that the order is a true one.
-        const auto steps = [&](const Forecast& f) { return std::round(f.volume_mm3 / sameVolume()); };
+        // Counted in whole steps, so that the order is a true one.
+        const auto steps = [&](const Forecast& f) { return std::round(f.volume_mm3 / worthReachingMm3()); };
         return std::tuple(-steps(a), a.time_s) < std::tuple(-steps(b), b.time_s);
     }
 
@@ -164,11 +169,16 @@ class Adviser {
         purchase.saved_s = known_.time_s - sequence.time_s;
         purchase.saved_cost = known_.cost - sequence.cost;
         purchase.more_mm3 = staysMm3(known_) - staysMm3(sequence);
-        const bool reaches_more = purchase.more_mm3 > sameVolume();
-        const bool as_much = purchase.more_mm3 >= -sameVolume();
-        if (!used || !(reaches_more || (as_much && saved(purchase) > 0))) return std::nullopt;
+        const bool reaches_more = purchase.more_mm3 > worthReachingMm3();
+        const bool as_much = purchase.more_mm3 >= -sameArea(feature_, tol_) * feature_.depth_mm();
+        const bool saves = saved(purchase) > kWorthBuyingShare * weight(known_);
+        if (!used || !(reaches_more || (as_much && saves))) return std::nullopt;
         if (!reaches_more) purchase.more_mm3 = 0;
         return purchase;
+    }
+
+    double weight(const ToolSequence& sequence) const {
+        return options_.objective == Objective::Time ? sequence.time_s : sequence.cost;
     }
 
     double saved(const Purchase& purchase) const {
@@ -176,7 +186,7 @@ class Adviser {
     }
 
     bool helpsMore(const Purchase& a, const Purchase& b) const {
-        if (std::abs(a.more_mm3 - b.more_mm3) > sameVolume()) return a.more_mm3 > b.more_mm3;
+        if (std::abs(a.more_mm3 - b.more_mm3) > worthReachingMm3()) return a.more_mm3 > b.more_mm3;
         return saved(a) > saved(b);
     }
 

@@ -197,6 +197,12 @@ std::optional<ToolAssembly> withStickOut(ToolAssembly tool, double stick_out_mm)
     const double whole_mm = std::ceil(stick_out_mm);
     if (whole_mm <= tool.stick_out_mm || whole_mm > kMostStickOutDiameters * tool.diameter_mm)
         return std::nullopt;
+    const double share = tool.stick_out_mm / whole_mm;
+    for (CuttingData& data : tool.cutting) {
+        data.step_down_mm *= share;
+        data.feed_mm_per_min *= share;
+        data.plunge_feed_mm_per_min *= share;
+    }
     moveHolder(tool, whole_mm - tool.stick_out_mm);
     tool.id = fmt::format("{} out {:.4g}", tool.id, whole_mm);
     return tool;

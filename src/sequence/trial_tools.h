@@ -38,8 +38,10 @@ std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrar
 std::optional<ToolAssembly> interpolatedTool(const ToolLibrary& library, ToolType type, double diameter_mm,
                                              double reach_mm, const std::string& material);
 
-/// The tool pulled farther out of its holder, to the next whole millimetre; nothing when it sticks out that
-/// far already, or when it would stand out more than ten diameters.
+/// The tool pulled farther out of its holder, to the next whole millimetre, with step-down and feeds lessened
+/// in proportion, since it bends more: the removal rate falls with the square of the stick-out, about as in
+/// libraries' long cutters. Nothing when it sticks out that far already, or when it would stand out more than
+/// ten diameters.
 std::optional<ToolAssembly> withStickOut(ToolAssembly tool, double stick_out_mm);
 
 }  // namespace stepmill

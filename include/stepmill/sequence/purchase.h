@@ -15,7 +15,7 @@ struct Purchase {
     std::vector<std::string> tools;  ///< the sequence with it
     double saved_s = 0;              ///< of the feature's time; negative where it machines more
     double saved_cost = 0;
-    double more_mm3 = 0;  ///< volume it machines that stays without it
+    double more_mm3 = 0;  ///< volume it machines that stays without it; 0 where that is not worth naming
 };
 
 struct PurchaseAdvice {
@@ -24,11 +24,11 @@ struct PurchaseAdvice {
     double cost = 0;
     double stays_mm3 = 0;          ///< residual with the library as it is
     int trials = 0;                ///< tools that were tried on real paths
-    std::optional<Purchase> best;  ///< nothing when none of them helps
+    std::optional<Purchase> best;  ///< nothing when none of them helps noticeably
 };
 
-/// The one tool beyond the library that helps this feature most: first by what it machines that else stays,
-/// then by time or cost, as the objective asks.
+/// The one tool beyond the library that helps this feature most: first by what it machines that else stays
+/// (from a hundredth of the feature's volume on), then by time or cost, as the objective asks.
 ///
 /// Candidates are end mills of the diameters at which the access curve changes and of the usual series, with
 /// cutting data interpolated from the library's neighbours; a drill of a through hole's diameter; and cutters

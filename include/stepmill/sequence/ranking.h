@@ -51,10 +51,10 @@ struct Ranking {
 /// \pre diameters and removal rates above 0, tool_change_s >= 0
 Ranking rankTools(std::vector<AccessRow> table, double tool_change_s);
 
-/// The table of these features for the cutters of a library that mill and have data for the material, in the
-/// library's order. Volumes are coverable area x depth, summed over the features, where entry, reach and
-/// holder allow it; 0 for a cutter that fits nowhere. Removal rate is step-over x step-down x feed, within
-/// what the machine can do.
+/// The table of these features for the cutters of a library that leave a flat floor and have data for the
+/// material, in the library's order. Volumes are coverable area x depth, summed over the features, as in the
+/// paper those of the cutter alone; `clear_volume_cm3` tells what of that its reach, shank and holder allow.
+/// Removal rate is step-over x step-down x feed, within what the machine can do.
 std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const ToolLibrary& library,
                                    const Machine& machine, const std::string& material,
                                    const Tolerances& tol);

@@ -63,6 +63,14 @@ TEST(AccessTable, RefusesNumbersThatAreNone) {
     EXPECT_NE(refusal("diameter_mm;volume_cm3;mrr_cm3_per_min\n1;2;3\n"), "taken");
 }
 
+TEST(AccessTable, TakesAThousandCuttersAndNoMore) {
+    std::string text = kHeader;
+    for (int i = 0; i < 1000; ++i)
+        text += "10,5,3\n";
+    EXPECT_EQ(accessTableFromText(text, "cutters.csv").size(), 1000u);
+    EXPECT_EQ(refusal(text + "10,5,3\n"), "cutters.csv, line 1002: expected no more than 1000 cutters");
+}
+
 TEST(AccessTable, CutsLongFindingsShort) {
     EXPECT_LT(refusal(std::string(100000, 'x')).size(), 200u);
 }

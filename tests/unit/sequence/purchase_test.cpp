@@ -66,6 +66,8 @@ TEST(TrialTools, ALongerStickOutMovesShankAndHolderAlong) {
     EXPECT_DOUBLE_EQ(longer->shank.bottom_mm, tool.shank.bottom_mm);
     EXPECT_DOUBLE_EQ(longer->holder[0].bottom_mm, 57);
     EXPECT_DOUBLE_EQ(longer->holder[0].top_mm, 97);
+    EXPECT_NEAR(longer->cutting[0].feed_mm_per_min, 1200 * 50.0 / 57, 1e-9);
+    EXPECT_NEAR(longer->cutting[0].step_down_mm, 4 * 50.0 / 57, 1e-9);
     EXPECT_FALSE(withStickOut(tool, 50));
     EXPECT_FALSE(withStickOut(tool, 101));  // more than ten diameters
 }

@@ -91,8 +91,21 @@ TEST(Ranking, TableOfAPocketHasAccessVolumesAndRemovalRates) {
     ASSERT_EQ(rows.size(), 2u);  // drills do not mill
     EXPECT_NEAR(rows[0].volume_cm3, 2 * pocket.volume_mm3 / 1000, 1e-6);
     EXPECT_DOUBLE_EQ(rows[0].mrr_cm3_per_min, 5 * 4 * 1200 / 1000.0);
+    EXPECT_DOUBLE_EQ(*rows[0].clear_volume_cm3, rows[0].volume_cm3);
     EXPECT_EQ(rows[1].volume_cm3, 0);
     EXPECT_TRUE(accessTable({pocket}, library, makeMachine(), "cheese", {}).empty());
+}
+
+TEST(Ranking, TableTellsWhatTheHolderTakes) {
+    const Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(60, 40), 5), 30);
+    ToolAssembly held = makeMill(10);
+    held.stick_out_mm = 20;
+    held.holder = {{30, 20, 60}};
+    const std::vector<AccessRow> rows =
+        accessTable({pocket}, makeLibrary({held}), makeMachine(), "aluminium", {});
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_NEAR(rows[0].volume_cm3, pocket.volume_mm3 / 1000, 1e-6);
+    EXPECT_LT(*rows[0].clear_volume_cm3, rows[0].volume_cm3);
 }
 
 }  // namespace
