@@ -1,4 +1,5 @@
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -85,6 +86,10 @@ int rankParts(const RankOptions& options, ProgressLine& progress) {
 }
 
 int runRank(const RankOptions& options) {
+    // CLI11's own check lets these words through.
+    if (options.tool_change_s && !std::isfinite(*options.tool_change_s))
+        throw Error(ErrorCode::Usage, "--tool-change",
+                    fmt::format("expected a number of seconds, found '{}'", *options.tool_change_s));
     if (isTable(options.part.part_file)) return rankTable(options);
     return runInChild(options.part, outputFolder(options.part, "-rank"),
                       [&](ProgressLine& progress) { return rankParts(options, progress); });

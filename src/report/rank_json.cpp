@@ -68,7 +68,9 @@ Json sensitivityJson(const std::optional<Sensitivity>& sensitivity) {
             {"now", number(sensitivity->now)},
             {"weighs", sensitivity->objective == Objective::Time ? "time_s" : "cost"},
             {"features", listOf(sensitivity->features, [](const FeatureSensitivity& feature) {
-                 return Json{{"feature", feature.feature_id}, {"ranges", listOf(feature.ranges, rangeJson)}};
+                 return Json{{"feature", feature.feature_id},
+                             {"ranges", listOf(feature.ranges, rangeJson)},
+                             {"failure", textOrNull(feature.failure)}};
              })}};
 }
 
@@ -85,12 +87,17 @@ Json bestJson(const std::optional<Purchase>& best) {
             {"more_mm3", number(best->more_mm3)}};
 }
 
-Json purchasesJson(const std::optional<std::vector<PurchaseAdvice>>& purchases) {
+Json purchasesJson(const std::optional<std::vector<FeaturePurchase>>& purchases) {
     if (!purchases) return nullptr;
-    return listOf(*purchases, [](const PurchaseAdvice& advice) {
-        return Json{{"feature", advice.feature_id}, {"time_s", number(advice.time_s)},
-                    {"cost", number(advice.cost)},  {"stays_mm3", number(advice.stays_mm3)},
-                    {"trials", advice.trials},      {"best", bestJson(advice.best)}};
+    return listOf(*purchases, [](const FeaturePurchase& purchase) {
+        const PurchaseAdvice& advice = purchase.advice;
+        return Json{{"feature", advice.feature_id},
+                    {"time_s", number(advice.time_s)},
+                    {"cost", number(advice.cost)},
+                    {"stays_mm3", number(advice.stays_mm3)},
+                    {"trials", advice.trials},
+                    {"best", bestJson(advice.best)},
+                    {"failure", textOrNull(purchase.failure)}};
     });
 }
 

@@ -53,6 +53,16 @@ std::string unitOf(Parameter parameter, const Machine& machine) {
     return {};
 }
 
+/// Does a feature's work; what went wrong, or nothing.
+std::string failureOf(const std::function<void()>& work) {
+    try {
+        work();
+        return {};
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
 Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequest& request,
                             const ToolLibrary& library, const Machine& machine, const Tolerances& tol) {
     Sensitivity result;
@@ -63,9 +73,12 @@ Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequ
     result.currency = machine.currency;
     result.features.resize(features.size());
     tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
-        const CheapestAt cheapest =
-            cheapestBySequencing(features[i], library, machine, request.sequence, tol, result.parameter);
-        result.features[i] = {features[i].id, bestSequences(cheapest)};
+        FeatureSensitivity& found = result.features[i];
+        found.feature_id = features[i].id;
+        found.failure = failureOf([&] {
+            found.ranges = bestSequences(
+                cheapestBySequencing(features[i], library, machine, request.sequence, tol, result.parameter));
+        });
     });
     return result;
 }
@@ -97,7 +110,10 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
         tell("what to buy", 0.7);
         report.purchases.emplace(features.size());
         tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
-            (*report.purchases)[i] = whatToBuy(features[i], library, machine, request.sequence, tol);
+            FeaturePurchase& found = (*report.purchases)[i];
+            found.advice.feature_id = features[i].id;
+            found.failure = failureOf(
+                [&] { found.advice = whatToBuy(features[i], library, machine, request.sequence, tol); });
         });
     }
     return report;

@@ -77,11 +77,14 @@ std::string sensitivityText(const Sensitivity& sensitivity) {
                                    time ? "time" : "cost");
     text += fmt::format("{:<8} {:<22} {:<26} {}\n", "feature", "range",
                         time ? "time [s]" : fmt::format("cost [{}]", sensitivity.currency), "tools");
-    for (const FeatureSensitivity& feature : sensitivity.features)
+    for (const FeatureSensitivity& feature : sensitivity.features) {
+        if (!feature.failure.empty())
+            text += fmt::format("{:<8} planning failed: {}\n", feature.feature_id, feature.failure);
         for (const BestSequence& range : feature.ranges)
             text += fmt::format("{:<8} {:<22} {:<26} {}\n", feature.feature_id, rangeText(range),
                                 fmt::format("{:.4g} + {:.4g} x value", range.line.fixed, range.line.per_unit),
                                 toolsText(range.line.tools));
+    }
     return text;
 }
 
@@ -94,14 +97,14 @@ std::string gainText(const Purchase& purchase) {
 }
 
 /// The tools that help more than one feature, most minutes first.
-std::string sharedPurchases(const std::vector<PurchaseAdvice>& purchases) {
+std::string sharedPurchases(const std::vector<FeaturePurchase>& purchases) {
     struct Sum {
         std::string tool;
         int features = 0;
         double saved_s = 0;
     };
     std::vector<Sum> sums;
-    for (const PurchaseAdvice& advice : purchases) {
+    for (const auto& [advice, failure] : purchases) {
         if (!advice.best) continue;
         const std::string& tool = advice.best->tool.id;
         auto sum = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) { return s.tool == tool; });
@@ -119,9 +122,13 @@ std::string sharedPurchases(const std::vector<PurchaseAdvice>& purchases) {
     return text.empty() ? text : "Tools that help several features, each counted by itself:\n" + text;
 }
 
-std::string purchasesText(const std::vector<PurchaseAdvice>& purchases) {
+std::string purchasesText(const std::vector<FeaturePurchase>& purchases) {
     std::string text = "\nWhat to buy: for each feature the one tool beyond the library that helps most\n";
-    for (const PurchaseAdvice& advice : purchases) {
+    for (const auto& [advice, failure] : purchases) {
+        if (!failure.empty()) {
+            text += fmt::format("{:<8} planning failed: {}\n", advice.feature_id, failure);
+            continue;
+        }
         text += fmt::format("{:<8} {:>8}  ", advice.feature_id, clockTime(advice.time_s));
         if (!advice.best) {
             text += fmt::format("nothing helps ({} tried)\n", advice.trials);

@@ -97,6 +97,9 @@ class Adviser {
             trials.push_back(std::move(*drill));
         for (TrialTool& longer : longerTools(ground_, library_, areas_))
             trials.push_back(std::move(longer));
+        for (TrialTool& trial : trials)
+            while (isInLibrary(trial.tool.id))
+                trial.tool.id += "*";
         const Forecast now = forecast(library_, usable_);
         std::vector<Forecast> forecasts(trials.size());
         tbb::parallel_for(std::size_t{0}, trials.size(),
@@ -113,6 +116,11 @@ class Adviser {
         return chosen;
     }
 
+    bool isInLibrary(const std::string& id) const {
+        return std::any_of(library_.tools.begin(), library_.tools.end(),
+                           [&](const ToolAssembly& tool) { return tool.id == id; });
+    }
+
     double worthReachingMm3() const { return kWorthReachingShare * feature_.volume_mm3; }
 
     bool isBetter(const Forecast& a, const Forecast& b) const {
@@ -126,7 +134,7 @@ class Adviser {
         std::vector<AccessibleArea> areas;
         auto known = usable_.begin();
         for (const ToolAssembly* each : byFallingDiameter(library)) {
-            if (each->id == tool.id)
+            if (each == &library.tools.back())
                 areas.push_back(usableArea(ground_, tool, accessibleArea(ground_, tool, options_.material)));
             else
                 areas.push_back(*known++);

@@ -20,8 +20,9 @@ struct AccessRow {
 
 /// Reads a table of cutters: a CSV file with the header `diameter_mm,volume_cm3,mrr_cm3_per_min` and one line
 /// a cutter, at most 1000, in any order. Diameters and removal rates are above zero, volumes not below it.
-/// Blank lines and blanks around numbers are allowed. \throws Error(InvalidCatalog) with "file, line N" as
-/// subject and what was expected; Error(FileUnreadable)
+/// Blank lines and blanks around numbers are allowed.
+///
+/// \throws Error(InvalidCatalog) with "file, line N" as subject and what was expected; Error(FileUnreadable)
 std::vector<AccessRow> readAccessTable(const std::filesystem::path& path);
 
 /// The same from text already in memory; `file_name` is what error messages say.

@@ -31,6 +31,13 @@ struct RankRequest {
 struct FeatureSensitivity {
     std::string feature_id;
     std::vector<BestSequence> ranges;
+    std::string failure;  ///< why it could not be sequenced; empty when it could
+};
+
+/// What would help a feature.
+struct FeaturePurchase {
+    PurchaseAdvice advice;
+    std::string failure;  ///< why it could not be sequenced; empty when it could
 };
 
 struct Sensitivity {
@@ -50,11 +57,13 @@ struct RankReport {
     std::string material;  ///< empty for a table
     Ranking ranking;
     std::optional<Sensitivity> sensitivity;
-    std::optional<std::vector<PurchaseAdvice>> purchases;
+    std::optional<std::vector<FeaturePurchase>> purchases;
 };
 
 /// Ranks the cutters of a library for a part. Features are those a plan would start with, each setup on the
-/// stock the ones before it leave when all their features are cut whole. \param progress  told of each stage
+/// stock the ones before it leave when all their features are cut whole. A feature that cannot be sequenced
+/// does not end the run: its entry says why.
+/// \param progress  told of each stage
 /// \throws Error(Usage) if there is no such feature, naming those there are; what chooseSetups and walkSetups
 ///         throw
 RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibrary& library,

@@ -19,7 +19,7 @@ struct RankedRow {
     /// Rank 0 finishes; rank k is used before rank k - 1. Nothing for cutters the ranking leaves out.
     std::optional<int> rank;
     /// Eq. 1: time with this cutter before the ranks narrower than it. Nothing for
-    /// cutters no wider than rank 0 or that reach more than the rank before.
+    /// cutters no wider than rank 0, that reach nothing, or that reach more than the rank before.
     std::optional<double> dvcd_min;
     /// Time with all ranks up to this diameter, as the paper prints it: without tool changes, and with one
     /// for every rank but the first tool used.

@@ -39,8 +39,9 @@ struct BestSequence {
 /// changes. The least of straight lines is concave and piecewise linear: where the lines that are best at the
 /// two ends of a range meet, either they are still the best, and that is the break-even, or some other line
 /// is lower, and splits the range. So every break-even is exact, none is missed, and `cheapest` is asked
-/// about twice as often as there are pieces. \pre `cheapest` finds the optimum over one fixed set of lines
-/// with per_unit >= 0
+/// about twice as often as there are pieces.
+///
+/// \pre `cheapest` finds the optimum over one fixed set of lines with per_unit >= 0
 std::vector<BestSequence> bestSequences(const CheapestAt& cheapest);
 
 /// Money counts where the parameter is an hourly rate or a price.

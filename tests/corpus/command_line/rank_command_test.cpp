@@ -96,7 +96,8 @@ TEST_F(RankCommand, ABrokenTableNamesFileLineAndExpectation) {
 TEST_F(RankCommand, RefusesWhatATableCannotAnswer) {
     expectRefused({kPaperTable, "--buy"}, {"--buy", "part"});
     expectRefused({kPaperTable, "--feature", "S1.F1"}, {"--feature", "part"});
-    expectRefused({kPaperTable, "--tool-change", "-1"}, {"--tool-change"});
+    for (const char* seconds : {"-1", "nan", "inf", "soon"})
+        expectRefused({kPaperTable, "--tool-change", seconds}, {"--tool-change"});
     expectRefused({kPaperTable, "--json", "--csv"}, {"--csv"});
     expectRefused({kPart, "--sensitivity", "weather"}, {"--sensitivity"});
     expectRefused({kPart, "--feature", "S9.F9"}, {"S9.F9", "S1.F1"});

@@ -28,8 +28,9 @@ RankReport partReport() {
     Sensitivity sensitivity{Parameter::ToolChange, 5, "s", Objective::Time, "EUR", {}};
     const double infinite = std::numeric_limits<double>::infinity();
     sensitivity.features.push_back(
-        {"S1.F1", {{0, 50, {50, 2, {"EM12", "EM6"}}}, {50, infinite, {100, 1, {"EM6"}}}}});
-    sensitivity.features.push_back({"S1.F2", {{0, infinite, {}}}});
+        {"S1.F1", {{0, 50, {50, 2, {"EM12", "EM6"}}}, {50, infinite, {100, 1, {"EM6"}}}}, {}});
+    sensitivity.features.push_back({"S1.F2", {{0, infinite, {}}}, {}});
+    sensitivity.features.push_back({"S1.F3", {}, "a gouge"});
     report.sensitivity = sensitivity;
     PurchaseAdvice advice;
     advice.feature_id = "S1.F1";
@@ -42,7 +43,12 @@ RankReport partReport() {
     purchase.tools = {"EM12", "new end mill 9"};
     purchase.saved_s = 30;
     advice.best = purchase;
-    report.purchases = {advice, advice, PurchaseAdvice{"S1.F2", 1, 0, 0, 3, std::nullopt}};
+    PurchaseAdvice failed;
+    failed.feature_id = "S1.F3";
+    report.purchases = {{advice, {}},
+                        {advice, {}},
+                        {PurchaseAdvice{"S1.F2", 1, 0, 0, 3, std::nullopt}, {}},
+                        {failed, "a gouge"}};
     return report;
 }
 
@@ -77,9 +83,10 @@ TEST(RankReport, JsonOfAPartNamesToolsRangesAndPurchases) {
 
 TEST(RankReport, TextHasTheTableBreakEvensAndPurchases) {
     const std::string text = rankText(partReport());
-    for (const char* words : {"plate.step, all features, steel", "EM12 > EM6", "up to 50", "from 50",
-                              "none fits", "new end mill 9 (of the usual series): saves 0.50 min",
-                              "nothing helps (3 tried)", "new end mill 9: 1.00 min over 2 features"})
+    for (const char* words :
+         {"plate.step, all features, steel", "EM12 > EM6", "up to 50", "from 50", "none fits",
+          "new end mill 9 (of the usual series): saves 0.50 min", "nothing helps (3 tried)",
+          "new end mill 9: 1.00 min over 2 features", "S1.F3    planning failed: a gouge"})
         EXPECT_NE(text.find(words), std::string::npos) << words << " not in\n" << text;
 }
 
