@@ -15,6 +15,7 @@ enum ExitCode : int {
 /// Each adds one subcommand; what it does runs from CLI11's callback and sets `exit_code`.
 void addPlanCommand(CLI::App& app, int& exit_code);
 void addInspectCommand(CLI::App& app, int& exit_code);
+void addRankCommand(CLI::App& app, int& exit_code);
 void addToolsCommand(CLI::App& app, int& exit_code);
 
 /// Prints an error on stderr as "stepmill: ..." and says which exit code it means.

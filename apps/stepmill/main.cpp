@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     int exit_code = stepmill::kComplete;
     stepmill::addPlanCommand(app, exit_code);
     stepmill::addInspectCommand(app, exit_code);
+    stepmill::addRankCommand(app, exit_code);
     stepmill::addToolsCommand(app, exit_code);
     try {
         app.parse(argc, argv);

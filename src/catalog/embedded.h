@@ -9,6 +9,7 @@ extern const std::string_view kToolsSchema;
 extern const std::string_view kMachineSchema;
 extern const std::string_view kPlanSchema;
 extern const std::string_view kInspectSchema;
+extern const std::string_view kRankSchema;
 extern const std::string_view kDefaultTools;
 extern const std::string_view kDefaultMachine;
 

@@ -90,6 +90,8 @@ std::string_view schemaText(SchemaName name) {
             return embedded::kPlanSchema;
         case SchemaName::Inspect:
             return embedded::kInspectSchema;
+        case SchemaName::Rank:
+            return embedded::kRankSchema;
     }
     return {};
 }

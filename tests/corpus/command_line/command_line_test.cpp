@@ -47,7 +47,7 @@ class CommandLine : public testing::Test {
 TEST_F(CommandLine, HelpNamesEveryCommandAndTheExitCodes) {
     const ProgramRun run = runProgram({stepmillBinary(), "--help"});
     EXPECT_EQ(run.exit_code, 0);
-    for (const char* word : {"plan", "tools", "Exit codes"})
+    for (const char* word : {"plan", "inspect", "rank", "tools", "Exit codes"})
         EXPECT_NE(run.out.find(word), std::string::npos) << word;
 }
 

@@ -1,0 +1,139 @@
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/core.h>
+
+#include "commands.h"
+#include "options.h"
+#include "run.h"
+#include "stepmill/core/error.h"
+#include "stepmill/report/rank.h"
+
+namespace stepmill {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RankOptions {
+    PlanOptions part;
+    std::optional<double> tool_change_s;
+    std::string feature;
+    std::string sensitivity;
+    bool buy = false;
+    bool csv = false;
+};
+
+bool isTable(const std::string& file) {
+    std::string extension = fs::path(file).extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".csv";
+}
+
+/// Words of --sensitivity, checked by CLI11.
+Parameter parameterFrom(const std::string& text) {
+    for (const Parameter parameter : {Parameter::ToolChange, Parameter::HourlyRate, Parameter::ToolPrice})
+        if (toString(parameter) == text) return parameter;
+    throw Error(ErrorCode::Usage, "--sensitivity",
+                fmt::format("expected tool-change, hourly-rate or tool-price, found '{}'", text));
+}
+
+void print(const RankReport& report, const RankOptions& options) {
+    if (options.csv) {
+        std::vector<AccessRow> cutters;
+        for (const RankedRow& row : report.ranking.rows)
+            cutters.push_back(row.cutter);
+        fmt::print("{}", accessTableCsv(cutters));
+    } else {
+        fmt::print("{}", options.part.json ? rankJson(report) : rankText(report));
+    }
+}
+
+int rankTable(const RankOptions& options) {
+    for (const auto& [given, option] :
+         {std::pair(!options.feature.empty(), "--feature"),
+          std::pair(!options.sensitivity.empty(), "--sensitivity"), std::pair(options.buy, "--buy")})
+        if (given) throw Error(ErrorCode::Usage, option, "needs a part, not a table");
+    RankReport report;
+    report.file = fs::path(options.part.part_file).filename().string();
+    // Without a machine the paper's own totals: removal alone.
+    report.ranking = rankTools(readAccessTable(options.part.part_file), options.tool_change_s.value_or(0));
+    print(report, options);
+    return kComplete;
+}
+
+int rankParts(const RankOptions& options, ProgressLine& progress) {
+    const Tolerances tol;
+    const Shop shop = loadShop(options.part);
+    RankRequest request;
+    request.setup = setupRequest(options.part);
+    request.sequence = planRequest(options.part, shop.machine).sequence;
+    request.feature = options.feature;
+    request.tool_change_s = options.tool_change_s;
+    request.purchases = options.buy;
+    if (!options.sensitivity.empty()) request.sensitivity = parameterFrom(options.sensitivity);
+    progress.show("importing " + fs::path(options.part.part_file).filename().string(), 0);
+    for (const Part& part : chooseParts(options.part)) {
+        const RankReport report =
+            rankPart(part, request, shop.library, shop.machine, tol,
+                     [&](const std::string& stage, double share) { progress.show(stage, share); });
+        progress.show("done", 1);
+        print(report, options);
+    }
+    return kComplete;
+}
+
+int runRank(const RankOptions& options) {
+    // CLI11's own check lets these words through.
+    if (options.tool_change_s && !std::isfinite(*options.tool_change_s))
+        throw Error(ErrorCode::Usage, "--tool-change",
+                    fmt::format("expected a number of seconds, found '{}'", *options.tool_change_s));
+    if (isTable(options.part.part_file)) return rankTable(options);
+    return runInChild(options.part, outputFolder(options.part, "-rank"),
+                      [&](ProgressLine& progress) { return rankParts(options, progress); });
+}
+
+}  // namespace
+
+void addRankCommand(CLI::App& app, int& exit_code) {
+    CLI::App* rank = app.add_subcommand(
+        "rank", "Rank cutters by what they reach and how fast they cut, for a part, a feature or a table");
+    auto options = std::make_shared<RankOptions>();
+    addPartOptions(*rank, options->part, "-rank");
+    rank->remove_option(rank->get_option("--output"));
+    rank->get_option("PART")->description("STEP file, or TABLE.csv: diameter_mm,volume_cm3,mrr_cm3_per_min");
+    rank->add_option("--tools", options->part.tools_file,
+                     "tool library (JSON); default: a metric shop of 24 tools");
+    rank->add_option("--machine", options->part.machine_file, "machine (JSON); default: a machining centre");
+    rank->add_option("--material", options->part.material, "material the cutting data are for")
+        ->capture_default_str();
+    rank->add_option("--objective", options->part.objective, "what sequences make least")
+        ->check(CLI::IsMember({"time", "cost"}))
+        ->capture_default_str();
+    rank->add_option("--feature", options->feature, "rank for this feature alone, such as S1.F2");
+    rank->add_option("--tool-change", options->tool_change_s,
+                     "seconds of a tool change in the table; default: the machine's, 0 for a CSV table")
+        ->check(CLI::NonNegativeNumber);
+    rank->add_option("--sensitivity", options->sensitivity,
+                     "cheapest sequence of each feature for every value of this, with the break-even values")
+        ->check(CLI::IsMember({"tool-change", "hourly-rate", "tool-price"}));
+    rank->add_flag("--buy", options->buy,
+                   "for each feature the tool beyond the library that would help most");
+    CLI::Option* json = rank->add_flag("--json", options->part.json, "print all as JSON");
+    rank->add_flag("--csv", options->csv, "print the table alone, as CSV that rank reads back")
+        ->excludes(json);
+    rank->footer(
+        "Rank 0 finishes, rank 1 goes before it, and so on. The ranking is greedy, the shortest path the\n"
+        "optimum over the same table; the first tool's change is not counted. Nothing is written.\n"
+        "Examples:\n"
+        "  stepmill rank cutters.csv --tool-change 10\n"
+        "  stepmill rank bracket.step\n"
+        "  stepmill rank bracket.step --feature S1.F2 --csv > cutters.csv\n"
+        "  stepmill rank bracket.step --sensitivity tool-change\n"
+        "  stepmill rank bracket.step --buy --tools my_tools.json --json");
+    rank->callback([options, &exit_code] { exit_code = runRank(*options); });
+}
+
+}  // namespace stepmill

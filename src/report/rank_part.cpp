@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
+
+#include "stepmill/core/error.h"
+#include "stepmill/plan/stages.h"
+#include "stepmill/report/rank.h"
+
+namespace stepmill {
+namespace {
+
+std::vector<Feature> allFeatures(const Part& part, const RankRequest& request, const Tolerances& tol) {
+    std::vector<Feature> features;
+    walkSetups(chooseSetups(part, request.setup), request.slicing, tol, [&](const Stage& stage) {
+        features.insert(features.end(), stage.found.features.begin(), stage.found.features.end());
+        return featurePrisms(stage.found);
+    });
+    return features;
+}
+
+std::vector<Feature> onlyFeature(const std::vector<Feature>& features, const std::string& id) {
+    std::vector<std::string> known;
+    for (const Feature& feature : features) {
+        if (feature.id == id) return {feature};
+        known.push_back(feature.id);
+    }
+    throw Error(ErrorCode::Usage, "--feature",
+                known.empty() ? fmt::format("the part has no feature to machine, so no '{}'", id)
+                              : fmt::format("expected one of {}; found '{}'", fmt::join(known, ", "), id));
+}
+
+double valueNow(Parameter parameter, const Machine& machine) {
+    switch (parameter) {
+        case Parameter::ToolChange:
+            return machine.tool_change_s;
+        case Parameter::HourlyRate:
+            return machine.hourly_rate;
+        case Parameter::ToolPrice:
+            return 1;
+    }
+    return 0;
+}
+
+std::string unitOf(Parameter parameter, const Machine& machine) {
+    switch (parameter) {
+        case Parameter::ToolChange:
+            return "s";
+        case Parameter::HourlyRate:
+            return machine.currency + "/h";
+        case Parameter::ToolPrice:
+            return "x library price";
+    }
+    return {};
+}
+
+/// Does a feature's work; what went wrong, or nothing.
+std::string failureOf(const std::function<void()>& work) {
+    try {
+        work();
+        return {};
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
+Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequest& request,
+                            const ToolLibrary& library, const Machine& machine, const Tolerances& tol) {
+    Sensitivity result;
+    result.parameter = *request.sensitivity;
+    result.now = valueNow(result.parameter, machine);
+    result.unit = unitOf(result.parameter, machine);
+    result.objective = objectiveFor(result.parameter, request.sequence.objective);
+    result.currency = machine.currency;
+    result.features.resize(features.size());
+    tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+        FeatureSensitivity& found = result.features[i];
+        found.feature_id = features[i].id;
+        found.failure = failureOf([&] {
+            found.ranges = bestSequences(
+                cheapestBySequencing(features[i], library, machine, request.sequence, tol, result.parameter));
+        });
+    });
+    return result;
+}
+
+}  // namespace
+
+RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibrary& library,
+                    const Machine& machine, const Tolerances& tol,
+                    const std::function<void(const std::string& stage, double share)>& progress) {
+    const auto tell = [&](const std::string& stage, double share) {
+        if (progress) progress(stage, share);
+    };
+    RankReport report;
+    report.is_part = true;
+    report.file = part.file;
+    report.feature = request.feature;
+    report.material = request.sequence.material;
+    tell("features", 0.1);
+    std::vector<Feature> features = allFeatures(part, request, tol);
+    if (!request.feature.empty()) features = onlyFeature(features, request.feature);
+    tell("access volumes", 0.4);
+    report.ranking = rankTools(accessTable(features, library, machine, report.material, tol),
+                               request.tool_change_s.value_or(machine.tool_change_s));
+    if (request.sensitivity) {
+        tell("sensitivity to " + toString(*request.sensitivity), 0.5);
+        report.sensitivity = findSensitivity(features, request, library, machine, tol);
+    }
+    if (request.purchases) {
+        tell("what to buy", 0.7);
+        report.purchases.emplace(features.size());
+        tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+            FeaturePurchase& found = (*report.purchases)[i];
+            found.advice.feature_id = features[i].id;
+            found.failure = failureOf(
+                [&] { found.advice = whatToBuy(features[i], library, machine, request.sequence, tol); });
+        });
+    }
+    return report;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,174 @@
+// `stepmill rank`: tables, parts, and how bad input ends.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace stepmill::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const std::string kSource = STEPMILL_SOURCE_DIR;
+const std::string kPaperTable = kSource + "/samples/lim2000_fig8.csv";
+const std::string kPart = kSource + "/step_parts/bossed_pocket.step";
+
+class RankCommand : public testing::Test {
+  protected:
+    ProgramRun rank(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), {stepmillBinary(), "rank"});
+        return runProgram(arguments);
+    }
+
+    Json rankJson(std::vector<std::string> arguments) const {
+        arguments.emplace_back("--json");
+        const ProgramRun run = rank(arguments);
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return Json::parse(run.out);
+    }
+
+    std::string write(const std::string& name, const std::string& text) const {
+        const fs::path path = fs::path(folder_.path()) / name;
+        std::ofstream(path) << text;
+        return path.string();
+    }
+
+    /// Exit code 2 and one line on stderr that holds every word.
+    void expectRefused(const std::vector<std::string>& arguments,
+                       const std::vector<std::string>& words) const {
+        const ProgramRun run = rank(arguments);
+        EXPECT_EQ(run.exit_code, 2) << run.err;
+        EXPECT_EQ(run.out, "");
+        for (const std::string& word : words)
+            EXPECT_NE(run.err.find(word), std::string::npos) << "no '" << word << "' in: " << run.err;
+    }
+
+    TemporaryFolder folder_;
+};
+
+Json rowOfRank(const Json& ranking, int rank) {
+    for (const Json& row : ranking.at("rows"))
+        if (row.at("rank") == rank) return row;
+    return {};
+}
+
+TEST_F(RankCommand, GivesThePapersRanks) {
+    const Json ranking = rankJson({kPaperTable});
+    EXPECT_EQ(ranking.at("format"), 1);
+    EXPECT_EQ(rowOfRank(ranking, 0).at("diameter_mm"), 12);
+    EXPECT_NEAR(rowOfRank(ranking, 0).at("rdvc_min").get<double>(), 6.199, 5e-4);
+    EXPECT_EQ(rowOfRank(ranking, 1).at("diameter_mm"), 28);
+    EXPECT_NEAR(rowOfRank(ranking, 1).at("rdvc_min").get<double>(), 1.475, 5e-4);
+    const std::string text = rank({kPaperTable}).out;
+    EXPECT_NE(text.find("6.199"), std::string::npos);
+    EXPECT_NE(text.find("shortest path"), std::string::npos);
+}
+
+TEST_F(RankCommand, ShortestPathIsNeverWorseWhateverTheToolChangeTime) {
+    double last_min = 0;
+    for (const char* change_s : {"0", "1", "10", "60", "600", "100000"}) {
+        const Json ranking = rankJson({kPaperTable, "--tool-change", change_s});
+        const double shortest_min = ranking.at("shortest_path").at("total_min");
+        EXPECT_LE(shortest_min, ranking.at("greedy").at("total_min").get<double>()) << change_s;
+        EXPECT_GE(shortest_min, last_min) << change_s;
+        last_min = shortest_min;
+    }
+    EXPECT_NEAR(last_min, 6.199, 5e-4);  // one tool, whose change does not count
+}
+
+TEST_F(RankCommand, ABrokenTableNamesFileLineAndExpectation) {
+    const std::string header = "diameter_mm,volume_cm3,mrr_cm3_per_min\n";
+    expectRefused({write("a.csv", "d,v,m\n1,2,3\n")},
+                  {"a.csv, line 1", "diameter_mm,volume_cm3,mrr_cm3_per_min"});
+    expectRefused({write("b.csv", header + "10,5,3\n12,x,3\n")}, {"b.csv, line 3", "volume_cm3", "'x'"});
+    expectRefused({write("c.csv", header + "10,5,0\n")}, {"c.csv, line 2", "above 0"});
+    expectRefused({write("d.csv", header)}, {"d.csv, line 2"});
+    expectRefused({write("e.csv", "")}, {"e.csv, line 1"});
+    expectRefused({"no_such_table.csv"}, {"no_such_table.csv"});
+}
+
+TEST_F(RankCommand, RefusesWhatATableCannotAnswer) {
+    expectRefused({kPaperTable, "--buy"}, {"--buy", "part"});
+    expectRefused({kPaperTable, "--feature", "S1.F1"}, {"--feature", "part"});
+    for (const char* seconds : {"-1", "nan", "inf", "soon"})
+        expectRefused({kPaperTable, "--tool-change", seconds}, {"--tool-change"});
+    expectRefused({kPaperTable, "--json", "--csv"}, {"--csv"});
+    expectRefused({kPart, "--sensitivity", "weather"}, {"--sensitivity"});
+    expectRefused({kPart, "--feature", "S9.F9"}, {"S9.F9", "S1.F1"});
+}
+
+TEST_F(RankCommand, APartsTableFedBackGivesTheSameRanking) {
+    const ProgramRun csv = rank({kPart, "--csv"});
+    ASSERT_EQ(csv.exit_code, 0) << csv.err;
+    const Json part = rankJson({kPart, "--tool-change", "7"});
+    const Json table = rankJson({write("part.csv", csv.out), "--tool-change", "7"});
+    EXPECT_EQ(part.at("greedy").at("total_min"), table.at("greedy").at("total_min"));
+    EXPECT_EQ(part.at("shortest_path").at("tools"), table.at("shortest_path").at("tools"));
+    EXPECT_EQ(part.at("rows").size(), table.at("rows").size());
+    EXPECT_EQ(part.at("shortest_path").at("tool_ids").size(), part.at("shortest_path").at("tools").size());
+}
+
+TEST_F(RankCommand, VolumesOfFeaturesAddUpToThePart) {
+    std::map<std::string, double> sum_cm3;
+    for (const char* id : {"S1.F1", "S1.F2", "S1.F3"}) {
+        const Json feature = rankJson({kPart, "--feature", id});
+        EXPECT_EQ(feature.at("source").at("feature"), id);
+        for (const Json& row : feature.at("rows"))
+            sum_cm3[row.at("tool")] += row.at("volume_cm3").get<double>();
+    }
+    const Json part = rankJson({kPart});
+    EXPECT_EQ(part.at("rows").size(), sum_cm3.size());
+    for (const Json& row : part.at("rows"))
+        EXPECT_NEAR(row.at("volume_cm3").get<double>(), sum_cm3.at(row.at("tool")), 1e-6) << row;
+}
+
+TEST_F(RankCommand, TheMachinesValueLiesInARangeThatCostsWhatThePlanSays) {
+    const fs::path out = fs::path(folder_.path()) / "plan";
+    const ProgramRun plan = runProgram({stepmillBinary(), "plan", kPart, "-o", out.string(), "--json"});
+    std::map<std::string, double> time_s;
+    const Json planned = Json::parse(plan.out);
+    for (const Json& feature : planned.at("features"))
+        time_s[feature.at("id")] = feature.at("time_s");
+    const Json sensitivity = rankJson({kPart, "--sensitivity", "tool-change"}).at("sensitivity");
+    const double now_s = sensitivity.at("now");
+    ASSERT_EQ(sensitivity.at("features").size(), time_s.size());
+    for (const Json& feature : sensitivity.at("features")) {
+        for (const Json& range : feature.at("ranges")) {
+            const bool holds =
+                range.at("from") <= now_s && (range.at("to").is_null() || now_s < range.at("to"));
+            if (!holds) continue;
+            const double here_s =
+                range.at("fixed").get<double>() + now_s * range.at("per_unit").get<double>();
+            EXPECT_NEAR(here_s, time_s.at(feature.at("feature")), 1e-4) << feature;
+        }
+        EXPECT_TRUE(feature.at("ranges").back().at("to").is_null());
+    }
+}
+
+TEST_F(RankCommand, GivesTheSameBytesForOneAndTwoThreads) {
+    const std::vector<std::string> arguments{kSource + "/step_parts/rounded_pocket.step", "--sensitivity",
+                                             "hourly-rate", "--buy", "--json"};
+    std::vector<std::string> one = arguments;
+    std::vector<std::string> two = arguments;
+    one.insert(one.end(), {"--jobs", "1"});
+    two.insert(two.end(), {"--jobs", "2"});
+    const ProgramRun first = rank(one);
+    EXPECT_EQ(first.exit_code, 0) << first.err;
+    EXPECT_EQ(first.out, rank(two).out);
+}
+
+TEST_F(RankCommand, HelpHasExamples) {
+    const ProgramRun run = rank({"--help"});
+    EXPECT_EQ(run.exit_code, 0);
+    for (const char* word : {"Examples", "--tool-change", "--sensitivity", "--buy", "TABLE.csv"})
+        EXPECT_NE(run.out.find(word), std::string::npos) << word;
+}
+
+}  // namespace
+}  // namespace stepmill::test
