@@ -25,6 +25,8 @@ constexpr double kFloorShare = 0.3;
 /// A cutter that fits an inner fillet of radius r reaches about five diameters deep: what lies deeper is left
 /// to the setup in which the fillet is one of a floor.
 constexpr double kReachRadii = 10;
+/// A component of which less than this is stock half-way up its slab is skin of the slab's hull.
+constexpr double kSkinShare = 0.5;
 /// A lump that finishes less than this share of every face it touches is what cutters left in passing; it
 /// then pays from kLumpShare, too.
 constexpr double kFaceShare = 0.6;
@@ -57,16 +59,16 @@ class Judge {
         }
     }
 
-    /// Is the component mostly what its slab's hull covers beyond stock whose walls lean?
-    bool isSkin(const RemovalComponent& component) const {
+    /// Share of the component that is stock half-way up its slab, whose walls may lean.
+    double stockShare(const RemovalComponent& component) const {
         const Layer& layer = layers_.layers[component.layer];
-        if (layer.stock_air_mm3 <= 0) return false;
-        return area(intersect(component.region, layer.stock_half_way, tol_)) < 0.5 * component.area_mm2;
+        if (layer.stock_air_mm3 <= 0) return 1;
+        return area(intersect(component.region, layer.stock_half_way, tol_)) / component.area_mm2;
     }
 
     /// What of the part's faces a component finishes; skin finishes none.
     Finished finished(const RemovalComponent& component) const {
-        if (isSkin(component)) return {};
+        if (component.stock_share < kSkinShare) return {};
         Finished walls = finishedWalls(component);
         Finished floors = finishedFloors(component);
         walls.any = walls.any || floors.any;
@@ -172,8 +174,7 @@ class Lumps {
 
 /// Volumes of lumps of components of one kind, at their first component.
 std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& layers,
-                                const std::vector<bool>& kind, bool wanted, const Judge& judge,
-                                Lumps& lumps) {
+                                const std::vector<bool>& kind, bool wanted, Lumps& lumps) {
     const int count = static_cast<int>(forest.components.size());
     for (int i = 0; i < count; ++i) {
         for (const int child : forest.components[i].children)
@@ -182,7 +183,7 @@ std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& l
     std::vector<double> volumes(forest.components.size(), 0);
     for (int i = 0; i < count; ++i) {
         const RemovalComponent& component = forest.components[i];
-        if (kind[i] == wanted && !judge.isSkin(component))
+        if (kind[i] == wanted && component.stock_share >= kSkinShare)
             volumes[lumps.of(i)] += component.area_mm2 * layers.layers[component.layer].height_mm();
     }
     return volumes;
@@ -197,6 +198,8 @@ void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolera
     // From below: what lies over a component that is wanted has to go as well.
     std::vector<bool> wanted(forest.components.size(), false);
     std::vector<Finished> finished(forest.components.size());
+    for (RemovalComponent& component : forest.components)
+        component.stock_share = judge.stockShare(component);
     for (int i = count; i-- > 0;) {
         const RemovalComponent& component = forest.components[i];
         finished[i] = judge.finished(component);
@@ -205,7 +208,7 @@ void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolera
     }
     for (const bool kind : {true, false}) {
         Lumps lumps(forest.components.size());
-        const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, kind, judge, lumps);
+        const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, kind, lumps);
         std::map<int, std::map<int, double>> finished_by_lump;
         for (int i = 0; kind && i < count; ++i) {
             if (!wanted[i]) continue;

@@ -32,7 +32,7 @@ void addLayer(RemovalForest& forest, const Layer& layer, int index, const Tolera
         }
         const bool open = touchesStockBoundary(region, layer.stock, tol);
         forest.of_layer.back().push_back(static_cast<int>(forest.components.size()));
-        forest.components.push_back({index, std::move(region), area_mm2, open, false, false, {}, {}});
+        forest.components.push_back({index, std::move(region), area_mm2, open, false, false, {}, {}, 1});
     }
 }
 

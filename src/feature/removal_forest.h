@@ -18,6 +18,8 @@ struct RemovalComponent {
     bool left = false;           ///< no feature takes it: not worth a pass after earlier setups
     std::vector<int> parents;    ///< components of the layer above that it overlaps
     std::vector<int> children;
+    double stock_share =
+        1;  ///< of its area that is stock half-way up the layer, where the stock's walls lean
 };
 
 /// What a setup removes, layer by layer from the top, in the order of components() within a layer.

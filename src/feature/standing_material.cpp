@@ -11,6 +11,17 @@ StandingMaterial::StandingMaterial(const LayerStack& layers, const RemovalForest
                                    const Tolerances& tol)
     : layers_(layers), forest_(forest), tol_(tol) {}
 
+namespace {
+
+/// Less of a component than this share is rounding: it holds nothing but air.
+constexpr double kAirShare = 0.01;
+
+bool standsForGood(const RemovalComponent& component) {
+    return component.left && component.stock_share >= kAirShare;
+}
+
+}  // namespace
+
 bool StandingMaterial::walledIn(int layer, const std::vector<int>& removed) const {
     bool any = false;
     for (const int index : forest_.of_layer[layer]) {
@@ -47,7 +58,7 @@ const Region& StandingMaterial::ground(int layer) {
         const Region& shadow = layers_.layers[next].shadow;
         std::vector<Region> regions{shadow};
         for (const int index : forest_.of_layer[next])
-            if (forest_.components[index].left) regions.push_back(forest_.components[index].region);
+            if (standsForGood(forest_.components[index])) regions.push_back(forest_.components[index].region);
         leaves_.push_back(regions.size() > 1 || (next > 0 && leaves_.back()));
         if (next > 0 && leaves_[next - 1]) regions.push_back(grounds_.back());
         grounds_.push_back(regions.size() > 1 ? unite(regions, tol_) : shadow);

@@ -15,8 +15,8 @@ namespace {
 
 /// Walls that reach less than this into a slab do not count there [mm]: levels that near are one.
 constexpr double kIntoSlabMm = 1e-3;
-/// Heights nearer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
+/// Heights nearer than this are one [mm]: turned points are rounded to the grid, which tilts level walls.
+constexpr double kSameHeightMm = 10 * kGridMm;
 
 struct Interval {
     double from = 0;
