@@ -101,6 +101,8 @@ struct Contents {
 std::optional<Region> commonStock(const Layer& upper, const CutLayer& lower, Contents apart,
                                   double worthless_mm3, const Tolerances& tol) {
     if (!lower.soft_top || worthless_mm3 <= 0) return std::nullopt;
+    // Where the stock's walls stand upright a vise can hold it: such slabs do not join leaning ones.
+    if ((upper.stock_air_mm3 > 0) != (lower.layer.stock_air_mm3 > 0)) return std::nullopt;
     apart.add(lower.layer);
     const double height = upper.top_z_mm - lower.layer.bottom_z_mm;
     const double hidden_mm3 = area(lower.layer.shadow) * height - apart.shadow_mm3;

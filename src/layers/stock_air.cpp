@@ -13,7 +13,7 @@ namespace stepmill::layers {
 
 namespace {
 
-/// Walls that reach less than this into a slab do not count there [mm]: levels that near are one.
+/// Level walls and ends of cuts this near to an end of a slab lie on it [mm]: levels that near are one.
 constexpr double kIntoSlabMm = 1e-3;
 /// Heights nearer than this are one [mm]: turned points are rounded to the grid, which tilts level walls.
 constexpr double kSameHeightMm = 10 * kGridMm;
@@ -25,8 +25,16 @@ struct Interval {
     bool operator==(const Interval&) const = default;
 };
 
-/// Gauss and Legendre's points on [0, 1], of equal weight: exact for cubics.
-constexpr std::array<double, 2> kGaussAt = {0.21132486540518713, 0.7886751345948129};
+/// Heights and weights of a quadrature on [0, 1] for sections that begin or end like a circle's: Gauss and
+/// Legendre's four points in t with z = (1 - cos pi t) / 2. A half circle's area comes out to 1e-4 of it.
+struct Node {
+    double at;
+    double weight;
+};
+constexpr std::array<Node, 4> kNodes = {{{0.011847712960255552, 0.059122196510775035},
+                                         {0.2454921072521225, 0.4408778034892249},
+                                         {0.7545078927478774, 0.440877803489225},
+                                         {0.9881522870397446, 0.059122196510774994}}};
 
 /// Slabs are integrated over at most as many stretches between bends.
 constexpr double kMostStretches = 32;
@@ -105,16 +113,46 @@ std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolera
     return found;
 }
 
+bool isLevel(const MonotonePiece& piece) {
+    return piece.high() - piece.low() < kSameHeightMm;
+}
+
+/// The heights of a slab, for what lies on its ends to within rounding.
+struct Slab {
+    double low_mm;
+    double high_mm;
+    double margin_mm;
+
+    Slab(double bottom_mm, double top_mm)
+        : low_mm(bottom_mm + std::min(kSameHeightMm, (top_mm - bottom_mm) / 4)),
+          high_mm(top_mm - std::min(kSameHeightMm, (top_mm - bottom_mm) / 4)),
+          margin_mm(std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4)) {}
+
+    bool holds(const MonotonePiece& piece) const {
+        const double margin = isLevel(piece) ? margin_mm : 0;
+        return piece.low() < high_mm - margin && piece.high() > low_mm + margin;
+    }
+    bool isSpannedBy(const Prism& prism) const {
+        return prism.bottom_z_mm <= low_mm + margin_mm && high_mm - margin_mm <= prism.top_z_mm;
+    }
+    bool holdsEndOf(const Prism& prism) const {
+        const bool meets = prism.bottom_z_mm < high_mm - margin_mm && prism.top_z_mm > low_mm + margin_mm;
+        return meets && !isSpannedBy(prism);
+    }
+};
+
 /// Where the vertical line through x lies inside the outline all the way between the heights.
-std::vector<Interval> clearIntervals(const LyingCut& cut, double low, double high) {
+std::vector<Interval> clearIntervals(const LyingCut& cut, const Slab& slab) {
+    const double low = slab.low_mm;
+    const double high = slab.high_mm;
     if (cut.low_mm >= high || cut.high_mm <= low) return {};
     const double middle = (low + high) / 2;
     std::vector<double> crossings;
     std::vector<Interval> walls;
     for (const MonotonePiece& piece : cut.outline) {
         if ((piece.from.y() > middle) != (piece.to.y() > middle)) crossings.push_back(piece.xAt(middle));
-        if (piece.high() <= low || piece.low() >= high) continue;
-        const bool level = piece.high() - piece.low() < kSameHeightMm;
+        if (!slab.holds(piece)) continue;
+        const bool level = isLevel(piece);
         const double one = level ? piece.from.x() : piece.xAt(std::max(low, piece.low()));
         const double other = level ? piece.to.x() : piece.xAt(std::min(high, piece.high()));
         if (one != other) walls.push_back({std::min(one, other), std::max(one, other)});
@@ -210,15 +248,21 @@ void StockAir::addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup)
         lying.from_mm = prism.bottom_z_mm;
         lying.to_mm = prism.top_z_mm;
         for (const Loop& loop : moved(prism.region, false, seen).loops) {
+            double low_mm = 1e300;
+            double high_mm = -1e300;
             Vec2 from = loop.start;
             for (const Segment& segment : loop.segments) {
+                const std::size_t first = lying.outline.size();
                 addPieces(from, segment, lying.outline);
+                for (std::size_t i = first; i < lying.outline.size(); ++i) {
+                    low_mm = std::min(low_mm, lying.outline[i].low());
+                    high_mm = std::max(high_mm, lying.outline[i].high());
+                }
                 from = segment.to;
             }
-        }
-        for (const MonotonePiece& piece : lying.outline) {
-            lying.low_mm = std::min(lying.low_mm, piece.low());
-            lying.high_mm = std::max(lying.high_mm, piece.high());
+            lying.low_mm = std::min(lying.low_mm, low_mm);
+            lying.high_mm = std::max(lying.high_mm, high_mm);
+            planes_.insert(planes_.end(), {low_mm, high_mm});
         }
         lying_.push_back(std::move(lying));
     }
@@ -237,20 +281,18 @@ double StockAir::bendNearMiddle(double bottom_mm, double top_mm) const {
 }
 
 Region StockAir::between(double bottom_mm, double top_mm) const {
-    const double margin = std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4);
-    const double low = bottom_mm + margin;
-    const double high = top_mm - margin;
+    const Slab slab(bottom_mm, top_mm);
     std::vector<Region> air;
     for (const Prism& prism : upright_)
-        if (prism.bottom_z_mm <= low && high <= prism.top_z_mm) air.push_back(prism.region);
-
-    addBoxes(low, high, air);
+        if (slab.isSpannedBy(prism)) air.push_back(prism.region);
+    addBoxes(bottom_mm, top_mm, air);
     for (const AskewCut& cut : askew_)
-        if (Region gone = cut.between(low, high, tol_); !gone.empty()) air.push_back(std::move(gone));
+        if (Region gone = cut.between(slab.low_mm, slab.high_mm, tol_); !gone.empty())
+            air.push_back(std::move(gone));
     return air.empty() ? Region{} : unite(air, tol_);
 }
 
-void StockAir::addBoxes(double low_mm, double high_mm, std::vector<Region>& air) const {
+void StockAir::addBoxes(double bottom_mm, double top_mm, std::vector<Region>& air) const {
     /// A box that may go on through the next cut.
     struct Run {
         const LyingCut* lying = nullptr;
@@ -262,9 +304,10 @@ void StockAir::addBoxes(double low_mm, double high_mm, std::vector<Region>& air)
         for (const Run& run : done)
             air.push_back(run.lying->box(run.place.from, run.place.to, run.to_mm));
     };
+    const Slab slab(bottom_mm, top_mm);
     for (const LyingCut& lying : lying_) {
         std::vector<Run> going_on;
-        for (const Interval& place : clearIntervals(lying, low_mm, high_mm)) {
+        for (const Interval& place : clearIntervals(lying, slab)) {
             if (place.to - place.from <= tol_.linear_mm) continue;
             const auto same = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
                 return run.lying->cut == lying.cut && run.place == place &&
@@ -284,20 +327,16 @@ void StockAir::addBoxes(double low_mm, double high_mm, std::vector<Region>& air)
 }
 
 bool StockAir::isUpright(double bottom_mm, double top_mm) const {
-    const double margin = std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4);
-    const double low = bottom_mm + margin;
-    const double high = top_mm - margin;
-    const auto ends = [&](const Prism& prism) {
-        const bool meets = prism.bottom_z_mm < high && prism.top_z_mm > low;
-        return meets && (prism.bottom_z_mm > low || prism.top_z_mm < high);
-    };
+    const Slab slab(bottom_mm, top_mm);
+    const auto ends = [&](const Prism& prism) { return slab.holdsEndOf(prism); };
     const auto leans = [&](const MonotonePiece& piece) {
-        return piece.from.x() != piece.to.x() && piece.low() < high && piece.high() > low;
+        return piece.from.x() != piece.to.x() && slab.holds(piece);
     };
-    const bool askew = std::any_of(askew_.begin(), askew_.end(), [&](const AskewCut& cut) {
-        return cut.low_mm() < high && cut.high_mm() > low;
-    });
-    return !askew && std::none_of(upright_.begin(), upright_.end(), ends) &&
+    const auto askew = [&](const AskewCut& cut) {
+        return cut.low_mm() < slab.high_mm && cut.high_mm() > slab.low_mm;
+    };
+    return std::none_of(askew_.begin(), askew_.end(), askew) &&
+           std::none_of(upright_.begin(), upright_.end(), ends) &&
            std::none_of(lying_.begin(), lying_.end(), [&](const LyingCut& lying) {
                return std::any_of(lying.outline.begin(), lying.outline.end(), leans);
            });
@@ -321,8 +360,8 @@ double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm) c
             volume_mm3 += areaOf(between(ends[i], ends[i + 1])) * height;
             continue;
         }
-        for (const double share : kGaussAt)
-            volume_mm3 += height / kGaussAt.size() * areaOf(at(ends[i] + share * height));
+        for (const Node& node : kNodes)
+            volume_mm3 += node.weight * height * areaOf(at(ends[i] + node.at * height));
     }
     return volume_mm3;
 }

@@ -51,7 +51,7 @@ class StockAir {
     StockAir(const Setup& setup, const Tolerances& tol);
 
     bool empty() const { return upright_.empty() && lying_.empty() && askew_.empty(); }
-    /// Heights of horizontal walls of the cuts [mm], ascending.
+    /// Heights of horizontal walls of the cuts and of the ends of their outlines [mm], ascending.
     const std::vector<double>& planes() const { return planes_; }
     /// The height nearest to the middle, in the middle half of the slab, where the outline of a cut turns
     /// or bends; the middle itself where there is none.
@@ -68,7 +68,7 @@ class StockAir {
 
   private:
     void add(const CutPrisms& cut, const Setup& setup);
-    void addBoxes(double low_mm, double high_mm, std::vector<Region>& air) const;
+    void addBoxes(double bottom_mm, double top_mm, std::vector<Region>& air) const;
     void addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup);
 
     Tolerances tol_;

@@ -252,6 +252,7 @@ TEST(RecogniseFeatures, FinishesUprightWallsAfterEarlierSetups) {
     stack.stock_cut_before = true;
     stack.removable_mm3 = 5e5;
     FaceTrace wall;
+    wall.face = 0;
     wall.stand = FaceStand::Wall;
     wall.top_z_mm = 0;
     wall.bottom_z_mm = -1;
