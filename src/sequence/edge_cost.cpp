@@ -11,6 +11,8 @@ std::string toString(Role role) {
             return "rough";
         case Role::Rest:
             return "rest";
+        case Role::Surrogate:
+            return "surrogate";
         case Role::Drill:
             return "drill";
     }

@@ -13,8 +13,7 @@ namespace {
 constexpr double kWorthShare = 0.01;
 
 bool isShortOfReach(const AccessibleArea& area) {
-    return area.excluded && (area.excluded->reason == ExclusionReason::HolderCollision ||
-                             area.excluded->reason == ExclusionReason::TooShort);
+    return isHeldOff(area) || (area.excluded && area.excluded->reason == ExclusionReason::TooShort);
 }
 
 /// A drill of the hole's size, however long it is: others are turned down for their type.
@@ -46,32 +45,31 @@ Shallower depthOf(const FeatureGround& ground, const ToolAssembly& tool, const A
 
 }  // namespace
 
-std::optional<Withheld> admitLimited(const FeatureGround& ground, const ToolLibrary& library, double free_mm2,
-                                     std::vector<AccessibleArea>& areas) {
+bool isHeldOff(const AccessibleArea& area) {
+    return area.excluded && area.excluded->reason == ExclusionReason::HolderCollision;
+}
+
+std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
+                                     const std::vector<AccessibleArea>& areas) {
     const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
-    std::vector<std::optional<AccessibleArea>> limited(areas.size());
-    const auto withheld = [&](const AccessibleArea& area) {
-        return area.excluded && area.excluded->reason == ExclusionReason::HolderCollision &&
-               area.coverable_area_mm2 > free_mm2 + same_mm2;
-    };
     const AccessibleArea* widest = nullptr;
     for (const AccessibleArea& area : areas) {
-        if (!withheld(area)) continue;
+        if (!isHeldOff(area) || area.coverable_area_mm2 <= most_mm2 + same_mm2) continue;
         if (!widest || area.coverable_area_mm2 > widest->coverable_area_mm2 + same_mm2) widest = &area;
     }
     if (!widest) return std::nullopt;
     const ToolAssembly& tool = library.tool(widest->tool_id);
-    const Withheld result{widest->coverable, tool.diameter_mm, reachOf(ground, tool, *widest).stick_out_mm};
+    return Withheld{widest->coverable, tool.diameter_mm, reachOf(ground, tool, *widest).stick_out_mm};
+}
 
+void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
+                  std::vector<AccessibleArea>& areas) {
+    const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        if (areas[i].collision_free_area_mm2 <= free_mm2 + same_mm2) return;
-        if (withheld(areas[i])) limited[i] = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
+        if (!isHeldOff(areas[i]) || areas[i].collision_free_area_mm2 <= most_mm2 + same_mm2) return;
+        auto limited = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
+        if (limited && limited->coverable_area_mm2 > most_mm2 + same_mm2) areas[i] = std::move(*limited);
     });
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-        if (limited[i] && limited[i]->coverable_area_mm2 > free_mm2 + same_mm2)
-            areas[i] = std::move(*limited[i]);
-    }
-    return result;
 }
 
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,

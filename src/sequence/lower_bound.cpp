@@ -34,12 +34,12 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
     return areas;
 }
 
-/// The fastest of the tools k, k+1, ...
+/// The fastest of the tools k, k+1, ... and their surrogates.
 std::vector<double> fastestFrom(const std::vector<Candidate>& tools) {
     std::vector<double> rates(tools.size());
     double fastest = 0;
     for (std::size_t k = tools.size(); k-- > 0;) {
-        fastest = std::max(fastest, tools[k].volume_rate_mm3_per_s);
+        fastest = std::max(fastest, tools[k].helped_rate_mm3_per_s);
         rates[k] = fastest;
     }
     return rates;
