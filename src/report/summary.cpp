@@ -7,27 +7,6 @@ namespace stepmill {
 
 namespace {
 
-/// "EM25 (+ EM10) > EM4": surrogates in brackets after the tool they help.
-std::string toolWords(const ToolSequence& sequence) {
-    std::string words;
-    bool in_brackets = false;
-    std::string last;
-    for (const SequenceStep& step : sequence.steps) {
-        const bool surrogate = step.role == Role::Surrogate;
-        if (surrogate && in_brackets && step.tool_id == last) continue;
-        if (in_brackets && !surrogate) words += ")";
-        if (surrogate)
-            words += in_brackets ? ", " : " (+ ";
-        else if (!words.empty())
-            words += " > ";
-        words += step.tool_id;
-        in_brackets = surrogate;
-        last = step.tool_id;
-    }
-    if (in_brackets) words += ")";
-    return words.empty() ? "none fits" : words;
-}
-
 double residualVolume(const ToolSequence& sequence) {
     double volume_mm3 = 0;
     for (const Residual& residual : sequence.residual)

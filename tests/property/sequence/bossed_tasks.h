@@ -28,7 +28,12 @@ inline Feature randomBossedPocket(std::mt19937& random) {
         const Vec2 at(uniform(random, -10, width + 10), uniform(random, -10, height + 10));
         bosses.push_back(intersect(makeCircle(at, uniform(random, 6, 16)), wall, tol));
     }
-    pocket.obstacles.push_back({0, uniform(random, 5, 30), unite(bosses, tol)});
+    // The bosses end at the stock's top, z = 0.
+    const double boss_mm = uniform(random, 5, 30);
+    pocket.top_z_mm -= boss_mm;
+    pocket.floor_z_mm -= boss_mm;
+    pocket.obstacles = {{pocket.floor_z_mm, pocket.top_z_mm, pocket.obstruction},
+                        {pocket.top_z_mm, 0, unite(bosses, tol)}};
     return pocket;
 }
 

@@ -273,7 +273,7 @@ TEST(SurrogateLaw, OneMoreToolNeverMakesAPlanWorse) {
         const SequenceOptions options = inAluminium();
         const ToolSequence with = sequenceTools(feature, more, makeMachine(), options, kTol);
         const ToolSequence without = sequenceTools(feature, fewer, makeMachine(), options, kTol);
-        const double slack_mm3 = 1e-4 * feature.volume_mm3;
+        const double slack_mm3 = 1e-6 * feature.volume_mm3;
         ASSERT_LE(stays(with), stays(without) + slack_mm3) << "seed " << seed;
         if (stays(with) < stays(without) - slack_mm3) continue;
         EXPECT_LE(with.time_s, without.time_s * (1 + 1e-9)) << "seed " << seed;

@@ -151,11 +151,15 @@ TEST(SequenceTools, AToolFreeEverywhereDoesWhatAnotherIsKeptOff) {
     EXPECT_NE(held_off.blocked_lumps[0].reason.find("20 mm wide"), std::string::npos);
 }
 
-/// 100 x 60 mm, 8 mm deep, corner radius 5; a boss 30 mm high stands 2 mm behind the middle of one long wall.
-Feature makePocketBesideABoss() {
-    Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(100, 60), 5), 8);
-    pocket.obstacles.push_back({0, 30, makeRectangle(Vec2(40, -15), Vec2(60, -2))});
-    pocket.min_corner_radius_mm = 5;
+/// 100 x 60 mm, 8 mm deep; a boss 30 mm high, up to the stock's top, stands 2 mm behind the middle of one long
+/// wall.
+Feature makePocketBesideABoss(double corner_radius_mm = 5) {
+    Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(100, 60), corner_radius_mm), 8);
+    pocket.top_z_mm = -30;
+    pocket.floor_z_mm = -38;
+    pocket.obstacles = {{-38, -30, pocket.obstruction},
+                        {-30, 0, makeRectangle(Vec2(40, -15), Vec2(60, -2))}};
+    pocket.min_corner_radius_mm = corner_radius_mm;
     return pocket;
 }
 
@@ -189,13 +193,8 @@ TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
 }
 
 TEST(SequenceTools, ASurrogateThatComesNextAnywayIsChangedToOnce) {
-    Feature pocket = makePocketBesideABoss();
-    pocket.target = makeRoundedRectangle(Vec2(0, 0), Vec2(100, 60), 3);
-    pocket.obstruction = subtract(makeRectangle(Vec2(-15, -15), Vec2(115, 75)), pocket.target, kTol);
-    pocket.obstacles[0].section = pocket.obstruction;
-    pocket.area_mm2 = area(pocket.target);
     const ToolSequence sequence =
-        sequenceTools(pocket, makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}), makeMachine(),
+        sequenceTools(makePocketBesideABoss(3), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}), makeMachine(),
                       inAluminium(), kTol);
     ASSERT_EQ(toolsOf(sequence), (std::vector<std::string>{"stubby EM10", "EM6", "EM6"}));
     EXPECT_EQ(sequence.steps[1].role, Role::Surrogate);
