@@ -26,6 +26,9 @@ struct Candidate {
     const AccessibleArea& own() const { return hasSurrogates() ? *area->clear_of_holder : *area; }
 };
 
+/// What that time on the machine costs, without wear and tool changes.
+EdgeCost machineCost(double seconds, const Machine& machine);
+
 /// Cutting data within the machine's speed and feed. A spindle that is too slow slows the feeds in
 /// proportion, so that the chip stays as thick as the library asks. Without a plunge feed the cutting feed
 /// stands for it.

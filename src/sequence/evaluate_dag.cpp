@@ -35,13 +35,17 @@ class EdgeTable {
         }
     }
 
-    /// Evaluates the edges listed; every other slot stays as it is.
-    void evaluate(const std::vector<std::pair<int, int>>& edges) {
+    /// Evaluates the edges listed; every other slot stays as it is. Of edges that need surrogates n's own
+    /// path comes first, and those that cannot beat `known` even if their lumps took the least time are left
+    /// out after it. Returns how many. \pre bound() was called, or `known` is kNoEdge
+    int evaluate(const std::vector<std::pair<int, int>>& edges, double known) {
         makeMissingRings(edges);
+        std::vector<char> left_out(edges.size(), 0);
         tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
             const auto [m, n] = edges[i];
-            evaluate(m, n, slot(m, n));
+            left_out[i] = evaluate(m, n, known, slot(m, n)) ? 0 : 1;
         });
+        return static_cast<int>(std::count(left_out.begin(), left_out.end(), 1));
     }
 
     double weight(int m, int n) const { return slot(m, n).weight; }
@@ -111,29 +115,47 @@ class EdgeTable {
         const Feature& feature = task_.ground.feature();
         const double new_mm2 = to.coverable_mm2 - (from != nullptr ? from->coverable_mm2 : 0);
         if (new_mm2 <= sameArea(feature, task_.ground.tolerances())) return kNoEdge;
+        const double least_s = new_mm2 * feature.depth_mm() / to.helped_rate_mm3_per_s;
+        // A surrogate may wear less than n.
+        if (to.hasSurrogates()) return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
         PathTotals least;
-        least.feed_time_s = new_mm2 * feature.depth_mm() / to.helped_rate_mm3_per_s;
+        least.feed_time_s = least_s;
         return weigh(edgeCost(least, *to.tool, task_.machine));
     }
 
-    void evaluate(int m, int n, EdgeSlot& into) const {
+    double changeWeight(const Candidate& to) const { return weigh(edgeCost({}, *to.tool, task_.machine)); }
+
+    /// Could a path through the edge be as cheap as `known`, given n's own path?
+    bool mayBeatWithLumps(int m, int n, double own_weight, double own_new_mm2, double known) const {
+        if (known == kNoEdge) return true;
+        const Candidate& to = task_.tools[n];
+        const double from_mm2 = m == kSource ? 0 : task_.tools[m].coverable_mm2;
+        const double lumps_mm2 = std::max(0.0, to.coverable_mm2 - from_mm2 - own_new_mm2);
+        const double lumps_s = lumps_mm2 * task_.ground.feature().depth_mm() / to.helped_rate_mm3_per_s;
+        const double before = m == kSource ? 0 : to_tool_[m];
+        return before + own_weight + weigh(machineCost(lumps_s, task_.machine)) + to_sink_[n] <= known;
+    }
+
+    /// False when the edge was left out.
+    bool evaluate(int m, int n, double known, EdgeSlot& into) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
         const SequenceStep step = makePath(task_, from, to, rings_[n]);
-        if (step.path.moves.empty()) return;
+        if (step.path.moves.empty()) return true;
+        const EdgeCost cost = edgeCost(step.path.totals, *to.tool, task_.machine);
         if (to.hasSurrogates() && task_.surrogates != nullptr) {
-            const double change = weigh(edgeCost({}, *to.tool, task_.machine));
-            into.help = findHelp(*task_.surrogates, task_.tools, from, n, change);
-            if (!into.help.possible()) return;
+            if (!mayBeatWithLumps(m, n, weigh(cost), step.area.new_area_mm2, known)) return false;
+            into.help = findHelp(*task_.surrogates, task_.tools, from, n, changeWeight(to));
+            if (!into.help.possible()) return true;
         }
         into.edge.from = from != nullptr ? from->tool->id : std::string();
         into.edge.to = to.tool->id;
         into.edge.region_area_mm2 = area(step.area.area);
         into.edge.totals = step.path.totals;
-        const EdgeCost cost = edgeCost(step.path.totals, *to.tool, task_.machine);
         into.edge.time_s = cost.time_s;
         into.edge.cost = cost.cost;
         into.weight = weigh(cost) + into.help.plain.weight;
+        return true;
     }
 
     const DagTask& task_;
@@ -186,7 +208,7 @@ DagResult evaluateDag(const DagTask& task) {
     for (int n = 0; n < n_tools; ++n) {
         if (task.ends[n] && !isHelped(n)) round.emplace_back(kSource, n);
     }
-    table.evaluate(round);
+    table.evaluate(round, kNoEdge);
 
     // Then the others, leaving out what cannot beat it; edges that need surrogates cost most to evaluate.
     const auto addRound = [&](int m_first, int m_last, bool source_known, const auto& wanted) {
@@ -203,7 +225,7 @@ DagResult evaluateDag(const DagTask& task) {
                 }
             }
         }
-        table.evaluate(round);
+        result.pruned += table.evaluate(round, known);
     };
     addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && !isHelped(n); });
     addRound(kSource, kSource, false, [&](int n) { return task.ends[n] && isHelped(n); });

@@ -176,13 +176,9 @@ class LumpSolver {
         for (const Helper& helper : settings_.helpers)
             fastest = std::max(fastest, helperRate(helper));
         const Feature& feature = solved_->ground_.feature();
-        PathTotals least;
-        least.feed_time_s = fastest > 0 ? feature.volume_mm3 / fastest : 0;
-        EdgeCost cutting = edgeCost(least, *solved_->tools_.front().tool, settings_.machine);
-        // Wear differs from tool to tool; machine time does not.
-        if (settings_.options.objective == Objective::Cost)
-            cutting.cost = cutting.time_s / (kSecondsPerMinute * 60) * settings_.machine.hourly_rate;
-        return weigh(cutting) < cheapest;
+        const double least_s = fastest > 0 ? feature.volume_mm3 / fastest : 0;
+        // Two tools are one change more.
+        return changeWeight() + weigh(machineCost(least_s, settings_.machine)) < cheapest;
     }
 
     double helperRate(const Helper& helper) const {
