@@ -86,7 +86,8 @@ std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrar
     std::optional<Shallower> best;
     for (const auto& candidate : found) {
         if (!candidate || candidate->volume_mm3 <= least_mm3) continue;
-        if (candidate->floor_z_mm <= feature.floor_z_mm + ground.tolerances().linear_mm) continue;
+        // depthOf() keeps one `linear_mm` off what the holder would graze; that alone is no smaller depth.
+        if (candidate->floor_z_mm <= feature.floor_z_mm + 2 * ground.tolerances().linear_mm) continue;
         if (!best || candidate->volume_mm3 > best->volume_mm3) best = candidate;
     }
     return best;
