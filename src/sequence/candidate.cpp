@@ -8,16 +8,25 @@ namespace {
 
 constexpr double kFullAccessShare = 1e-5;
 
-/// The fastest tool that has any area free of collisions, and so may be a surrogate.
-double fastestHelper(const Feature& feature, const std::vector<AccessibleArea>& areas,
-                     const ToolLibrary& library, const SequenceOptions& options, const Machine& machine,
-                     const Tolerances& tol) {
-    double fastest = 0;
+/// The fastest tools that have any area free of collisions, and so may be surrogates.
+struct FastestHelpers {
+    double any = 0;
+    double outsider = 0;  ///< of those that are no candidates
+};
+
+FastestHelpers fastestHelpers(const Feature& feature, const std::vector<AccessibleArea>& areas,
+                              const std::vector<Candidate>& candidates, const ToolLibrary& library,
+                              const SequenceOptions& options, const Machine& machine, const Tolerances& tol) {
+    FastestHelpers fastest;
     for (const AccessibleArea& area : areas) {
         const ToolAssembly& tool = library.tool(area.tool_id);
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr || tool.isDrill() || area.collision_free_area_mm2 <= tol.area_mm2) continue;
-        fastest = std::max(fastest, volumeRate(feature, tool, limitedBy(machine, *cutting)));
+        const double rate = volumeRate(feature, tool, limitedBy(machine, *cutting));
+        const bool listed = std::any_of(candidates.begin(), candidates.end(),
+                                        [&](const Candidate& other) { return other.tool == &tool; });
+        fastest.any = std::max(fastest.any, rate);
+        if (!listed) fastest.outsider = std::max(fastest.outsider, rate);
     }
     return fastest;
 }
@@ -88,9 +97,12 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Acc
     const bool any_helped =
         std::any_of(usable.begin(), usable.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     if (!any_helped) return usable;
-    const double fastest = fastestHelper(feature, areas, library, options, machine, tol);
-    for (Candidate& tool : usable)
-        if (tool.hasSurrogates()) tool.helped_rate_mm3_per_s = std::max(tool.helped_rate_mm3_per_s, fastest);
+    const FastestHelpers fastest = fastestHelpers(feature, areas, usable, library, options, machine, tol);
+    for (Candidate& tool : usable) {
+        if (!tool.hasSurrogates()) continue;
+        tool.helped_rate_mm3_per_s = std::max(tool.helped_rate_mm3_per_s, fastest.any);
+        tool.outsider_rate_mm3_per_s = fastest.outsider;
+    }
     return usable;
 }
 

@@ -19,6 +19,8 @@ struct Candidate {
     double volume_rate_mm3_per_s = 0;  ///< no move of this tool removes more per second
     /// No move of this tool or, where it has surrogates, of any that may help it removes more per second.
     double helped_rate_mm3_per_s = 0;
+    /// The same of those that may help it and are no candidates themselves; 0 without surrogates.
+    double outsider_rate_mm3_per_s = 0;
 
     bool drill() const { return tool->isDrill(); }
     bool hasSurrogates() const { return area->clear_of_holder != nullptr; }
