@@ -1,6 +1,7 @@
 #include "stepmill/access/lumps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "access/collision.h"
 #include "access/slivers.h"
@@ -9,6 +10,8 @@
 
 namespace stepmill {
 namespace {
+
+constexpr double kHolderStepMm = 0.1;
 
 void append(Region& region, const Region& piece) {
     region.loops.insert(region.loops.end(), piece.loops.begin(), piece.loops.end());
@@ -59,6 +62,26 @@ Region obstructionWithHolder(const FeatureGround& ground, const ToolAssembly& to
     const std::vector<access::Blocker> blockers = access::blockers(ground.feature(), tool);
     if (blockers.empty()) return ground.feature().obstruction;
     return access::withoutHolder(ground, blockers, tool.radius_mm()).obstruction;
+}
+
+double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool,
+                           const AccessibleArea& area) {
+    const std::vector<access::Blocker> blockers = access::blockers(ground.feature(), tool);
+    const auto isClear = [&](double diameter_mm) {
+        return std::none_of(blockers.begin(), blockers.end(), [&](access::Blocker blocker) {
+            blocker.radius_mm = std::min(blocker.radius_mm, diameter_mm / 2);
+            return access::losesCentres(ground, blocker, area.free_centres);
+        });
+    };
+    double clear_mm = tool.diameter_mm;
+    double touching_mm = tool.diameter_mm;
+    for (const access::Blocker& blocker : blockers)
+        touching_mm = std::max(touching_mm, 2 * blocker.radius_mm);
+    while (touching_mm - clear_mm > kHolderStepMm) {
+        const double middle_mm = (clear_mm + touching_mm) / 2;
+        (isClear(middle_mm) ? clear_mm : touching_mm) = middle_mm;
+    }
+    return std::max(tool.diameter_mm, std::floor(clear_mm / kHolderStepMm) * kHolderStepMm);
 }
 
 Feature lumpFeature(const Feature& feature, const Region& lump, const std::vector<Region>& obstruction,

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/candidate.h"
+#include "stepmill/access/lumps.h"
 
 namespace stepmill {
 namespace {
@@ -52,14 +53,29 @@ bool isHeldOff(const AccessibleArea& area) {
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
                                      const std::vector<AccessibleArea>& areas) {
     const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
-    const AccessibleArea* widest = nullptr;
+    double widest_mm2 = most_mm2 + same_mm2;
+    for (const AccessibleArea& area : areas)
+        if (isHeldOff(area)) widest_mm2 = std::max(widest_mm2, area.coverable_area_mm2);
+    const AccessibleArea* found = nullptr;
+    double longer_mm = 0;
+    Withheld withheld;
     for (const AccessibleArea& area : areas) {
-        if (!isHeldOff(area) || area.coverable_area_mm2 <= most_mm2 + same_mm2) continue;
-        if (!widest || area.coverable_area_mm2 > widest->coverable_area_mm2 + same_mm2) widest = &area;
+        const bool reaches = area.coverable_area_mm2 >= widest_mm2 - same_mm2;
+        if (!isHeldOff(area) || !reaches || area.coverable_area_mm2 <= most_mm2 + same_mm2) continue;
+        const ToolAssembly& tool = library.tool(area.tool_id);
+        const double stick_out_mm = reachOf(ground, tool, area).stick_out_mm;
+        if (found != nullptr && stick_out_mm - tool.stick_out_mm >= longer_mm) continue;
+        found = &area;
+        longer_mm = stick_out_mm - tool.stick_out_mm;
+        withheld.diameter_mm = tool.diameter_mm;
+        withheld.stick_out_mm = stick_out_mm;
+        withheld.has_stick_out_mm = tool.stick_out_mm;
     }
-    if (!widest) return std::nullopt;
-    const ToolAssembly& tool = library.tool(widest->tool_id);
-    return Withheld{widest->coverable, tool.diameter_mm, reachOf(ground, tool, *widest).stick_out_mm};
+    if (found == nullptr) return std::nullopt;
+    withheld.coverable = found->coverable;
+    const double slim_mm = widestClearHolderMm(ground, library.tool(found->tool_id), *found);
+    if (slim_mm > withheld.diameter_mm) withheld.holder_diameter_mm = slim_mm;
+    return withheld;
 }
 
 void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,

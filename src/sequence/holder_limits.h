@@ -10,11 +10,14 @@ namespace stepmill {
 /// Was the tool turned down because its shank or holder is in the way?
 bool isHeldOff(const AccessibleArea& area);
 
-/// What the cutter that reaches most of a feature could clear, were it not for its holder.
+/// What the cutter that reaches most of a feature could clear, were it not for its holder, and what would let
+/// it. Of cutters that reach the same, the one that needs the least longer stick-out.
 struct Withheld {
     Region coverable;
     double diameter_mm = 0;
-    double stick_out_mm = 0;  ///< with which it would
+    double stick_out_mm = 0;        ///< with which it would
+    double has_stick_out_mm = 0;    ///< now
+    double holder_diameter_mm = 0;  ///< with no more than which it would; 0 where none is slim enough
 };
 
 /// A smaller depth that one tool reaches with nothing lost to its holder.
