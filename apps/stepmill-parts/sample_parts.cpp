@@ -72,32 +72,51 @@ SamplePart butterflyPocket() {
             assemble(box(0, 0, 0, 130, 70, 25), {}, {prism(outline, 15, 25 + kBeyond_mm)})};
 }
 
-SamplePart bossedPocket() {
+namespace {
+
+constexpr double kPocketX_in = 0.75;  // of the bossed pocket in its block
+constexpr double kPocketY_in = 0.75;
+constexpr double kBlockTop_in = 1.0;
+constexpr double kPocketFloor_in = 0.7;
+
+/// The block of both parts: a pocket, and in it an island as high as the block.
+TopoDS_Shape blockOfTheBosses() {
     const double r = 0.08;
-    const double x0 = 0.75;  // of the pocket in the block [in]
-    const double y0 = 0.75;
-    const double top = inchToMm(1.0);
-    const double floor = inchToMm(0.7);
+    const double top = inchToMm(kBlockTop_in);
+    const double floor = inchToMm(kPocketFloor_in);
     const std::vector<Corner> outline = {{0, 0, r},    {5, 0, r},   {5, 2.6, r},   {4.2, 2.6, 0},
                                          {4.2, 4, r},  {2.6, 4, 0}, {2.6, 4.4, r}, {2.38, 4.4, r},
                                          {2.38, 4, 0}, {1.4, 4, r}, {1.4, 3.4, 0}, {0, 3.4, r}};
-    const double island_top = floor + inchToMm(0.55);
-    const double boss_top = floor + inchToMm(0.75);
-    const TopoDS_Shape island =
-        cylinder(inchToMm(x0 + 1.6), inchToMm(y0 + 1.7), inchToMm(0.7), floor - kBeyond_mm, island_top);
-    const TopoDS_Shape square_boss =
-        prism(inches(rectangle(4.31, 2.71, 5.2, 3.7, 0.1), x0, y0), top - kBeyond_mm, boss_top);
-    const TopoDS_Shape round_boss =
-        cylinder(inchToMm(x0 + 0.9), inchToMm(y0 + 3.76), inchToMm(0.5), top - kBeyond_mm, boss_top);
-    const TopoDS_Shape block = assemble(box(0, 0, 0, inchToMm(6.5), inchToMm(5.7), top), {},
-                                        {prism(inches(outline, x0, y0), floor, top + kBeyond_mm)});
-    return {
-        "bossed_pocket",
-        "block 6.5 x 5.7 x 1 in with a closed pocket 5 x 4 in, 0.3 in deep, corner radius 0.08 in, a leg "
-        "0.22 in "
-        "wide, an island 0.55 in and two bosses 0.75 in over the floor, 0.11 in behind the wall: holders of "
-        "[DSouza2006, Table 2] hit them, after the spirit of its Fig. 8",
-        assemble(block, {island, square_boss, round_boss}, {})};
+    const TopoDS_Shape block =
+        assemble(box(0, 0, 0, inchToMm(6.5), inchToMm(5.7), top), {},
+                 {prism(inches(outline, kPocketX_in, kPocketY_in), floor, top + kBeyond_mm)});
+    const TopoDS_Shape island = cylinder(inchToMm(kPocketX_in + 1.6), inchToMm(kPocketY_in + 1.7),
+                                         inchToMm(0.7), floor - kBeyond_mm, top);
+    return assemble(block, {island}, {});
+}
+
+}  // namespace
+
+SamplePart bossedPocket() {
+    const double top = inchToMm(kBlockTop_in);
+    const double boss_top = inchToMm(kPocketFloor_in + 0.85);
+    const TopoDS_Shape square_boss = prism(
+        inches(rectangle(4.35, 2.75, 5.2, 3.7, 0.1), kPocketX_in, kPocketY_in), top - kBeyond_mm, boss_top);
+    const TopoDS_Shape round_boss = cylinder(inchToMm(kPocketX_in + 0.9), inchToMm(kPocketY_in + 3.8),
+                                             inchToMm(0.5), top - kBeyond_mm, boss_top);
+    return {"bossed_pocket",
+            "block 6.5 x 5.7 x 1 in with a closed pocket 5 x 4 in, 0.3 in deep, corner radius 0.08 in, a leg "
+            "0.22 in wide, an island as high as the block and two bosses 0.85 in over the floor, 0.15 in "
+            "behind the "
+            "wall: of [DSouza2006, Table 2] only the holders of the 0.2 and 0.125 in cutters pass them, "
+            "after the "
+            "spirit of its Fig. 8",
+            assemble(blockOfTheBosses(), {square_boss, round_boss}, {})};
+}
+
+SamplePart pocketWithoutBosses() {
+    return {"pocket_without_bosses", "`bossed_pocket` without its bosses, for [DSouza2006, Table 4]",
+            blockOfTheBosses()};
 }
 
 SamplePart openSlots() {
@@ -195,8 +214,8 @@ SamplePart shoulderBlock() {
 }
 
 std::vector<SamplePart> allSampleParts() {
-    return {roundedPocket(),  butterflyPocket(), bossedPocket(), openSlots(),    nestedPockets(),
-            plateWithHoles(), fourSetups(),      dieCavity(),    shoulderBlock()};
+    return {roundedPocket(), butterflyPocket(), bossedPocket(), pocketWithoutBosses(), openSlots(),
+            nestedPockets(), plateWithHoles(),  fourSetups(),   dieCavity(),           shoulderBlock()};
 }
 
 std::string sampleReadme(const std::vector<SamplePart>& parts) {

@@ -18,6 +18,7 @@ struct SamplePart {
 SamplePart roundedPocket();
 SamplePart butterflyPocket();
 SamplePart bossedPocket();
+SamplePart pocketWithoutBosses();
 SamplePart openSlots();
 SamplePart nestedPockets();
 SamplePart plateWithHoles();

@@ -116,6 +116,8 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     request.setup = setupRequest(options);
     request.sequence.material = options.material;
     request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;
+    request.sequence.surrogates =
+        options.surrogates == "single" ? SurrogateRule::Single : SurrogateRule::Sequence;
     request.sequence.retract_mm = machine.safe_height_mm;
     return request;
 }

@@ -75,6 +75,11 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     plan->add_option("--objective", options->objective, "what the tool sequence makes least")
         ->check(CLI::IsMember({"time", "cost"}))
         ->capture_default_str();
+    plan->add_option("--surrogates", options->surrogates,
+                     "who clears what a tool's holder keeps from it: one tool per place (single), or the "
+                     "cheapest sequence of tools")
+        ->check(CLI::IsMember({"single", "sequence"}))
+        ->capture_default_str();
     plan->add_flag("--strict", options->strict, "exit 1 on any warning as well");
     plan->add_flag("--json", options->json, "print plan.json on standard output instead of the summary");
     plan->footer(

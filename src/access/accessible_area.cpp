@@ -193,7 +193,11 @@ Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const Acces
         const auto free = std::partition_point(feature.obstacles.begin(), feature.obstacles.end(), blocks);
         if (free == feature.obstacles.begin()) continue;
         const double clear_z_mm = std::prev(free)->top_z_mm;
-        reach.stick_out_mm = std::max(reach.stick_out_mm, clear_z_mm - feature.floor_z_mm);
+        const double needed_mm = clear_z_mm - feature.floor_z_mm;
+        // A holder moves up with the stick-out; the shank does not, so that must not be lower at all.
+        const bool is_holder = cylinder.bottom_mm >= tool.stick_out_mm;
+        reach.stick_out_mm = std::max(
+            reach.stick_out_mm, is_holder ? tool.stick_out_mm + needed_mm - cylinder.bottom_mm : needed_mm);
         reach.floor_z_mm = std::max(reach.floor_z_mm, clear_z_mm - cylinder.bottom_mm);
     }
     return reach;

@@ -7,9 +7,14 @@
 namespace stepmill::access {
 namespace {
 
+/// A holder this little below the top of an obstacle only rests on rounding [mm].
+constexpr double kHeightRoundingMm = 1e-6;
+
 std::optional<std::size_t> obstacleAt(const Feature& feature, double z_mm) {
     for (std::size_t i = 0; i < feature.obstacles.size(); ++i)
-        if (feature.obstacles[i].bottom_z_mm <= z_mm && z_mm < feature.obstacles[i].top_z_mm) return i;
+        if (feature.obstacles[i].bottom_z_mm <= z_mm &&
+            z_mm < feature.obstacles[i].top_z_mm - kHeightRoundingMm)
+            return i;
     return std::nullopt;
 }
 

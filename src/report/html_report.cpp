@@ -1,9 +1,11 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "report/feature_drawing.h"
 #include "report/text.h"
+#include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/report/part_views.h"
 #include "stepmill/report/report.h"
@@ -76,11 +78,12 @@ std::string times(double value_s, double bound_s) {
     return bound_s > 0 ? fmt::format("{:.2f}", value_s / bound_s) : std::string("-");
 }
 
-const Operation* operationOf(const PlannedSetup& setup, const std::string& feature_id,
-                             const std::string& tool_id) {
+/// The operations of a feature, which keep the order of its steps.
+std::vector<const Operation*> operationsOf(const PlannedSetup& setup, const std::string& feature_id) {
+    std::vector<const Operation*> found;
     for (const Operation& operation : setup.operations)
-        if (operation.feature_id == feature_id && operation.tool_id == tool_id) return &operation;
-    return nullptr;
+        if (operation.feature_id == feature_id) found.push_back(&operation);
+    return found;
 }
 
 std::string headSection(const Plan& plan) {
@@ -140,15 +143,13 @@ std::string setupSection(const PlannedSetup& setup) {
         std::string parents;
         for (const std::string& parent : feature.parents)
             parents += (parents.empty() ? "" : ", ") + parent;
-        std::string tools;
-        for (const SequenceStep& step : planned.sequence.steps)
-            tools += (tools.empty() ? "" : " > ") + step.tool_id;
+        const std::string tools = toolWords(planned.sequence);
         html += "<tr>" + cell(feature.id) + cell(toString(feature.feature_class)) + cell(parents) +
                 cell(feature.top_z_mm, 3) + cell(feature.floor_z_mm, 3) + cell(feature.depth_mm(), 3) +
                 cell(feature.area_mm2, 1) + cell(feature.volume_mm3 / 1000, 3) +
                 numberCell(feature.min_corner_radius_mm ? fmt::format("{:.2f}", *feature.min_corner_radius_mm)
                                                         : "-") +
-                cell(tools.empty() ? "none fits" : tools) + numberCell(clockTime(planned.sequence.time_s)) +
+                cell(tools) + numberCell(clockTime(planned.sequence.time_s)) +
                 numberCell(times(planned.sequence.time_s, planned.sequence.lower_bound_s)) + "</tr>\n";
     }
     return html + "</table>\n";
@@ -195,6 +196,31 @@ std::string operationsTable(const PlannedSetup& setup) {
     return html + "</table>\n";
 }
 
+/// What holders keep from tools, and who reaches it.
+std::string lumpsTable(const ToolSequence& sequence) {
+    std::string rows;
+    for (const AccessibleArea& area : sequence.tools) {
+        for (const BlockedLump& lump : area.blocked_lumps) {
+            const std::string others = lump.surrogates.empty()
+                                           ? "several together"
+                                           : fmt::format("{}", fmt::join(lump.surrogates, ", "));
+            rows += "<tr>" + cell(area.tool_id) + cell(lump.area_mm2, 2) + cell(others) + cell(lump.reason) +
+                    "</tr>\n";
+        }
+    }
+    if (rows.empty()) return {};
+    return "<table>" + headRow({"tool", "#kept from it mm²", "surrogates that reach it", "why"}) + rows +
+           "</table>\n";
+}
+
+std::string surrogateWords(const DagEdge& edge) {
+    std::string words;
+    for (const SurrogateWork& work : edge.surrogates)
+        words += fmt::format("{}{}: {:.2f} mm², {}", words.empty() ? "" : "; ", work.tool, work.area_mm2,
+                             clockTime(work.time_s));
+    return words;
+}
+
 std::string choiceTables(const PlannedFeature& planned) {
     const ToolSequence& sequence = planned.sequence;
     std::string html =
@@ -203,12 +229,13 @@ std::string choiceTables(const PlannedFeature& planned) {
     for (const AccessibleArea& area : sequence.tools)
         html += "<tr>" + cell(area.tool_id) + cell(area.coverable_area_mm2, 2) +
                 cell(area.collision_free_area_mm2, 2) + cell(area.access_volume_mm3 / 1000, 3) +
-                cell(area.excluded ? area.excluded->text : "") + "</tr>\n";
-    html +=
-        "</table>\n<table>" + headRow({"after", "tool", "#area mm²", "#cut m", "#rapid m", "#time", "#cost"});
+                cell(area.excluded ? area.excluded->text : area.limited) + "</tr>\n";
+    html += "</table>\n" + lumpsTable(sequence) + "<table>" +
+            headRow({"after", "tool", "#area mm²", "#cut m", "#rapid m", "surrogates", "#time", "#cost"});
     std::set<std::pair<std::string, std::string>> chosen;
     std::string previous;
     for (const SequenceStep& step : sequence.steps) {
+        if (step.role == Role::Surrogate) continue;
         chosen.insert({previous, step.tool_id});
         previous = step.tool_id;
     }
@@ -217,7 +244,8 @@ std::string choiceTables(const PlannedFeature& planned) {
                 cell(edge.from.empty() ? "nothing yet" : edge.from) +
                 cell(edge.to.empty() ? "done" : edge.to) + cell(edge.region_area_mm2, 2) +
                 cell(edge.totals.cut_length_mm / 1000, 2) + cell(edge.totals.air_length_mm / 1000, 2) +
-                numberCell(clockTime(edge.time_s)) + cell(edge.cost, 3) + "</tr>\n";
+                cell(surrogateWords(edge)) + numberCell(clockTime(edge.time_s)) + cell(edge.cost, 3) +
+                "</tr>\n";
     return html + "</table></details>\n";
 }
 
@@ -235,10 +263,11 @@ std::string featureSection(const PlannedSetup& setup, const PlannedFeature& plan
     std::string html = fmt::format("<section><h3>{} &middot; {} &middot; {:.3f} mm deep</h3>\n", feature.id,
                                    escapeHtml(toString(feature.feature_class)), feature.depth_mm());
     html += residualList(planned) + "<div class=\"steps\">\n";
+    const std::vector<const Operation*> operations = operationsOf(setup, feature.id);
+    STEPMILL_CHECK(operations.size() == planned.sequence.steps.size(), "every step is one operation");
     for (std::size_t i = 0; i < planned.sequence.steps.size(); ++i) {
         const SequenceStep& step = planned.sequence.steps[i];
-        const Operation* operation = operationOf(setup, feature.id, step.tool_id);
-        if (operation == nullptr) continue;
+        const Operation* operation = operations[i];
         html += fmt::format(
             "<figure>{}<figcaption>{}. {} ({}): {:.2f} mm² new, {} layers of {:.2f} mm, {}</figcaption>"
             "</figure>\n",

@@ -161,7 +161,8 @@ void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::v
         const SettledAir air = settleAir(airs.at(i), setup.stock.prisms_mm3, setup.stock.removed_mm3);
         lessen(setup.unplanned, air.left_mm3);
         if (air.back_mm3 > 0)
-            setup.unplanned.push_back({kLeaningWall, air.back_mm3, 0, setup.setup.stock_bbox_mm.min().z(), {}});
+            setup.unplanned.push_back(
+                {kLeaningWall, air.back_mm3, 0, setup.setup.stock_bbox_mm.min().z(), {}});
         // What the features took of the stock itself: where an earlier setup left the stock's walls leaning
         // their prisms hold air too.
         books.features_mm3 += setup.stock.removed_mm3;

@@ -82,17 +82,37 @@ Json machineJson(const Machine& machine) {
             {"dialect", machine.dialect}};
 }
 
+template <typename Range, typename Function>
+Json listOf(const Range& range, Function toJson) {
+    Json list = Json::array();
+    for (const auto& item : range)
+        list.push_back(toJson(item));
+    return list;
+}
+
+/// Who reaches all of it alone, null where nobody does.
+Json lumpJson(const BlockedLump& lump) {
+    return {{"area_mm2", number(lump.area_mm2)},
+            {"region", regionJson(lump.region)},
+            {"surrogates", lump.surrogates.empty() ? Json(nullptr) : Json(lump.surrogates)},
+            {"reason", lump.reason}};
+}
+
 Json toolAreasJson(const AccessibleArea& area) {
     Json json{{"tool", area.tool_id},
               {"accessible_area_mm2", number(area.accessible_area_mm2)},
               {"coverable_area_mm2", number(area.coverable_area_mm2)},
               {"collision_free_area_mm2", number(area.collision_free_area_mm2)},
               {"access_volume_mm3", number(area.access_volume_mm3)},
-              {"blocked_lumps", Json::array()},
+              {"blocked_lumps", listOf(area.blocked_lumps, lumpJson)},
               {"excluded", nullptr}};
     if (area.excluded)
         json["excluded"] = {{"reason", toString(area.excluded->reason)}, {"text", area.excluded->text}};
     return json;
+}
+
+Json surrogateJson(const SurrogateWork& work) {
+    return {{"tool", work.tool}, {"area_mm2", number(work.area_mm2)}, {"time_s", number(work.time_s)}};
 }
 
 Json edgeJson(const DagEdge& edge) {
@@ -103,7 +123,7 @@ Json edgeJson(const DagEdge& edge) {
             {"air_length_mm", number(edge.totals.air_length_mm)},
             {"time_s", number(edge.time_s)},
             {"cost", number(edge.cost)},
-            {"surrogates", Json::array()}};
+            {"surrogates", listOf(edge.surrogates, surrogateJson)}};
 }
 
 Json residualJson(const Residual& residual) {
@@ -114,12 +134,12 @@ Json residualJson(const Residual& residual) {
             {"advice", residual.advice}};
 }
 
-template <typename Range, typename Function>
-Json listOf(const Range& range, Function toJson) {
-    Json list = Json::array();
-    for (const auto& item : range)
-        list.push_back(toJson(item));
-    return list;
+/// The tools of the DAG's cheapest path; their surrogates stand with the edges.
+Json pathJson(const ToolSequence& sequence) {
+    Json path = Json::array();
+    for (const SequenceStep& step : sequence.steps)
+        if (step.role != Role::Surrogate) path.push_back(step.tool_id);
+    return path;
 }
 
 Json featureJson(const PlannedFeature& planned) {
@@ -140,9 +160,7 @@ Json featureJson(const PlannedFeature& planned) {
             {"target", regionJson(feature.target)},
             {"obstruction", regionJson(feature.obstruction)},
             {"tools", listOf(sequence.tools, toolAreasJson)},
-            {"dag",
-             {{"edges", listOf(sequence.edges, edgeJson)},
-              {"path", listOf(sequence.steps, [](const SequenceStep& step) { return Json(step.tool_id); })}}},
+            {"dag", {{"edges", listOf(sequence.edges, edgeJson)}, {"path", pathJson(sequence)}}},
             {"time_s", number(sequence.time_s)},
             {"lower_bound_s", number(sequence.lower_bound_s)},
             {"residual", listOf(sequence.residual, residualJson)}};

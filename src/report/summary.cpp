@@ -7,13 +7,6 @@ namespace stepmill {
 
 namespace {
 
-std::string toolWords(const ToolSequence& sequence) {
-    std::string words;
-    for (const SequenceStep& step : sequence.steps)
-        words += (words.empty() ? "" : " > ") + step.tool_id;
-    return words.empty() ? "none fits" : words;
-}
-
 double residualVolume(const ToolSequence& sequence) {
     double volume_mm3 = 0;
     for (const Residual& residual : sequence.residual)

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/sequence/sequence.h"
+
 namespace stepmill {
 
 std::string escapeHtml(const std::string& text) {
@@ -32,6 +34,26 @@ std::string clockTime(double seconds) {
     const long whole = std::lround(seconds);
     if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+std::string toolWords(const ToolSequence& sequence) {
+    std::string words;
+    bool in_brackets = false;
+    std::string last;
+    for (const SequenceStep& step : sequence.steps) {
+        const bool surrogate = step.role == Role::Surrogate;
+        if (surrogate && in_brackets && step.tool_id == last) continue;
+        if (in_brackets && !surrogate) words += ")";
+        if (surrogate)
+            words += in_brackets ? ", " : " (+ ";
+        else if (!words.empty())
+            words += " > ";
+        words += step.tool_id;
+        in_brackets = surrogate;
+        last = step.tool_id;
+    }
+    if (in_brackets) words += ")";
+    return words.empty() ? "none fits" : words;
 }
 
 }  // namespace stepmill

@@ -8,11 +8,31 @@ namespace {
 
 constexpr double kFullAccessShare = 1e-5;
 
-/// Upper bound of the material one tool can remove per second.
-///
-/// Moving level, a cutter sweeps its diameter times the depth of cut, at most at the cutting feed.
-/// Descending, it also removes its own cross-section, at most at the plunge feed: a ramp's vertical part is
-/// held to that (rampFeed). The sum of both is an upper bound for every mixture. A drill only descends.
+/// The fastest tools that have any area free of collisions, and so may be surrogates.
+struct FastestHelpers {
+    double any = 0;
+    double outsider = 0;  ///< of those that are no candidates
+};
+
+FastestHelpers fastestHelpers(const Feature& feature, const std::vector<AccessibleArea>& areas,
+                              const std::vector<Candidate>& candidates, const ToolLibrary& library,
+                              const SequenceOptions& options, const Machine& machine, const Tolerances& tol) {
+    FastestHelpers fastest;
+    for (const AccessibleArea& area : areas) {
+        const ToolAssembly& tool = library.tool(area.tool_id);
+        const CuttingData* cutting = tool.cuttingFor(options.material);
+        if (cutting == nullptr || tool.isDrill() || area.collision_free_area_mm2 <= tol.area_mm2) continue;
+        const double rate = volumeRate(feature, tool, limitedBy(machine, *cutting));
+        const bool listed = std::any_of(candidates.begin(), candidates.end(),
+                                        [&](const Candidate& other) { return other.tool == &tool; });
+        fastest.any = std::max(fastest.any, rate);
+        if (!listed) fastest.outsider = std::max(fastest.outsider, rate);
+    }
+    return fastest;
+}
+
+}  // namespace
+
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
     const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
     if (tool.isDrill()) {
@@ -24,8 +44,6 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
     const double swept = slot_mm2 * cutting.feed_mm_per_min + disc_mm2 * cutting.plunge_feed_mm_per_min;
     return swept / kSecondsPerMinute;
 }
-
-}  // namespace
 
 CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
     if (cutting.plunge_feed_mm_per_min <= 0) cutting.plunge_feed_mm_per_min = cutting.feed_mm_per_min;
@@ -73,7 +91,17 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Acc
         if (coverable <= tol.area_mm2) continue;
         if (tool.isDrill() && !drillCheck(feature, tool, tol).fits) continue;
         const CuttingData limited = limitedBy(machine, *cutting);
-        usable.push_back({&tool, &area, limited, coverable, volumeRate(feature, tool, limited)});
+        const double rate = volumeRate(feature, tool, limited);
+        usable.push_back({&tool, &area, limited, coverable, rate, rate});
+    }
+    const bool any_helped =
+        std::any_of(usable.begin(), usable.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
+    if (!any_helped) return usable;
+    const FastestHelpers fastest = fastestHelpers(feature, areas, usable, library, options, machine, tol);
+    for (Candidate& tool : usable) {
+        if (!tool.hasSurrogates()) continue;
+        tool.helped_rate_mm3_per_s = std::max(tool.helped_rate_mm3_per_s, fastest.any);
+        tool.outsider_rate_mm3_per_s = fastest.outsider;
     }
     return usable;
 }

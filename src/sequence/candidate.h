@@ -17,14 +17,31 @@ struct Candidate {
     CuttingData cutting;
     double coverable_mm2 = 0;          ///< of the target; a matching drill's is the whole target
     double volume_rate_mm3_per_s = 0;  ///< no move of this tool removes more per second
+    /// No move of this tool or, where it has surrogates, of any that may help it removes more per second.
+    double helped_rate_mm3_per_s = 0;
+    /// The same of those that may help it and are no candidates themselves; 0 without surrogates.
+    double outsider_rate_mm3_per_s = 0;
 
     bool drill() const { return tool->isDrill(); }
+    bool hasSurrogates() const { return area->clear_of_holder != nullptr; }
+    /// What the tool itself may do.
+    const AccessibleArea& own() const { return hasSurrogates() ? *area->clear_of_holder : *area; }
 };
+
+/// What that time on the machine costs, without wear and tool changes.
+EdgeCost machineCost(double seconds, const Machine& machine);
 
 /// Cutting data within the machine's speed and feed. A spindle that is too slow slows the feeds in
 /// proportion, so that the chip stays as thick as the library asks. Without a plunge feed the cutting feed
 /// stands for it.
 CuttingData limitedBy(const Machine& machine, CuttingData cutting);
+
+/// Upper bound of the material one tool can remove per second.
+///
+/// Moving level, a cutter sweeps its diameter times the depth of cut, at most at the cutting feed.
+/// Descending, it also removes its own cross-section, at most at the plunge feed: a ramp's vertical part is
+/// held to that (rampFeed). The sum of both is an upper bound for every mixture. A drill only descends.
+double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
 
 /// Depths of cut for a depth: as few equal ones as the step-down allows, at least one.
 int depthsOfCut(double depth_mm, double step_down_mm);

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/drilling.h"
+#include "sequence/surrogates.h"
 #include "stepmill/core/error.h"
 #include "stepmill/sequence/tool_dag.h"
 
@@ -15,8 +16,12 @@ namespace {
 /// A slot of the edge table. Weights are seconds or money, as the objective asks.
 struct EdgeSlot {
     DagEdge edge;
+    EdgeHelp help;
     double weight = kNoEdge;        ///< kNoEdge until evaluated, and for good if there is no such edge
-    double least_weight = kNoEdge;  ///< lower bound of the weight
+    double least_weight = kNoEdge;  ///< lower bound of the weight, whatever tool follows
+
+    /// The weight before the tool that lets the edge save most.
+    double lowestWeight() const { return weight - help.largestSaving(); }
 };
 
 class EdgeTable {
@@ -30,25 +35,37 @@ class EdgeTable {
         }
     }
 
-    /// Evaluates the edges listed; every other slot stays as it is.
-    void evaluate(const std::vector<std::pair<int, int>>& edges) {
+    /// Evaluates the edges listed; every other slot stays as it is. Of edges that need surrogates n's own
+    /// path comes first, and those that cannot beat `known` even if their lumps took the least time are left
+    /// out after it. Returns how many. \pre bound() was called, or `known` is kNoEdge
+    int evaluate(const std::vector<std::pair<int, int>>& edges, double known) {
         makeMissingRings(edges);
+        std::vector<char> left_out(edges.size(), 0);
         tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
             const auto [m, n] = edges[i];
-            evaluate(m, n, slot(m, n));
+            left_out[i] = evaluate(m, n, known, slot(m, n)) ? 0 : 1;
         });
+        return static_cast<int>(std::count(left_out.begin(), left_out.end(), 1));
     }
 
     double weight(int m, int n) const { return slot(m, n).weight; }
+    double saving(int m, int n, int next) const { return slot(m, n).help.saving(next); }
     const std::vector<SharedRings>& rings() const { return rings_; }
-    const DagEdge& edge(int m, int n) const { return slot(m, n).edge; }
+    const EdgeHelp& help(int m, int n) const { return slot(m, n).help; }
+    /// The edge with what surrogates do on it when `next` follows.
+    DagEdge edge(int m, int n, int next) const {
+        DagEdge edge = slot(m, n).edge;
+        addHelp(slot(m, n).help, next, task_.machine, edge);
+        return edge;
+    }
 
     /// Cheapest conceivable ways to and from every tool, from the edges' lower bounds; the edges from the
     /// source count with their true weights once these are known.
     void bound(bool source_known) {
         to_tool_.assign(n_, kNoEdge);
         for (int n = 0; n < n_; ++n) {
-            to_tool_[n] = source_known ? slot(kSource, n).weight : slot(kSource, n).least_weight;
+            const EdgeSlot& first = slot(kSource, n);
+            to_tool_[n] = source_known ? first.lowestWeight() : first.least_weight;
             for (int m = 0; m < n; ++m)
                 to_tool_[n] = std::min(to_tool_[n], to_tool_[m] + slot(m, n).least_weight);
         }
@@ -80,18 +97,17 @@ class EdgeTable {
             if (!rings_[n] && !task_.tools[n].drill()) missing.insert(n);
         }
         const std::vector<int> tools(missing.begin(), missing.end());
-        tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
-            const Candidate& tool = task_.tools[tools[i]];
-            rings_[tools[i]] = makeRings(clearingTask(task_, tool, {}, nullptr), *tool.tool, tool.cutting,
-                                         task_.ground.tolerances());
-        });
+        tbb::parallel_for(std::size_t{0}, tools.size(),
+                          [&](std::size_t i) { rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]); });
     }
 
     double weigh(const EdgeCost& cost) const {
         return task_.options.objective == Objective::Time ? cost.time_s : cost.cost;
     }
 
-    /// Tool n must at least cut, at its best rate, what it covers and m does not.
+    /// Tool n and its surrogates must at least cut, at the best rate of any of them, what it covers and m
+    /// does not, and n is called once. What a surrogate saves is no more than its own change, which is left
+    /// out.
     double leastWeight(int m, int n) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
@@ -99,35 +115,47 @@ class EdgeTable {
         const Feature& feature = task_.ground.feature();
         const double new_mm2 = to.coverable_mm2 - (from != nullptr ? from->coverable_mm2 : 0);
         if (new_mm2 <= sameArea(feature, task_.ground.tolerances())) return kNoEdge;
+        const double least_s = new_mm2 * feature.depth_mm() / to.helped_rate_mm3_per_s;
+        // A surrogate may wear less than n.
+        if (to.hasSurrogates()) return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
         PathTotals least;
-        least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
+        least.feed_time_s = least_s;
         return weigh(edgeCost(least, *to.tool, task_.machine));
     }
 
-    void evaluate(int m, int n, EdgeSlot& into) const {
+    double changeWeight(const Candidate& to) const { return weigh(edgeCost({}, *to.tool, task_.machine)); }
+
+    /// Could a path through the edge be as cheap as `known`, given n's own path?
+    bool mayBeatWithLumps(int m, int n, double own_weight, double own_new_mm2, double known) const {
+        if (known == kNoEdge) return true;
+        const Candidate& to = task_.tools[n];
+        const double from_mm2 = m == kSource ? 0 : task_.tools[m].coverable_mm2;
+        const double lumps_mm2 = std::max(0.0, to.coverable_mm2 - from_mm2 - own_new_mm2);
+        const double lumps_s = lumps_mm2 * task_.ground.feature().depth_mm() / to.helped_rate_mm3_per_s;
+        const double before = m == kSource ? 0 : to_tool_[m];
+        return before + own_weight + weigh(machineCost(lumps_s, task_.machine)) + to_sink_[n] <= known;
+    }
+
+    /// False when the edge was left out.
+    bool evaluate(int m, int n, double known, EdgeSlot& into) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
-        const SequenceStep step = pathOf(from, to, rings_[n]);
-        if (step.path.moves.empty()) return;
+        const SequenceStep step = makePath(task_, from, to, rings_[n]);
+        if (step.path.moves.empty()) return true;
+        const EdgeCost cost = edgeCost(step.path.totals, *to.tool, task_.machine);
+        if (to.hasSurrogates() && task_.surrogates != nullptr) {
+            if (!mayBeatWithLumps(m, n, weigh(cost), step.area.new_area_mm2, known)) return false;
+            into.help = findHelp(*task_.surrogates, task_.tools, from, n, changeWeight(to));
+            if (!into.help.possible()) return true;
+        }
         into.edge.from = from != nullptr ? from->tool->id : std::string();
         into.edge.to = to.tool->id;
         into.edge.region_area_mm2 = area(step.area.area);
         into.edge.totals = step.path.totals;
-        const EdgeCost cost = edgeCost(step.path.totals, *to.tool, task_.machine);
         into.edge.time_s = cost.time_s;
         into.edge.cost = cost.cost;
-        into.weight = weigh(cost);
-    }
-
-    SequenceStep pathOf(const Candidate* from, const Candidate& to, const SharedRings& rings) const {
-        const Feature& feature = task_.ground.feature();
-        if (to.drill()) return drillStep(feature, *to.tool, to.cutting, task_.retract_z_mm, task_.machine);
-        SequenceStep step;
-        step.area = decomposedArea(task_.ground, from != nullptr ? from->area : nullptr, *to.area);
-        if (step.area.centres.empty()) return step;
-        step.path = clearArea(clearingTask(task_, to, step.area, rings), *to.tool, to.cutting, task_.machine,
-                              task_.ground.tolerances());
-        return step;
+        into.weight = weigh(cost) + into.help.plain.weight;
+        return true;
     }
 
     const DagTask& task_;
@@ -138,12 +166,18 @@ class EdgeTable {
     std::vector<double> to_sink_;
 };
 
-std::vector<DagEdge> listEdges(const EdgeTable& table, const DagTask& task) {
+/// All that exist; those on the path as they are before the tool that follows there.
+std::vector<DagEdge> listEdges(const EdgeTable& table, const DagTask& task, const std::vector<int>& path) {
+    std::map<std::pair<int, int>, int> next_on_path;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        next_on_path[{i == 0 ? kSource : path[i - 1], path[i]}] = path[i + 1];
     std::vector<DagEdge> edges;
     const int n_tools = static_cast<int>(task.tools.size());
     for (int m = kSource; m < n_tools; ++m) {
         for (int n = m + 1; n < n_tools; ++n) {
-            if (table.weight(m, n) < kNoEdge) edges.push_back(table.edge(m, n));
+            if (!(table.weight(m, n) < kNoEdge)) continue;
+            const auto next = next_on_path.find({m, n});
+            edges.push_back(table.edge(m, n, next == next_on_path.end() ? n_tools : next->second));
         }
         if (m != kSource && task.ends[m]) {
             DagEdge to_sink;
@@ -160,26 +194,30 @@ DagResult evaluateDag(const DagTask& task) {
     const int n_tools = static_cast<int>(task.tools.size());
     EdgeTable table(task);
     DagResult result;
+    const bool any_helped = std::any_of(task.tools.begin(), task.tools.end(),
+                                        [](const Candidate& tool) { return tool.hasSurrogates(); });
     const auto cheapest = [&] {
-        return cheapestPath(
-            n_tools, [&](int m, int n) { return table.weight(m, n); }, task.ends);
+        const auto weight = [&](int m, int n) { return table.weight(m, n); };
+        const auto saving = [&](int m, int n, int next) { return table.saving(m, n, next); };
+        return cheapestPath(n_tools, weight, task.ends, any_helped ? Saving(saving) : Saving());
     };
+    const auto isHelped = [&](int n) { return task.tools[n].hasSurrogates(); };
 
     // First every tool that can do the whole feature alone: that gives a complete path to beat.
     std::vector<std::pair<int, int>> round;
     for (int n = 0; n < n_tools; ++n) {
-        if (task.ends[n]) round.emplace_back(kSource, n);
+        if (task.ends[n] && !isHelped(n)) round.emplace_back(kSource, n);
     }
-    table.evaluate(round);
+    table.evaluate(round, kNoEdge);
 
-    // Then the other first tools, then the followers, leaving out what cannot beat it.
-    const auto addRound = [&](int m_first, int m_last, bool source_known) {
+    // Then the others, leaving out what cannot beat it; edges that need surrogates cost most to evaluate.
+    const auto addRound = [&](int m_first, int m_last, bool source_known, const auto& wanted) {
         const double known = cheapest().cost;
         table.bound(source_known);
         round.clear();
         for (int m = m_first; m <= m_last; ++m) {
             for (int n = m + 1; n < n_tools; ++n) {
-                if (!table.exists(m, n) || (m == kSource && task.ends[n])) continue;
+                if (!table.exists(m, n) || !wanted(n)) continue;
                 if (table.mayBeat(m, n, known)) {
                     round.emplace_back(m, n);
                 } else {
@@ -187,27 +225,53 @@ DagResult evaluateDag(const DagTask& task) {
                 }
             }
         }
-        table.evaluate(round);
+        result.pruned += table.evaluate(round, known);
     };
-    addRound(kSource, kSource, false);
-    addRound(0, n_tools - 1, true);
+    addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && !isHelped(n); });
+    addRound(kSource, kSource, false, [&](int n) { return task.ends[n] && isHelped(n); });
+    addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && isHelped(n); });
+    addRound(0, n_tools - 1, true, [&](int n) { return !isHelped(n); });
+    addRound(0, n_tools - 1, true, isHelped);
 
-    result.path = cheapest().tools;
-    result.edges = listEdges(table, task);
+    const CheapestPath best = cheapest();
+    result.path = best.tools;
+    result.weight = best.cost;
+    for (std::size_t i = 0; i < best.tools.size(); ++i)
+        result.help.push_back(table.help(i == 0 ? kSource : best.tools[i - 1], best.tools[i]));
+    result.edges = listEdges(table, task, result.path);
     result.rings = table.rings();
     return result;
+}
+
+SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
+    if (tool.drill()) return nullptr;
+    return makeRings(clearingTask(task, tool, {}, nullptr), *tool.tool, tool.cutting,
+                     task.ground.tolerances());
+}
+
+SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
+    const Feature& feature = task.ground.feature();
+    if (n.drill()) return drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
+    SequenceStep step;
+    step.tool_id = n.tool->id;
+    step.speed_rpm = n.cutting.speed_rpm;
+    step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
+    if (step.area.centres.empty()) return step;
+    step.path = clearArea(clearingTask(task, n, step.area, rings), *n.tool, n.cutting, task.machine,
+                          task.ground.tolerances());
+    return step;
 }
 
 ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
                           const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     ClearingTask clearing;
-    clearing.free_centres = n.area->free_centres;
-    clearing.entries = n.area->entries;
+    clearing.free_centres = n.own().free_centres;
+    clearing.entries = n.own().entries;
     clearing.centres = decomposed.centres;
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;
-    clearing.obstruction = n.area->obstruction ? *n.area->obstruction : feature.obstruction;
+    clearing.obstruction = n.own().obstruction ? *n.own().obstruction : feature.obstruction;
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;
@@ -218,18 +282,11 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
 SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
-    SequenceStep step;
-    if (n.drill()) {
-        step = drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
-    } else {
+    SequenceStep step = makePath(task, m, n, rings);
+    if (!n.drill()) {
         const bool facing = feature.feature_class == FeatureClass::Face;
-        step.tool_id = n.tool->id;
         step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
-        step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, *n.area);
-        const ClearingTask clearing = clearingTask(task, n, step.area, rings);
-        step.path = clearArea(clearing, *n.tool, n.cutting, task.machine, tol);
-        step.proof = prove(step.path, clearing, n.tool->radius_mm(), tol);
-        step.speed_rpm = n.cutting.speed_rpm;
+        step.proof = prove(step.path, clearingTask(task, n, step.area, rings), n.tool->radius_mm(), tol);
     }
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,

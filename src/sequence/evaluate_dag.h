@@ -3,8 +3,12 @@
 #include <vector>
 
 #include "sequence/candidate.h"
+#include "sequence/edge_help.h"
 
 namespace stepmill {
+
+class SurrogateFinder;
+using SharedRings = std::shared_ptr<const RingFamily>;
 
 /// One feature's tools and settings, as every edge of its DAG needs them.
 struct DagTask {
@@ -14,16 +18,18 @@ struct DagTask {
     const SequenceOptions& options;
     const Machine& machine;
     double retract_z_mm = 0;
+    /// Who helps tools that have lumps; null: none of the tools has any.
+    const SurrogateFinder* surrogates = nullptr;
 };
-
-using SharedRings = std::shared_ptr<const RingFamily>;
 
 /// All evaluated edges of a feature's tool DAG and its cheapest path.
 struct DagResult {
     std::vector<DagEdge> edges;      ///< by from, then to; edges to the sink last of their tool
     std::vector<int> path;           ///< node numbers
+    std::vector<EdgeHelp> help;      ///< of the edge to each node of the path
     std::vector<SharedRings> rings;  ///< of each node; null where no edge led to it
     int pruned = 0;
+    double weight = kNoEdge;  ///< of the path: seconds or money
 };
 
 /// Evaluates the edges on real tool paths, in parallel, and finds the cheapest path. The result is the
@@ -35,7 +41,14 @@ DagResult evaluateDag(const DagTask& task);
 ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
                           const SharedRings& rings);
 
-/// Step n of a chosen path, after m (null for the first), with its tool path re-made and proved.
+/// What n itself sweeps after m (null: nothing swept yet), with the tool path. No moves: nothing.
+SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings);
+
+/// The rings that all paths of a tool share; null for a drill.
+SharedRings ringsOf(const DagTask& task, const Candidate& tool);
+
+/// Step n of a chosen path, after m (null for the first), with its tool path re-made and proved. Surrogates'
+/// steps are not in it.
 /// \throws Error(Internal) if the path gouges
 SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings);
 

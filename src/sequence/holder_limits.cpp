@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/candidate.h"
+#include "stepmill/access/lumps.h"
 
 namespace stepmill {
 namespace {
@@ -13,8 +14,7 @@ namespace {
 constexpr double kWorthShare = 0.01;
 
 bool isShortOfReach(const AccessibleArea& area) {
-    return area.excluded && (area.excluded->reason == ExclusionReason::HolderCollision ||
-                             area.excluded->reason == ExclusionReason::TooShort);
+    return isHeldOff(area) || (area.excluded && area.excluded->reason == ExclusionReason::TooShort);
 }
 
 /// A drill of the hole's size, however long it is: others are turned down for their type.
@@ -46,32 +46,46 @@ Shallower depthOf(const FeatureGround& ground, const ToolAssembly& tool, const A
 
 }  // namespace
 
-std::optional<Withheld> admitLimited(const FeatureGround& ground, const ToolLibrary& library, double free_mm2,
-                                     std::vector<AccessibleArea>& areas) {
-    const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
-    std::vector<std::optional<AccessibleArea>> limited(areas.size());
-    const auto withheld = [&](const AccessibleArea& area) {
-        return area.excluded && area.excluded->reason == ExclusionReason::HolderCollision &&
-               area.coverable_area_mm2 > free_mm2 + same_mm2;
-    };
-    const AccessibleArea* widest = nullptr;
-    for (const AccessibleArea& area : areas) {
-        if (!withheld(area)) continue;
-        if (!widest || area.coverable_area_mm2 > widest->coverable_area_mm2 + same_mm2) widest = &area;
-    }
-    if (!widest) return std::nullopt;
-    const ToolAssembly& tool = library.tool(widest->tool_id);
-    const Withheld result{widest->coverable, tool.diameter_mm, reachOf(ground, tool, *widest).stick_out_mm};
+bool isHeldOff(const AccessibleArea& area) {
+    return area.excluded && area.excluded->reason == ExclusionReason::HolderCollision;
+}
 
-    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        if (areas[i].collision_free_area_mm2 <= free_mm2 + same_mm2) return;
-        if (withheld(areas[i])) limited[i] = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
-    });
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-        if (limited[i] && limited[i]->coverable_area_mm2 > free_mm2 + same_mm2)
-            areas[i] = std::move(*limited[i]);
+std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
+                                     const std::vector<AccessibleArea>& areas) {
+    const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
+    double widest_mm2 = most_mm2 + same_mm2;
+    for (const AccessibleArea& area : areas)
+        if (isHeldOff(area)) widest_mm2 = std::max(widest_mm2, area.coverable_area_mm2);
+    const AccessibleArea* found = nullptr;
+    double longer_mm = 0;
+    Withheld withheld;
+    for (const AccessibleArea& area : areas) {
+        const bool reaches = area.coverable_area_mm2 >= widest_mm2 - same_mm2;
+        if (!isHeldOff(area) || !reaches || area.coverable_area_mm2 <= most_mm2 + same_mm2) continue;
+        const ToolAssembly& tool = library.tool(area.tool_id);
+        const double stick_out_mm = reachOf(ground, tool, area).stick_out_mm;
+        if (found != nullptr && stick_out_mm - tool.stick_out_mm >= longer_mm) continue;
+        found = &area;
+        longer_mm = stick_out_mm - tool.stick_out_mm;
+        withheld.diameter_mm = tool.diameter_mm;
+        withheld.stick_out_mm = stick_out_mm;
+        withheld.has_stick_out_mm = tool.stick_out_mm;
     }
-    return result;
+    if (found == nullptr) return std::nullopt;
+    withheld.coverable = found->coverable;
+    const double slim_mm = widestClearHolderMm(ground, library.tool(found->tool_id), *found);
+    if (slim_mm > withheld.diameter_mm) withheld.holder_diameter_mm = slim_mm;
+    return withheld;
+}
+
+void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
+                  std::vector<AccessibleArea>& areas) {
+    const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
+    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+        if (!isHeldOff(areas[i]) || areas[i].collision_free_area_mm2 <= most_mm2 + same_mm2) return;
+        auto limited = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
+        if (limited && limited->coverable_area_mm2 > most_mm2 + same_mm2) areas[i] = std::move(*limited);
+    });
 }
 
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,
@@ -88,7 +102,8 @@ std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrar
     std::optional<Shallower> best;
     for (const auto& candidate : found) {
         if (!candidate || candidate->volume_mm3 <= least_mm3) continue;
-        if (candidate->floor_z_mm <= feature.floor_z_mm + ground.tolerances().linear_mm) continue;
+        // depthOf() keeps one `linear_mm` off what the holder would graze; that alone is no smaller depth.
+        if (candidate->floor_z_mm <= feature.floor_z_mm + 2 * ground.tolerances().linear_mm) continue;
         if (!best || candidate->volume_mm3 > best->volume_mm3) best = candidate;
     }
     return best;

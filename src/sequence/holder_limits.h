@@ -7,11 +7,17 @@
 
 namespace stepmill {
 
-/// What the cutter that reaches most of a feature could clear, were it not for its holder.
+/// Was the tool turned down because its shank or holder is in the way?
+bool isHeldOff(const AccessibleArea& area);
+
+/// What the cutter that reaches most of a feature could clear, were it not for its holder, and what would let
+/// it. Of cutters that reach the same, the one that needs the least longer stick-out.
 struct Withheld {
     Region coverable;
     double diameter_mm = 0;
-    double stick_out_mm = 0;  ///< with which it would
+    double stick_out_mm = 0;        ///< with which it would
+    double has_stick_out_mm = 0;    ///< now
+    double holder_diameter_mm = 0;  ///< with no more than which it would; 0 where none is slim enough
 };
 
 /// A smaller depth that one tool reaches with nothing lost to its holder.
@@ -22,12 +28,17 @@ struct Shallower {
     double stick_out_mm = 0;  ///< that would do for the whole depth
 };
 
+/// What the cutter that reaches most of a feature is kept off; nothing when tools that take part clear as
+/// much. \param areas    as the cutters and holders have them, before anything was admitted \param most_mm2
+/// most that a tool that takes part covers
+std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
+                                     const std::vector<AccessibleArea>& areas);
+
 /// Replaces the areas of tools that their holder keeps off part of the feature by what is left for them,
-/// where that is more than every tool reaches that is free everywhere. Nothing is withheld when the free
-/// tools reach as much as any cutter could.
-/// \param free_mm2  most that a tool free everywhere covers
-std::optional<Withheld> admitLimited(const FeatureGround& ground, const ToolLibrary& library, double free_mm2,
-                                     std::vector<AccessibleArea>& areas);
+/// where that is more than every tool reaches that takes part already.
+/// \param most_mm2  most that a tool that takes part covers
+void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
+                  std::vector<AccessibleArea>& areas);
 
 /// The depth at which some tool of `areas` that was turned down for its reach clears most; nothing when
 /// none clears noticeably more than `known_mm3`.

@@ -34,15 +34,26 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
     return areas;
 }
 
-/// The fastest of the tools k, k+1, ...
+/// The fastest of the tools k, k+1, ..., and of those that help and are no candidates.
 std::vector<double> fastestFrom(const std::vector<Candidate>& tools) {
-    std::vector<double> rates(tools.size());
     double fastest = 0;
+    for (const Candidate& tool : tools)
+        fastest = std::max(fastest, tool.outsider_rate_mm3_per_s);
+    std::vector<double> rates(tools.size());
     for (std::size_t k = tools.size(); k-- > 0;) {
         fastest = std::max(fastest, tools[k].volume_rate_mm3_per_s);
         rates[k] = fastest;
     }
     return rates;
+}
+
+/// The smallest tool that is used, as a surrogate maybe, is one that ends the feature or a smaller one.
+std::vector<bool> smallestUsed(const std::vector<Candidate>& tools, std::vector<bool> ends) {
+    const bool helped =
+        std::any_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
+    for (std::size_t k = 1; helped && k < ends.size(); ++k)
+        ends[k] = ends[k] || ends[k - 1];
+    return ends;
 }
 
 }  // namespace
@@ -51,17 +62,18 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
                       const std::vector<bool>& ends, const Machine& machine, const Tolerances& tol) {
     const std::vector<double> reached = reachedAreas(feature, tools, clearedAtTheEnd(tools, ends), tol);
     const std::vector<double> fastest = fastestFrom(tools);
+    const std::vector<bool> last = smallestUsed(tools, ends);
     const int n = static_cast<int>(tools.size());
-    // What tool k is the first in the sequence to reach, it or a later one must clear, at best as fast as
-    // the fastest of these.
+    // What tool k is the first in the sequence to reach, it, a later one or a surrogate must clear, at best
+    // as fast as the fastest of these.
     const auto cutting = [&](int m, int k) {
         const double before = m == kSource ? 0 : reached[m];
         return std::max(0.0, reached[k] - before) * feature.depth_mm() / fastest[k];
     };
     TimeBounds bounds;
     const CheapestPath with = cheapestPath(
-        n, [&](int m, int k) { return cutting(m, k) + machine.tool_change_s; }, ends);
-    const CheapestPath without = cheapestPath(n, cutting, ends);
+        n, [&](int m, int k) { return cutting(m, k) + machine.tool_change_s; }, last);
+    const CheapestPath without = cheapestPath(n, cutting, last);
     if (!with.tools.empty()) bounds.with_changes_s = with.cost;
     if (!without.tools.empty()) bounds.cutting_s = without.cost;
     return bounds;

@@ -48,6 +48,15 @@ std::string longerTool(double diameter_mm, double stick_out_mm) {
                        diameter_mm, stick_out_mm);
 }
 
+std::string whatWouldClear(const Withheld& withheld) {
+    if (withheld.holder_diameter_mm <= 0) return longerTool(withheld.diameter_mm, withheld.stick_out_mm);
+    return fmt::format(
+        "an end mill of {:.4g} mm with a stick-out of {:.4g} mm ({:.4g} mm more), or a holder no wider than "
+        "{:.1f} mm below that",
+        withheld.diameter_mm, withheld.stick_out_mm, withheld.stick_out_mm - withheld.has_stick_out_mm,
+        withheld.holder_diameter_mm);
+}
+
 struct Vote {
     int count = 0;
     std::string text;  ///< of the first tool voted for
@@ -113,7 +122,7 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
     Residual held_off;
     if (withheld) {
         held_off.reason = "holder collision";
-        held_off.advice = longerTool(withheld->diameter_mm, withheld->stick_out_mm);
+        held_off.advice = whatWouldClear(*withheld);
         for (const Region& piece : components(intersect(rest, withheld->coverable, tol)))
             if (area(piece) > tol.area_mm2) add(held_off, piece, feature.depth_mm());
         if (!held_off.region.empty()) rest = subtract(rest, withheld->coverable, tol);

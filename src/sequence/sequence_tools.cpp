@@ -6,6 +6,7 @@
 #include "sequence/holder_limits.h"
 #include "sequence/lower_bound.h"
 #include "sequence/residuals.h"
+#include "sequence/surrogates.h"
 #include "stepmill/sequence/sequence.h"
 
 namespace stepmill {
@@ -31,14 +32,22 @@ std::vector<AccessibleArea> areasOfAllTools(const FeatureGround& ground, const T
     return areas;
 }
 
+/// Every tool's step and after it those of its surrogates.
 std::vector<SequenceStep> makeSteps(const DagTask& task, const DagResult& dag) {
     const std::vector<int>& path = dag.path;
-    std::vector<SequenceStep> steps(path.size());
+    std::vector<std::vector<SequenceStep>> steps(path.size());
     tbb::parallel_for(std::size_t{0}, path.size(), [&](std::size_t i) {
         const Candidate* before = i == 0 ? nullptr : &task.tools[path[i - 1]];
-        steps[i] = makeStep(task, before, task.tools[path[i]], dag.rings[path[i]]);
+        steps[i].push_back(makeStep(task, before, task.tools[path[i]], dag.rings[path[i]]));
+        if (task.surrogates == nullptr) return;
+        const int next = i + 1 < path.size() ? path[i + 1] : static_cast<int>(task.tools.size());
+        for (SequenceStep& step : helpSteps(dag.help[i], next, *task.surrogates, task.tools))
+            steps[i].push_back(std::move(step));
     });
-    return steps;
+    std::vector<SequenceStep> all;
+    for (std::vector<SequenceStep>& of_edge : steps)
+        std::move(of_edge.begin(), of_edge.end(), std::back_inserter(all));
+    return all;
 }
 
 double mostCovered(const std::vector<Candidate>& tools) {
@@ -55,13 +64,34 @@ struct Job {
     const Tolerances& tol;
 };
 
-void addUp(const std::vector<Candidate>& tools, const DagResult& dag, const Machine& machine,
-           ToolSequence& sequence) {
-    for (std::size_t i = 0; i < dag.path.size(); ++i) {
-        const EdgeCost cost = edgeCost(sequence.steps[i].path.totals, *tools[dag.path[i]].tool, machine);
-        sequence.time_s += cost.time_s;
-        sequence.cost += cost.cost;
+void addUp(const Job& job, ToolSequence& sequence) {
+    std::string last;
+    for (const SequenceStep& step : sequence.steps) {
+        const ToolAssembly& tool = job.library.tool(step.tool_id);
+        const EdgeCost cost = edgeCost(step.path.totals, tool, job.machine);
+        const EdgeCost change = edgeCost({}, tool, job.machine);
+        const bool stays = step.tool_id == last;
+        sequence.time_s += cost.time_s - (stays ? change.time_s : 0);
+        sequence.cost += cost.cost - (stays ? change.cost : 0);
+        last = step.tool_id;
     }
+}
+
+bool hasSurrogates(const AccessibleArea& area) {
+    return area.clear_of_holder != nullptr;
+}
+
+/// Turns down tools that could clear more than every other, but with a lump nobody can do: the feature must
+/// not end with one of them.
+void turnDownUnserved(const SurrogateFinder& finder, double free_mm2, double same_mm2,
+                      const std::vector<AccessibleArea>& before, std::vector<AccessibleArea>& areas) {
+    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+        if (!hasSurrogates(areas[i]) || areas[i].coverable_area_mm2 <= free_mm2 + same_mm2) return;
+        const Lumps lumps = finder.lumpsOf(nullptr, areas[i]);
+        const bool served =
+            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return !lump->ways().empty(); });
+        if (!served) areas[i] = before[i];
+    });
 }
 
 ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_higher);
@@ -82,10 +112,16 @@ ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_hig
     const auto usable = [&] {
         return usableTools(feature, sequence.tools, job.library, job.options, job.machine, job.tol);
     };
+    // z = 0 is the stock's top, so the height over it is the retract plane's z.
+    const double retract_z = job.options.retract_mm > 0 ? job.options.retract_mm : job.machine.safe_height_mm;
     const std::vector<AccessibleArea> unlimited = sequence.tools;
-    const std::optional<Withheld> withheld =
-        admitLimited(ground, job.library, mostCovered(usable()), sequence.tools);
+    const double free_mm2 = mostCovered(usable());
+    admitWithSurrogates(ground, job.library, sequence.tools);
+    const SurrogateFinder finder(ground, sequence.tools, job.library, job.options, job.machine, retract_z);
+    turnDownUnserved(finder, free_mm2, sameArea(feature, job.tol), unlimited, sequence.tools);
+    admitLimited(ground, job.library, mostCovered(usable()), sequence.tools);
     const std::vector<Candidate> tools = usable();
+    const std::optional<Withheld> withheld = withheldFrom(ground, job.library, mostCovered(tools), unlimited);
     if (may_end_higher) {
         const double known_mm3 = mostCovered(tools) * feature.depth_mm();
         if (const auto reached = shallower(ground, job.library, unlimited, known_mm3)) {
@@ -98,9 +134,7 @@ ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_hig
         return sequence;
     }
     const std::vector<bool> ends = endTools(feature, tools, job.tol);
-    // z = 0 is the stock's top, so the height over it is the retract plane's z.
-    const double retract_z = job.options.retract_mm > 0 ? job.options.retract_mm : job.machine.safe_height_mm;
-    const DagTask task{ground, tools, ends, job.options, job.machine, retract_z};
+    const DagTask task{ground, tools, ends, job.options, job.machine, retract_z, &finder};
     const DagResult dag = evaluateDag(task);
     sequence.edges = dag.edges;
     sequence.pruned_edges = dag.pruned;
@@ -109,7 +143,7 @@ ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_hig
         return sequence;
     }
     sequence.steps = makeSteps(task, dag);
-    addUp(tools, dag, job.machine, sequence);
+    addUp(job, sequence);
     const TimeBounds bounds = timeBounds(feature, tools, ends, job.machine, job.tol);
     sequence.lower_bound_s = bounds.with_changes_s;
     sequence.cutting_bound_s = bounds.cutting_s;

@@ -78,6 +78,16 @@ class FeatureGround {
 /// Diagram of an area, built by the first who asks; safe to share between threads.
 class LazyDiagram;
 
+/// A piece of what a tool's cutter could reach but for its shank or holder, and other tools can reach.
+struct BlockedLump {
+    Region region;  ///< its parts are nearer to each other than the cutter's diameter
+    double area_mm2 = 0;
+    /// Tools with all of it in their collision-free area [DSouza2006, eq. 21], by falling diameter. Empty
+    /// when it takes several.
+    std::vector<std::string> surrogates;
+    std::string reason;  ///< what keeps the tool off, in words with the numbers
+};
+
 /// Areas of one tool in one feature [algorithms.md, section 3].
 struct AccessibleArea {
     std::string tool_id;
@@ -89,7 +99,7 @@ struct AccessibleArea {
     std::vector<Entry> entries;
     /// A_t = offset(C_t, r).
     Region accessible;
-    /// A_t n T.
+    /// A_t n T; of a tool with surrogates without what no tool at all reaches.
     Region coverable;
     /// Is `accessible` all a disc sweeps inside the target, so that pairs need no Booleans?
     bool opens_target = false;
@@ -103,6 +113,10 @@ struct AccessibleArea {
     /// Where shank or holder hold the tool off part of what its cutter could reach, in words with the
     /// numbers; empty when nothing does. Set by limitedArea().
     std::string limited;
+    /// Where surrogates do part of the tool's area: A'_t with its own centres and entries, which is what the
+    /// tool itself may do. Null: all of the above.
+    std::shared_ptr<const AccessibleArea> clear_of_holder;
+    std::vector<BlockedLump> blocked_lumps;  ///< what the surrogates do [algorithms.md, section 5]
     /// Set when the tool cannot be used; the areas then tell what it could do without that.
     std::optional<Exclusion> excluded;
     /// Diagram of `accessible`, which every pair that starts with this tool shrinks; copies share it. May be

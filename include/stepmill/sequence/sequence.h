@@ -15,23 +15,42 @@ namespace stepmill {
 
 enum class Objective { Time, Cost };
 
+/// Who clears what a tool's holder keeps from it.
+enum class SurrogateRule {
+    Single,   ///< one tool per lump [DSouza2006, Alg. 4]
+    Sequence  ///< one tool or several after another, whichever is cheapest
+};
+
 struct SequenceOptions {
     std::string material;
     Objective objective = Objective::Time;
     /// Rapids between entries go to this height over the stock's top [mm]; 0: the machine's safe height.
     double retract_mm = 0;
+    SurrogateRule surrogates = SurrogateRule::Sequence;
 };
 
-/// One evaluated edge of the tool DAG: machine D_mn with n.
+/// What a surrogate does on an edge of the tool DAG.
+struct SurrogateWork {
+    std::string tool;
+    double area_mm2 = 0;  ///< of the lumps it works in
+    double time_s = 0;    ///< of its paths, without its tool change
+};
+
+/// One evaluated edge of the tool DAG: machine D_mn with n, and what n's holder keeps from it with
+/// surrogates.
+///
+/// Time and cost hold n's path, the surrogates' paths and a change to each tool. On the path that is chosen a
+/// surrogate that is the next tool anyway is changed to once, and the edge before it counts none.
 ///
 /// Edges to the sink cost nothing and leave every tool that clears all any tool of the library can.
 struct DagEdge {
-    std::string from;  ///< tool id, empty for the source
-    std::string to;    ///< tool id, empty for the sink
-    double region_area_mm2 = 0;
-    PathTotals totals;
-    double time_s = 0;  ///< with one tool change [DSouza2006, eq. 13]
-    double cost = 0;    ///< with wear and the hourly rate [DSouza2006, eq. 12]
+    std::string from;            ///< tool id, empty for the source
+    std::string to;              ///< tool id, empty for the sink
+    double region_area_mm2 = 0;  ///< n's own part, D'_mn
+    PathTotals totals;           ///< of n's own path
+    double time_s = 0;           ///< with the tool changes [DSouza2006, eq. 13]
+    double cost = 0;             ///< with wear and the hourly rate [DSouza2006, eq. 12]
+    std::vector<SurrogateWork> surrogates;
 };
 
 /// Material of a feature that stays, and why.
@@ -43,7 +62,7 @@ struct Residual {
     std::string advice;  ///< what would machine it ("an end mill of 2.4 mm or less")
 };
 
-enum class Role { Face, Rough, Rest, Drill };
+enum class Role { Face, Rough, Rest, Surrogate, Drill };
 std::string toString(Role role);
 
 /// One tool's part in a feature.
@@ -64,7 +83,7 @@ struct ToolSequence {
     std::vector<AccessibleArea> tools;  ///< every tool of the library, falling diameter, with exclusions
     std::vector<DagEdge> edges;         ///< evaluated edges, by from then to
     std::vector<SequenceStep> steps;    ///< empty when no tool can machine anything
-    double time_s = 0;                  ///< with one tool change a step
+    double time_s = 0;                  ///< with a tool change wherever the tool is another
     double cost = 0;
     double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]
     double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
@@ -90,9 +109,10 @@ double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea
 /// (evaluated in parallel), the cheapest path [algorithms.md, section 7]. The result does not depend on the
 /// number of threads. At most n(n+1)/2 edges are evaluated.
 ///
-/// Tools whose holder only lets them do part of the feature take part with that part where they reach more
-/// than all others. Where going less deep machines more than that, the steps end at the depth the best tool
-/// reaches, and what is below is residual ("too deep").
+/// Tools whose holder only lets them do part of the feature take part with surrogates for the lumps they are
+/// kept off [section 5]; one whose lumps no other can serve takes part with what it reaches itself where that
+/// is more than all others reach. Where going less deep machines more than that, the steps end at the depth
+/// the best tool reaches, and what is below is residual ("too deep").
 ToolSequence sequenceTools(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                            const SequenceOptions& options, const Tolerances& tol);
 

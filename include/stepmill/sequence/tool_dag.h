@@ -19,10 +19,19 @@ struct CheapestPath {
     double cost = kNoEdge;
 };
 
+/// What a path saves on edge (m, n) when tool p comes next; p is the sink's number n_tools at the end.
+/// Never more than edge (m, n) costs.
+using Saving = std::function<double(int m, int n, int p)>;
+
 /// Cheapest path of the DAG in topological order [DSouza2006, section 'Graph algorithm'].
-/// `edge(m, n)` is the cost of machining D_mn with n (m may be kSource), kNoEdge where there is none;
-/// `ends[n]` says that tool n has a zero edge to the sink. Ties go to fewer tools, then to the larger
-/// first tools. O(n^2).
-CheapestPath cheapestPath(int n, const std::function<double(int, int)>& edge, const std::vector<bool>& ends);
+/// `edge(m, n)` is the cost of machining D_mn with n (m may be kSource), kNoEdge where there is none, asked
+/// once for each pair; `ends[n]` says that tool n has a zero edge to the sink. Ties go to fewer tools, then
+/// to the larger first tools. O(n^2) without `saving`.
+///
+/// With `saving` the cost of a path depends on three tools in a row: a surrogate of (m, n) that is the next
+/// tool anyway is changed to once. The exact optimum is then the cheapest path over the pairs (m, n) -> (n,
+/// p) [algorithms.md, section 5]: O(n^3).
+CheapestPath cheapestPath(int n, const std::function<double(int, int)>& edge, const std::vector<bool>& ends,
+                          const Saving& saving = {});
 
 }  // namespace stepmill

@@ -12,7 +12,12 @@ struct RandomDag {
     int n;
     std::vector<double> costs;  // (n + 1) x n, row 0 the source
     std::vector<bool> ends;
+    std::vector<double> savings;  // (n + 1) x n x (n + 1), the sink last; empty: none
 
+    double saving(int m, int k, int next) const {
+        if (savings.empty()) return 0;
+        return savings[static_cast<std::size_t>(((m + 1) * n + k) * (n + 1) + next)];
+    }
     double edge(int m, int k) const { return costs[static_cast<std::size_t>((m + 1) * n + k)]; }
 };
 
@@ -30,17 +35,34 @@ RandomDag randomDag(std::mt19937& random) {
     return dag;
 }
 
+/// Most edges save nothing; none saves more than it costs.
+void addSavings(RandomDag& dag, std::mt19937& random) {
+    for (int m = kSource; m < dag.n; ++m) {
+        for (int k = 0; k < dag.n; ++k) {
+            for (int next = 0; next <= dag.n; ++next) {
+                const double cost = dag.edge(m, k);
+                const bool saves = cost < kNoEdge && next < dag.n && std::bernoulli_distribution(0.4)(random);
+                const int most = saves ? static_cast<int>(cost) : 0;
+                dag.savings.push_back(std::uniform_int_distribution(0, most)(random));
+            }
+        }
+    }
+}
+
 /// Tries every subset of the tools in falling diameter [DSouza2006, eq. 10 and 11].
 CheapestPath byEnumeration(const RandomDag& dag) {
     CheapestPath best;
     for (unsigned subset = 1; subset < (1U << dag.n); ++subset) {
         CheapestPath path;
         path.cost = 0;
+        int before = kSource;
         int last = kSource;
         for (int k = 0; k < dag.n; ++k) {
             if ((subset >> k & 1U) == 0) continue;
+            if (last != kSource) path.cost -= dag.saving(before, last, k);
             path.cost += dag.edge(last, k);
             path.tools.push_back(k);
+            before = last;
             last = k;
         }
         if (!dag.ends[last] || path.cost == kNoEdge) continue;
@@ -56,6 +78,20 @@ TEST(CheapestPathLaw, EqualsTheEnumerationOfAllSequences) {
         const RandomDag dag = randomDag(random);
         const CheapestPath found = cheapestPath(
             dag.n, [&](int m, int k) { return dag.edge(m, k); }, dag.ends);
+        const CheapestPath expected = byEnumeration(dag);
+        ASSERT_EQ(found.cost, expected.cost) << "seed " << seed;
+        ASSERT_EQ(found.tools, expected.tools) << "seed " << seed;
+    }
+}
+
+TEST(CheapestPathLaw, WithSavingsEqualsTheEnumerationOfAllSequences) {
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        std::mt19937 random(seed);
+        RandomDag dag = randomDag(random);
+        addSavings(dag, random);
+        const CheapestPath found = cheapestPath(
+            dag.n, [&](int m, int k) { return dag.edge(m, k); }, dag.ends,
+            [&](int m, int k, int next) { return dag.saving(m, k, next); });
         const CheapestPath expected = byEnumeration(dag);
         ASSERT_EQ(found.cost, expected.cost) << "seed " << seed;
         ASSERT_EQ(found.tools, expected.tools) << "seed " << seed;

@@ -50,8 +50,10 @@ TEST(SampleParts, BossedPocketIsCutAndRaisedAsItsDimensionsSay) {
     const double inch3 = kMillimetresPerInch * kMillimetresPerInch * kMillimetresPerInch;
     // 8 inside corners of the main outline, 2 at the leg's end; the others are sharp.
     const double outline = 5 * 4 - 0.8 * 1.4 - 1.4 * 0.6 + 0.22 * 0.4 - corners(8, 0.08);
-    const double bosses = 0.45 * (rounded(0.89, 0.99, 0.1) + disc(0.5));
-    expectVolume(bossedPocket(), inch3 * (6.5 * 5.7 - 0.3 * outline + bosses + 0.55 * disc(0.7)));
+    const double block = 6.5 * 5.7 - 0.3 * (outline - disc(0.7));
+    const double bosses = 0.55 * (rounded(0.85, 0.95, 0.1) + disc(0.5));
+    expectVolume(bossedPocket(), inch3 * (block + bosses));
+    expectVolume(pocketWithoutBosses(), inch3 * block);
 }
 
 TEST(SampleParts, EachIsOneValidSolidInAPlausibleBox) {

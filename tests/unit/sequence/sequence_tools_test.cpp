@@ -135,7 +135,7 @@ TEST(SequenceTools, AToolItsHolderKeepsOffAWallMachinesTheRest) {
     }
 }
 
-TEST(SequenceTools, AToolFreeEverywhereLeavesNoneToBeLimited) {
+TEST(SequenceTools, AToolFreeEverywhereDoesWhatAnotherIsKeptOff) {
     const Feature room = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(200, 200), 5), 30);
     ToolAssembly stubby = makeMill(8);
     stubby.stick_out_mm = 25;
@@ -143,9 +143,105 @@ TEST(SequenceTools, AToolFreeEverywhereLeavesNoneToBeLimited) {
     const ToolSequence sequence =
         sequenceTools(room, makeLibrary({makeMill(10), stubby}), makeMachine(), inAluminium(), kTol);
     EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM10"});
-    ASSERT_TRUE(sequence.tools[1].excluded);
-    EXPECT_EQ(sequence.tools[1].excluded->reason, ExclusionReason::HolderCollision);
     EXPECT_TRUE(sequence.residual.empty());
+    const AccessibleArea& held_off = sequence.tools[1];
+    EXPECT_FALSE(held_off.excluded);
+    ASSERT_EQ(held_off.blocked_lumps.size(), 1U) << "a frame along the walls";
+    EXPECT_EQ(held_off.blocked_lumps[0].surrogates, std::vector<std::string>{"EM10"});
+    EXPECT_NE(held_off.blocked_lumps[0].reason.find("20 mm wide"), std::string::npos);
+}
+
+/// 100 x 60 mm, 8 mm deep; a boss 30 mm high, up to the stock's top, stands 2 mm behind the middle of one long
+/// wall.
+Feature makePocketBesideABoss(double corner_radius_mm = 5) {
+    Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(100, 60), corner_radius_mm), 8);
+    pocket.top_z_mm = -30;
+    pocket.floor_z_mm = -38;
+    pocket.obstacles = {{-38, -30, pocket.obstruction},
+                        {-30, 0, makeRectangle(Vec2(40, -15), Vec2(60, -2))}};
+    pocket.min_corner_radius_mm = corner_radius_mm;
+    return pocket;
+}
+
+/// Cuts fast, but its holder does not pass the boss.
+ToolAssembly makeStubbyMill(double diameter_mm, double feed) {
+    ToolAssembly mill = makeMill(diameter_mm, feed);
+    mill.id = "stubby " + mill.id;
+    mill.stick_out_mm = 20;
+    mill.holder.push_back({40, 20, 80});
+    return mill;
+}
+
+TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
+    const ToolSequence sequence =
+        sequenceTools(makePocketBesideABoss(), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}),
+                      makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), (std::vector<std::string>{"stubby EM10", "EM6"}));
+    EXPECT_EQ(sequence.steps[0].role, Role::Rough);
+    EXPECT_EQ(sequence.steps[1].role, Role::Surrogate);
+    EXPECT_TRUE(sequence.residual.empty());
+    ASSERT_EQ(sequence.tools[0].blocked_lumps.size(), 1U);
+    EXPECT_EQ(sequence.tools[0].blocked_lumps[0].surrogates, std::vector<std::string>{"EM6"});
+    const DagEdge* edge = findEdge(sequence, "", "stubby EM10");
+    ASSERT_NE(edge, nullptr);
+    ASSERT_EQ(edge->surrogates.size(), 1U);
+    EXPECT_EQ(edge->surrogates[0].tool, "EM6");
+    EXPECT_NEAR(edge->surrogates[0].area_mm2, sequence.tools[0].blocked_lumps[0].area_mm2, 1e-9);
+    EXPECT_NEAR(edge->time_s, sequence.time_s, 1e-9);
+    const double changes_s = 2 * makeMachine().tool_change_s;
+    EXPECT_NEAR(edge->time_s, edge->totals.time_s() + edge->surrogates[0].time_s + changes_s, 1e-9);
+}
+
+TEST(SequenceTools, ASurrogateThatComesNextAnywayIsChangedToOnce) {
+    const ToolSequence sequence =
+        sequenceTools(makePocketBesideABoss(3), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}), makeMachine(),
+                      inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), (std::vector<std::string>{"stubby EM10", "EM6", "EM6"}));
+    EXPECT_EQ(sequence.steps[1].role, Role::Surrogate);
+    EXPECT_EQ(sequence.steps[2].role, Role::Rest);
+    double paths_s = 0;
+    for (const SequenceStep& step : sequence.steps)
+        paths_s += step.path.totals.time_s();
+    EXPECT_NEAR(sequence.time_s, paths_s + 2 * makeMachine().tool_change_s, 1e-9);
+    const DagEdge* first = findEdge(sequence, "", "stubby EM10");
+    const DagEdge* second = findEdge(sequence, "stubby EM10", "EM6");
+    ASSERT_NE(first, nullptr);
+    ASSERT_NE(second, nullptr);
+    EXPECT_NEAR(first->time_s + second->time_s, sequence.time_s, 1e-9);
+}
+
+TEST(SequenceTools, OneSurrogatePerLumpWhereThatIsAskedFor) {
+    SequenceOptions options = inAluminium();
+    options.surrogates = SurrogateRule::Single;
+    const ToolLibrary library =
+        makeLibrary({makeStubbyMill(10, 4000), makeMill(8, 1500), makeMill(6, 600), makeMill(4, 400)});
+    const ToolSequence single = sequenceTools(makePocketBesideABoss(), library, makeMachine(), options, kTol);
+    for (const DagEdge& edge : single.edges)
+        EXPECT_LE(edge.surrogates.size(), 1U) << edge.from << " to " << edge.to;
+    const ToolSequence several =
+        sequenceTools(makePocketBesideABoss(), library, makeMachine(), inAluminium(), kTol);
+    EXPECT_LE(several.time_s, single.time_s + 1e-9);
+}
+
+TEST(SequenceTools, WhatNobodyReachesStaysAndTheRestIsShared) {
+    // The boss keeps both off the ground beside it, the thicker holder more than the slimmer one.
+    ToolAssembly slimmer = makeMill(6, 600);
+    slimmer.stick_out_mm = 20;
+    slimmer.holder.push_back({20, 20, 80});
+    const ToolSequence sequence =
+        sequenceTools(makePocketBesideABoss(), makeLibrary({makeStubbyMill(10, 4000), slimmer}),
+                      makeMachine(), inAluminium(), kTol);
+    ASSERT_FALSE(sequence.steps.empty());
+    ASSERT_EQ(sequence.residual.size(), 1U);
+    EXPECT_EQ(sequence.residual[0].reason, "holder collision");
+    EXPECT_EQ(toolsOf(sequence).front(), "stubby EM10");
+    EXPECT_EQ(toolsOf(sequence).back(), "EM6");
+    // The slimmer holder keeps 10 mm off the boss, 8 of them in the pocket, so its cutter 5 mm.
+    EXPECT_NEAR(boundingBox(sequence.residual[0].region).max.y(), 5, 1e-3);
+    // Beside the wall, 2 mm before the boss, a cutter of 10 mm has its axis 7 mm from it: room for 14 mm.
+    EXPECT_EQ(sequence.residual[0].advice,
+              "an end mill of 10 mm with a stick-out of 38 mm (18 mm more), or a holder no wider than 13.9 mm "
+              "below that");
 }
 
 TEST(SequenceTools, NoEdgeFollowsAToolThatLeavesNothing) {

@@ -1,0 +1,102 @@
+#include "sequence/surrogates.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+#include "sequence/holder_limits.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill {
+namespace {
+
+bool isEndMill(const AccessibleArea& area, const ToolLibrary& library) {
+    return !library.tool(area.tool_id).isDrill() && !area.coverable.empty();
+}
+
+/// The tools with their areas free of collisions, by falling diameter.
+std::vector<const AccessibleArea*> reachable(const std::vector<AccessibleArea>& areas,
+                                             const ToolLibrary& library) {
+    std::vector<const AccessibleArea*> found;
+    for (const AccessibleArea& area : areas) {
+        const AccessibleArea* reach = ownReach(area);
+        if (reach != nullptr && isEndMill(*reach, library)) found.push_back(reach);
+    }
+    return found;
+}
+
+/// What some of `tools` is kept off and no tool reaches.
+Region outOfReach(const std::vector<Region>& held_off, const std::vector<const AccessibleArea*>& reach,
+                  const Tolerances& tol) {
+    Region left = held_off.empty() ? Region{} : unite(held_off, tol);
+    // The smallest cutters reach most.
+    for (auto tool = reach.rbegin(); tool != reach.rend() && !left.empty(); ++tool)
+        left = withoutCrumbs(subtract(left, (*tool)->coverable, tol), tol);
+    return left;
+}
+
+bool reachesAll(const AccessibleArea& tool, const Region& lump, const Tolerances& tol) {
+    return covers(tool.coverable, lump, tol.sliver_mm, tol);
+}
+
+std::vector<BlockedLump> describe(const std::vector<Region>& lumps, const AccessibleArea& held_off,
+                                  const std::vector<const AccessibleArea*>& reach, const Tolerances& tol) {
+    std::vector<BlockedLump> described;
+    for (const Region& lump : lumps) {
+        BlockedLump blocked{lump, area(lump), {}, held_off.excluded->text};
+        for (const AccessibleArea* other : reach)
+            if (other->tool_id != held_off.tool_id && reachesAll(*other, lump, tol))
+                blocked.surrogates.push_back(other->tool_id);
+        described.push_back(std::move(blocked));
+    }
+    return described;
+}
+
+}  // namespace
+
+const AccessibleArea* ownReach(const AccessibleArea& area) {
+    if (area.clear_of_holder) return area.clear_of_holder.get();
+    return area.excluded ? nullptr : &area;
+}
+
+void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library,
+                         std::vector<AccessibleArea>& areas) {
+    const Tolerances& tol = ground.tolerances();
+    std::vector<std::shared_ptr<const AccessibleArea>> clear(areas.size());
+    std::vector<Region> held_off(areas.size());
+    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+        if (!isHeldOff(areas[i]) || areas[i].collision_free_area_mm2 <= tol.area_mm2) return;
+        auto own = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
+        if (!own || own->coverable_area_mm2 <= tol.area_mm2) return;
+        held_off[i] = withoutCrumbs(subtract(areas[i].coverable, own->coverable, tol), tol);
+        clear[i] = std::make_shared<const AccessibleArea>(std::move(*own));
+    });
+    std::vector<AccessibleArea> admitted = areas;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+        admitted[i].clear_of_holder = clear[i];
+    const std::vector<const AccessibleArea*> reach = reachable(admitted, library);
+    const Region none_reaches = outOfReach(held_off, reach, tol);
+
+    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
+        if (!clear[i]) return;
+        AccessibleArea& area = admitted[i];
+        Region others = held_off[i];
+        if (!none_reaches.empty()) {
+            others = subtract(others, none_reaches, tol);
+            area.coverable = subtract(area.coverable, none_reaches, tol);
+            area.coverable_area_mm2 = stepmill::area(area.coverable);
+            area.access_volume_mm3 = area.coverable_area_mm2 * ground.feature().depth_mm();
+        }
+        const std::vector<Region> lumps = lumpsOf(others, 2 * area.radius_mm, tol);
+        if (lumps.empty()) {
+            area = *clear[i];
+            return;
+        }
+        area.blocked_lumps = describe(lumps, area, reach, tol);
+        area.collision_free_area_mm2 = clear[i]->coverable_area_mm2;
+        area.excluded.reset();
+    });
+    areas = std::move(admitted);
+}
+
+}  // namespace stepmill

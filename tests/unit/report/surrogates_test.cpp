@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/report/report.h"
+
+namespace stepmill {
+namespace {
+
+const Tolerances kTol;
+
+/// The pocket beside bosses, where the 0.2 in cutter helps the 0.5 in one.
+const Plan& bossedPlan() {
+    static const Plan plan = [] {
+        const std::string source = STEPMILL_SOURCE_DIR;
+        PlanRequest request;
+        request.sequence.material = "aluminium";
+        return planPart(readStep(source + "/step_parts/bossed_pocket.step").front(), request,
+                        readToolLibrary(source + "/samples/dsouza2006_tools.json"), defaultMachine(), kTol);
+    }();
+    return plan;
+}
+
+TEST(SurrogateReport, PlanJsonTellsLumpsEdgesAndOperations) {
+    const auto plan = nlohmann::json::parse(planJson(bossedPlan()));
+    const auto& pocket = plan.at("features").back();
+    EXPECT_EQ(pocket.at("dag").at("path"), (nlohmann::json{"t8", "t2", "t1"}));
+    const auto& first = pocket.at("tools").front();
+    ASSERT_EQ(first.at("tool"), "t8");
+    ASSERT_EQ(first.at("blocked_lumps").size(), 2U) << "one by each boss";
+    double lumps_mm2 = 0;
+    for (const auto& lump : first.at("blocked_lumps")) {
+        EXPECT_EQ(lump.at("surrogates"), (nlohmann::json{"t2", "t1"}));
+        EXPECT_FALSE(lump.at("region").at("loops").empty());
+        EXPECT_FALSE(lump.at("reason").get<std::string>().empty());
+        lumps_mm2 += lump.at("area_mm2").get<double>();
+    }
+    const double kept_off_mm2 =
+        first.at("coverable_area_mm2").get<double>() - first.at("collision_free_area_mm2").get<double>();
+    EXPECT_NEAR(lumps_mm2, kept_off_mm2, 0.01);
+    for (const auto& edge : pocket.at("dag").at("edges")) {
+        if (edge.at("from") != "source" || edge.at("to") != "t8") continue;
+        ASSERT_EQ(edge.at("surrogates").size(), 1U);
+        EXPECT_EQ(edge.at("surrogates")[0].at("tool"), "t2");
+        EXPECT_NEAR(edge.at("surrogates")[0].at("area_mm2").get<double>(), lumps_mm2, 1e-6);
+    }
+    int surrogates = 0;
+    for (const auto& operation : plan.at("operations"))
+        surrogates += operation.at("role") == "surrogate" && operation.at("tool") == "t2" ? 1 : 0;
+    EXPECT_EQ(surrogates, 2);
+}
+
+TEST(SurrogateReport, SummaryAndPagesNameThem) {
+    EXPECT_NE(summaryText(bossedPlan()).find("t8 (+ t2) > t2 > t1"), std::string::npos);
+    const std::string html = reportHtml(bossedPlan(), kTol);
+    EXPECT_NE(html.find("surrogates that reach it"), std::string::npos);
+    EXPECT_NE(html.find("t8 (+ t2) &gt; t2 &gt; t1"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace stepmill
