@@ -39,6 +39,11 @@ bool isUprightBox(const Setup& setup) {
     return (r.array() * (1 - r.array())).matrix().norm() < 1e-12;
 }
 
+double worthlessMm3(const Setup& setup, const SliceOptions& options) {
+    if (setup.stock.isRaw()) return 0;
+    return setup.removable_mm3 * (setup.indexed ? options.least_gain_share_indexed : options.least_gain_share);
+}
+
 Solids makeSolids(const Setup& setup, const SliceOptions& options, const Tolerances& tol) {
     STEPMILL_CHECK(setup.part.shape, "a part to slice has a shape");
     Solids solids{
@@ -46,7 +51,7 @@ Solids makeSolids(const Setup& setup, const SliceOptions& options, const Toleran
         std::nullopt,
         {},
         layers::StockAir(setup, tol),
-        setup.stock.isRaw() ? 0 : options.least_gain_share * setup.removable_mm3};
+        worthlessMm3(setup, options)};
     if (isUprightBox(setup)) {
         const Box3& box = setup.stock_bbox_mm;
         solids.stock_box = makeRectangle(box.min().head<2>(), box.max().head<2>());

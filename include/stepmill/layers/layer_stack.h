@@ -79,6 +79,8 @@ struct SliceOptions {
     /// On stock that earlier setups cut, slabs are not parted either for less than this share of what all
     /// setups have to remove: steps and corners they left would make a slab at every height.
     double least_gain_share = 2e-4;
+    /// The same in indexed setups, to which every wall that others cut leans: thin slabs would show steps alone.
+    double least_gain_share_indexed = 5e-3;
     /// Levels closer than this are one [mm].
     double level_merge_mm = 1e-3;
     /// Join neighbouring slabs where no tool from above can tell them apart, or where the upper one is
