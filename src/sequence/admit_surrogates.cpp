@@ -59,7 +59,7 @@ const AccessibleArea* ownReach(const AccessibleArea& area) {
     return area.excluded ? nullptr : &area;
 }
 
-void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library,
+void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library, const Region& given_up,
                          std::vector<AccessibleArea>& areas) {
     const Tolerances& tol = ground.tolerances();
     std::vector<std::shared_ptr<const AccessibleArea>> clear(areas.size());
@@ -75,7 +75,8 @@ void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library
     for (std::size_t i = 0; i < areas.size(); ++i)
         admitted[i].clear_of_holder = clear[i];
     const std::vector<const AccessibleArea*> reach = reachable(admitted, library);
-    const Region none_reaches = outOfReach(held_off, reach, tol);
+    Region none_reaches = outOfReach(held_off, reach, tol);
+    if (!given_up.empty()) none_reaches = unite(none_reaches, given_up, tol);
 
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
         if (!clear[i]) return;

@@ -48,11 +48,13 @@ class LumpSolver {
         offer(whole);
         keepThoseWhoReachAll();
         if (!solved_->tools_.empty()) weighSingles();
-        if (settings_.options.surrogates == SurrogateRule::Sequence) {
-            if (solved_->ways_.empty())
-                weighSets(partial);
-            else if (mayPayTwo())
-                weighSequences(partial);
+        const bool sequences = settings_.options.surrogates == SurrogateRule::Sequence;
+        if (solved_->ways_.empty()) {
+            offer(thoseWhoReachSome(partial));
+            if (sequences) weighSets();
+            if (solved_->ways_.empty()) solved_->unserved_ = leftByTheBest();
+        } else if (sequences && mayPayTwo()) {
+            weighSequences(partial);
         }
         return solved_;
     }
@@ -225,8 +227,7 @@ class LumpSolver {
     }
 
     /// Sets of tools of which none reaches all, the smallest sets that can.
-    void weighSets(const std::vector<int>& partial) {
-        offer(thoseWhoReachSome(partial));
+    void weighSets() {
         int seen = 0;
         std::vector<int> nodes;
         const auto extend = [&](auto& self, std::size_t size, int first) -> void {
@@ -243,6 +244,21 @@ class LumpSolver {
         };
         for (std::size_t size = 2; size <= kMostTogether && solved_->ways_.empty(); ++size)
             extend(extend, size, 0);
+    }
+
+    /// Those that leave least one after another, as many as may work together.
+    Region leftByTheBest() const {
+        Region left = lump_;
+        const std::size_t most = settings_.options.surrogates == SurrogateRule::Sequence ? kMostTogether : 1;
+        for (std::size_t i = 0; i < most && !left.empty(); ++i) {
+            Region least = left;
+            for (const Candidate& tool : solved_->tools_) {
+                Region rest = withoutCrumbs(subtract(left, tool.area->coverable, tol_), tol_);
+                if (area(rest) < area(least)) least = std::move(rest);
+            }
+            left = std::move(least);
+        }
+        return left;
     }
 
     const LumpSettings& settings_;

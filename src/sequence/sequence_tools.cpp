@@ -7,6 +7,7 @@
 #include "sequence/lower_bound.h"
 #include "sequence/residuals.h"
 #include "sequence/surrogates.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/sequence.h"
 
 namespace stepmill {
@@ -81,17 +82,74 @@ bool hasSurrogates(const AccessibleArea& area) {
     return area.clear_of_holder != nullptr;
 }
 
+/// How often ground that no few tools can clear together is given up before tools are turned down for it.
+constexpr int kMostGivenUp = 3;
+
+/// The lumps of a tool that could clear more than every tool without surrogates; none of other tools.
+Lumps lumpsThatMatter(const SurrogateFinder& finder, const AccessibleArea& area, double enough_mm2) {
+    if (!hasSurrogates(area) || area.coverable_area_mm2 <= enough_mm2) return {};
+    return finder.lumpsOf(nullptr, area);
+}
+
+/// What nobody can do of them.
+Region unservedIn(const SurrogateFinder& finder, const std::vector<AccessibleArea>& areas, double enough_mm2,
+                  const Tolerances& tol) {
+    std::vector<Lumps> lumps(areas.size());
+    tbb::parallel_for(std::size_t{0}, areas.size(),
+                      [&](std::size_t i) { lumps[i] = lumpsThatMatter(finder, areas[i], enough_mm2); });
+    std::vector<Region> unserved;
+    for (const Lumps& of_tool : lumps)
+        for (const auto& lump : of_tool)
+            if (!lump->unserved().empty()) unserved.push_back(lump->unserved());
+    return unserved.empty() ? Region{} : unite(unserved, tol);
+}
+
 /// Turns down tools that could clear more than every other, but with a lump nobody can do: the feature must
 /// not end with one of them.
-void turnDownUnserved(const SurrogateFinder& finder, double free_mm2, double same_mm2,
+void turnDownUnserved(const SurrogateFinder& finder, double enough_mm2,
                       const std::vector<AccessibleArea>& before, std::vector<AccessibleArea>& areas) {
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        if (!hasSurrogates(areas[i]) || areas[i].coverable_area_mm2 <= free_mm2 + same_mm2) return;
-        const Lumps lumps = finder.lumpsOf(nullptr, areas[i]);
+        const Lumps lumps = lumpsThatMatter(finder, areas[i], enough_mm2);
         const bool served =
             std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return !lump->ways().empty(); });
         if (!served) areas[i] = before[i];
     });
+}
+
+/// The tools that take part, and who helps those with surrogates. The finder points into the areas.
+struct Admission {
+    std::vector<AccessibleArea> areas;
+    std::unique_ptr<SurrogateFinder> finder;
+
+    double mostCoveredMm2() const {
+        double most_mm2 = 0;
+        for (const AccessibleArea& area : areas)
+            if (!area.excluded) most_mm2 = std::max(most_mm2, area.coverable_area_mm2);
+        return most_mm2;
+    }
+};
+
+/// Lets tools with surrogates take part. Where some of their ground is too much for the few tools that may
+/// work in a lump, it is given up if the rest is then more than without the tools that have it.
+Admission admitHelped(const FeatureGround& ground, const Job& job, double retract_z_mm, double free_mm2,
+                      const std::vector<AccessibleArea>& areas) {
+    const double same_mm2 = sameArea(ground.feature(), job.tol);
+    const double enough_mm2 = free_mm2 + same_mm2;
+    Admission best;
+    Region given_up;
+    for (int round = 0; round <= kMostGivenUp; ++round) {
+        Admission admission{areas, nullptr};
+        admitWithSurrogates(ground, job.library, given_up, admission.areas);
+        admission.finder = std::make_unique<SurrogateFinder>(ground, admission.areas, job.library,
+                                                             job.options, job.machine, retract_z_mm);
+        const Region unserved = unservedIn(*admission.finder, admission.areas, enough_mm2, job.tol);
+        turnDownUnserved(*admission.finder, enough_mm2, areas, admission.areas);
+        if (round == 0 || admission.mostCoveredMm2() > best.mostCoveredMm2() + same_mm2)
+            best = std::move(admission);
+        if (unserved.empty()) break;
+        given_up = given_up.empty() ? unserved : unite(given_up, unserved, job.tol);
+    }
+    return best;
 }
 
 ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_higher);
@@ -116,9 +174,8 @@ ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_hig
     const double retract_z = job.options.retract_mm > 0 ? job.options.retract_mm : job.machine.safe_height_mm;
     const std::vector<AccessibleArea> unlimited = sequence.tools;
     const double free_mm2 = mostCovered(usable());
-    admitWithSurrogates(ground, job.library, sequence.tools);
-    const SurrogateFinder finder(ground, sequence.tools, job.library, job.options, job.machine, retract_z);
-    turnDownUnserved(finder, free_mm2, sameArea(feature, job.tol), unlimited, sequence.tools);
+    Admission admission = admitHelped(ground, job, retract_z, free_mm2, unlimited);
+    sequence.tools = std::move(admission.areas);
     admitLimited(ground, job.library, mostCovered(usable()), sequence.tools);
     const std::vector<Candidate> tools = usable();
     const std::optional<Withheld> withheld = withheldFrom(ground, job.library, mostCovered(tools), unlimited);
@@ -134,7 +191,7 @@ ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_hig
         return sequence;
     }
     const std::vector<bool> ends = endTools(feature, tools, job.tol);
-    const DagTask task{ground, tools, ends, job.options, job.machine, retract_z, &finder};
+    const DagTask task{ground, tools, ends, job.options, job.machine, retract_z, admission.finder.get()};
     const DagResult dag = evaluateDag(task);
     sequence.edges = dag.edges;
     sequence.pruned_edges = dag.pruned;

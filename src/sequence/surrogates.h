@@ -13,7 +13,8 @@ namespace stepmill {
 /// Lets tools whose shank or holder is in the way somewhere take part with all that their cutter reaches, as
 /// far as some tool of `areas` reaches it: fills in what they may do themselves and the lumps that others
 /// must do. One that no other tool can help is limited to what it reaches.
-void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library,
+/// \param given_up  ground that nobody is asked for, though some tool reaches it
+void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library, const Region& given_up,
                          std::vector<AccessibleArea>& areas);
 
 /// What the tool itself reaches; null when that is nothing.
@@ -24,6 +25,8 @@ const AccessibleArea* ownReach(const AccessibleArea& area);
 class SolvedLump {
   public:
     const std::vector<LumpWay>& ways() const { return ways_; }
+    /// What stays of a lump without ways after the few tools that together reach most of it.
+    const Region& unserved() const { return unserved_; }
     double area_mm2() const { return ground_.feature().area_mm2; }
     const ToolAssembly& tool(int helper) const { return *tools_[numberOf(helper)].tool; }
     /// Lengths and times of the paths of ways()[way], in the order of its tools.
@@ -45,6 +48,7 @@ class SolvedLump {
     std::vector<bool> ends_;        ///< which of tools_ clear the whole lump
     std::vector<SharedRings> rings_;
     std::vector<LumpWay> ways_;
+    Region unserved_;
     std::vector<std::vector<PathTotals>> totals_;
     const SequenceOptions* options_ = nullptr;
     const Machine* machine_ = nullptr;
