@@ -139,7 +139,7 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
     const double allowed = std::max({from.options.largest_hidden_share * removable,
                                      from.tol.area_mm2 * height, from.solids.worthless_mm3});
     const bool thin = height / 2 < from.options.thinnest_slab_mm;
-    const bool stock_leans = cut.layer.stock_air_mm3 > std::max(allowed, from.solids.worthless_mm3);
+    const bool stock_leans = cut.layer.stock_air_mm3 > allowed;
     if (thin || (gainableVolume(cut, from.traces) <= allowed && !stock_leans)) {
         out.push_back(std::move(cut));
         return;

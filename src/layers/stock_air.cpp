@@ -50,7 +50,7 @@ std::vector<double> turningShares(const Vec2& from, const Segment& segment) {
     const double start = std::atan2(out.y(), out.x());
     const double sweep = sweepAngle(from, segment.to, arc);
     std::vector<double> shares;
-    // Quarter turns from -4 to 4 cover a start in (-pi, pi] and a sweep of a full turn either way.
+    // A start in (-pi, pi] and a full turn either way: six quarter turns cover them.
     for (int quarter = -6; quarter <= 6; ++quarter) {
         const double share = (quarter * kPi / 2 - start) / sweep;
         if (share > 1e-9 && share < 1 - 1e-9) shares.push_back(share);

@@ -8,20 +8,10 @@ namespace stepmill {
 namespace {
 
 using report::Json;
+using report::listOf;
 using report::number;
 using report::point;
-
-template <typename Items, typename Make>
-Json listOf(const Items& items, Make make) {
-    Json list = Json::array();
-    for (const auto& item : items)
-        list.push_back(make(item));
-    return list;
-}
-
-Json textOrNull(const std::string& text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-}
+using report::textOrNull;
 
 Json wallJson(const std::optional<WallThickness>& wall) {
     if (!wall) return nullptr;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 namespace stepmill::report {
@@ -19,6 +22,23 @@ Json point(const Vector& p) {
     for (const double value : p)
         json.push_back(number(value));
     return json;
+}
+
+/// A JSON list of what `make` gives for each item.
+template <typename Items, typename Make>
+Json listOf(const Items& items, Make make) {
+    Json list = Json::array();
+    for (const auto& item : items)
+        list.push_back(make(item));
+    return list;
+}
+
+inline Json numberOrNull(const std::optional<double>& value) {
+    return value ? Json(number(*value)) : Json(nullptr);
+}
+
+inline Json textOrNull(const std::string& text) {
+    return text.empty() ? Json(nullptr) : Json(text);
 }
 
 }  // namespace stepmill::report

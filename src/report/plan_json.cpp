@@ -8,12 +8,10 @@ namespace stepmill {
 namespace {
 
 using report::Json;
+using report::listOf;
 using report::number;
+using report::numberOrNull;
 using report::point;
-
-Json numberOrNull(const std::optional<double>& value) {
-    return value ? Json(number(*value)) : Json(nullptr);
-}
 
 Json box(const Box3& b) {
     return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});
@@ -80,14 +78,6 @@ Json machineJson(const Machine& machine) {
             {"acceleration_mm_per_s2", number(machine.acceleration_mm_per_s2)},
             {"safe_height_mm", number(machine.safe_height_mm)},
             {"dialect", machine.dialect}};
-}
-
-template <typename Range, typename Function>
-Json listOf(const Range& range, Function toJson) {
-    Json list = Json::array();
-    for (const auto& item : range)
-        list.push_back(toJson(item));
-    return list;
 }
 
 /// Who reaches all of it alone, null where nobody does.

@@ -7,25 +7,12 @@ namespace stepmill {
 namespace {
 
 using report::Json;
+using report::listOf;
 using report::number;
+using report::numberOrNull;
+using report::textOrNull;
 
 constexpr double kPercent = 100;
-
-template <typename Items, typename Make>
-Json listOf(const Items& items, Make make) {
-    Json list = Json::array();
-    for (const auto& item : items)
-        list.push_back(make(item));
-    return list;
-}
-
-Json textOrNull(const std::string& text) {
-    return text.empty() ? Json(nullptr) : Json(text);
-}
-
-Json numberOrNull(const std::optional<double>& value) {
-    return value ? Json(number(*value)) : Json(nullptr);
-}
 
 Json rowJson(const RankedRow& row) {
     return {{"tool", textOrNull(row.cutter.tool)},

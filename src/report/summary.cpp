@@ -7,13 +7,6 @@ namespace stepmill {
 
 namespace {
 
-double residualVolume(const ToolSequence& sequence) {
-    double volume_mm3 = 0;
-    for (const Residual& residual : sequence.residual)
-        volume_mm3 += residual.volume_mm3;
-    return volume_mm3;
-}
-
 std::string boundWords(double time_s, double bound_s) {
     return bound_s > 0 ? fmt::format("{:.2f}", time_s / bound_s) : std::string("-");
 }
@@ -37,7 +30,7 @@ std::string summaryText(const Plan& plan) {
                             planned.feature.id, toString(planned.feature.feature_class),
                             planned.feature.depth_mm(), planned.feature.volume_mm3 / 1000,
                             clockTime(sequence.time_s), boundWords(sequence.time_s, sequence.lower_bound_s),
-                            toolWords(sequence), residualVolume(sequence) / 1000);
+                            toolWords(sequence), residualVolumeMm3(sequence) / 1000);
         }
     }
     const PlanTotals& totals = plan.totals;

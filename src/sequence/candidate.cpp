@@ -2,11 +2,10 @@
 
 #include "sequence/drilling.h"
 #include "stepmill/core/units.h"
+#include "stepmill/sequence/area_models.h"
 
 namespace stepmill {
 namespace {
-
-constexpr double kFullAccessShare = 1e-5;
 
 /// The fastest tools that have any area free of collisions, and so may be surrogates.
 struct FastestHelpers {

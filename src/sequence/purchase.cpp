@@ -24,13 +24,6 @@ struct Forecast {
     double time_s = 0;
 };
 
-double staysMm3(const ToolSequence& sequence) {
-    double volume_mm3 = 0;
-    for (const Residual& residual : sequence.residual)
-        volume_mm3 += residual.volume_mm3;
-    return volume_mm3;
-}
-
 ToolLibrary withTool(ToolLibrary library, const ToolAssembly& tool) {
     library.tools.push_back(tool);
     return library;
@@ -77,7 +70,7 @@ class Adviser {
         advice.feature_id = feature_.id;
         advice.time_s = known_.time_s;
         advice.cost = known_.cost;
-        advice.stays_mm3 = staysMm3(known_);
+        advice.stays_mm3 = residualVolumeMm3(known_);
         const std::vector<TrialTool> trials = promising();
         advice.trials = static_cast<int>(trials.size());
         std::vector<std::optional<Purchase>> tried(trials.size());
@@ -176,7 +169,7 @@ class Adviser {
         purchase.why = trial.why;
         purchase.saved_s = known_.time_s - sequence.time_s;
         purchase.saved_cost = known_.cost - sequence.cost;
-        purchase.more_mm3 = staysMm3(known_) - staysMm3(sequence);
+        purchase.more_mm3 = residualVolumeMm3(known_) - residualVolumeMm3(sequence);
         const bool reaches_more = purchase.more_mm3 > worthReachingMm3();
         const bool as_much = purchase.more_mm3 >= -sameArea(feature_, tol_) * feature_.depth_mm();
         const bool saves = saved(purchase) > kWorthBuyingShare * weight(known_);

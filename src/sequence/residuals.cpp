@@ -152,6 +152,13 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
     return result;
 }
 
+double residualVolumeMm3(const ToolSequence& sequence) {
+    double volume_mm3 = 0;
+    for (const Residual& residual : sequence.residual)
+        volume_mm3 += residual.volume_mm3;
+    return volume_mm3;
+}
+
 Residual belowReach(const Feature& feature, const Shallower& reached) {
     Residual below;
     below.region = feature.target;

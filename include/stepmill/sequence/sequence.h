@@ -91,6 +91,9 @@ struct ToolSequence {
     std::vector<Residual> residual;
 };
 
+/// Volume of all residuals of a feature [mm3].
+double residualVolumeMm3(const ToolSequence& sequence);
+
 /// Time and money of a path by one tool, its change included [DSouza2006, eq. 13 and 12].
 struct EdgeCost {
     double time_s = 0;

@@ -22,13 +22,6 @@ const DagEdge* findEdge(const ToolSequence& sequence, const std::string& from, c
     return nullptr;
 }
 
-double residualVolume(const ToolSequence& sequence) {
-    double sum = 0;
-    for (const Residual& residual : sequence.residual)
-        sum += residual.volume_mm3;
-    return sum;
-}
-
 TEST(SequenceTools, TakesTheOneToolThereIs) {
     const ToolSequence sequence =
         sequenceTools(makeIslandPocket(), makeLibrary({makeMill(10)}), makeMachine(), inAluminium(), kTol);
@@ -69,7 +62,7 @@ TEST(SequenceTools, LeavesTheCornersTheSmallestCutterCannotReach) {
     // Four cusps: the square over the radius less a quarter disc each.
     const double cusps_mm2 = 4 * 9 * (1 - kPi / 4);
     EXPECT_NEAR(sequence.residual[0].area_mm2, cusps_mm2, 0.01 * cusps_mm2);
-    EXPECT_NEAR(residualVolume(sequence), cusps_mm2 * depth, 0.01 * cusps_mm2 * depth);
+    EXPECT_NEAR(residualVolumeMm3(sequence), cusps_mm2 * depth, 0.01 * cusps_mm2 * depth);
 }
 
 TEST(SequenceTools, NamesTheCutterThatWouldFitWhenNoneDoes) {
@@ -81,7 +74,7 @@ TEST(SequenceTools, NamesTheCutterThatWouldFitWhenNoneDoes) {
     ASSERT_EQ(sequence.residual.size(), 1U);
     EXPECT_EQ(sequence.residual[0].reason, "no cutter narrow enough");
     EXPECT_NE(sequence.residual[0].advice.find("5 mm"), std::string::npos) << sequence.residual[0].advice;
-    EXPECT_DOUBLE_EQ(residualVolume(sequence), slot.volume_mm3);
+    EXPECT_DOUBLE_EQ(residualVolumeMm3(sequence), slot.volume_mm3);
 }
 
 TEST(SequenceTools, EndsAtTheDepthTheToolReachesWhereTheFloorIsTooDeep) {
@@ -98,7 +91,7 @@ TEST(SequenceTools, EndsAtTheDepthTheToolReachesWhereTheFloorIsTooDeep) {
     EXPECT_DOUBLE_EQ(deepest, sequence.floor_z_mm);
     ASSERT_EQ(sequence.residual.size(), 1U);
     EXPECT_EQ(sequence.residual[0].reason.rfind("too deep", 0), 0U) << sequence.residual[0].reason;
-    EXPECT_NEAR(residualVolume(sequence), 20 * deep.area_mm2, 1e-2 * deep.area_mm2);
+    EXPECT_NEAR(residualVolumeMm3(sequence), 20 * deep.area_mm2, 1e-2 * deep.area_mm2);
     EXPECT_NE(sequence.residual[0].advice.find("stick-out of 80 mm"), std::string::npos)
         << sequence.residual[0].advice;
 }
@@ -151,14 +144,13 @@ TEST(SequenceTools, AToolFreeEverywhereDoesWhatAnotherIsKeptOff) {
     EXPECT_NE(held_off.blocked_lumps[0].reason.find("20 mm wide"), std::string::npos);
 }
 
-/// 100 x 60 mm, 8 mm deep; a boss 30 mm high, up to the stock's top, stands 2 mm behind the middle of one long
-/// wall.
+/// 100 x 60 mm, 8 mm deep; a boss 30 mm high, up to the stock's top, stands 2 mm behind the middle of one
+/// long wall.
 Feature makePocketBesideABoss(double corner_radius_mm = 5) {
     Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(100, 60), corner_radius_mm), 8);
     pocket.top_z_mm = -30;
     pocket.floor_z_mm = -38;
-    pocket.obstacles = {{-38, -30, pocket.obstruction},
-                        {-30, 0, makeRectangle(Vec2(40, -15), Vec2(60, -2))}};
+    pocket.obstacles = {{-38, -30, pocket.obstruction}, {-30, 0, makeRectangle(Vec2(40, -15), Vec2(60, -2))}};
     pocket.min_corner_radius_mm = corner_radius_mm;
     return pocket;
 }
@@ -194,8 +186,8 @@ TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
 
 TEST(SequenceTools, ASurrogateThatComesNextAnywayIsChangedToOnce) {
     const ToolSequence sequence =
-        sequenceTools(makePocketBesideABoss(3), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}), makeMachine(),
-                      inAluminium(), kTol);
+        sequenceTools(makePocketBesideABoss(3), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}),
+                      makeMachine(), inAluminium(), kTol);
     ASSERT_EQ(toolsOf(sequence), (std::vector<std::string>{"stubby EM10", "EM6", "EM6"}));
     EXPECT_EQ(sequence.steps[1].role, Role::Surrogate);
     EXPECT_EQ(sequence.steps[2].role, Role::Rest);
@@ -239,9 +231,10 @@ TEST(SequenceTools, WhatNobodyReachesStaysAndTheRestIsShared) {
     // The slimmer holder keeps 10 mm off the boss, 8 of them in the pocket, so its cutter 5 mm.
     EXPECT_NEAR(boundingBox(sequence.residual[0].region).max.y(), 5, 1e-3);
     // Beside the wall, 2 mm before the boss, a cutter of 10 mm has its axis 7 mm from it: room for 14 mm.
-    EXPECT_EQ(sequence.residual[0].advice,
-              "an end mill of 10 mm with a stick-out of 38 mm (18 mm more), or a holder no wider than 13.9 mm "
-              "below that");
+    EXPECT_EQ(
+        sequence.residual[0].advice,
+        "an end mill of 10 mm with a stick-out of 38 mm (18 mm more), or a holder no wider than 13.9 mm "
+        "below that");
 }
 
 TEST(SequenceTools, NoEdgeFollowsAToolThatLeavesNothing) {
@@ -288,7 +281,7 @@ TEST(SequenceTools, ADrilledBlindHoleKeepsTheRimUnderTheDrillsPoint) {
     ASSERT_EQ(sequence.residual.size(), 1U);
     EXPECT_EQ(sequence.residual[0].reason, "drill point");
     const double point_mm = 4 / std::tan(degToRad(59));
-    EXPECT_NEAR(residualVolume(sequence), hole.area_mm2 * point_mm * 2 / 3, 1e-6);
+    EXPECT_NEAR(residualVolumeMm3(sequence), hole.area_mm2 * point_mm * 2 / 3, 1e-6);
 }
 
 TEST(SequenceTools, ADrillWhoseHolderWouldTouchIsNotUsed) {
