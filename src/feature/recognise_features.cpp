@@ -2,6 +2,7 @@
 
 #include "feature/boundary.h"
 #include "feature/classify.h"
+#include "feature/feature_groups.h"
 #include "feature/leftovers.h"
 #include "feature/removal_forest.h"
 #include "feature/standing_material.h"
@@ -26,8 +27,8 @@ class Recogniser {
 
     FeatureSet run() {
         FeatureSet found;
-        for (const std::vector<int>& chain : feature::featureChains(forest_, tol_))
-            found.features.push_back(makeFeature(chain));
+        for (const feature::FeatureGroup& group : feature::featureGroups(forest_, layers_, tol_))
+            found.features.push_back(makeFeature(group));
         found.unplanned = feature::findUnplanned(layers_, forest_, tol_);
         return found;
     }
@@ -39,27 +40,28 @@ class Recogniser {
         return forest;
     }
 
-    Feature makeFeature(const std::vector<int>& chain) {
+    Feature makeFeature(const feature::FeatureGroup& group) {
         const int number = static_cast<int>(removed_.size());
-        const RemovalComponent& first = forest_.components[chain.front()];
-        const RemovalComponent& last = forest_.components[chain.back()];
-        for (const int index : chain)
+        const RemovalComponent& first = forest_.components[group.components.front()];
+        const RemovalComponent& last = forest_.components[group.components.back()];
+        for (const int index : group.components)
             owner_[index] = number;
-        removed_.push_back(removedOnceDone(chain));
+        const std::vector<int> parents = parentFeatures(group.components, number);
+        removed_.push_back(removedOnceDone(group.components, parents));
 
         Feature made;
         made.id = idOf(number);
         made.setup_id = layers_.setup_id;
-        for (const int parent : parentFeatures(first))
+        for (const int parent : parents)
             made.parents.push_back(idOf(parent));
         made.top_z_mm = layers_.layers[first.layer].top_z_mm;
         made.floor_z_mm = layers_.layers[last.layer].bottom_z_mm;
-        made.target = last.region;
+        made.target = group.target;
         made.obstruction = standing_.above(last.layer, removed_.back());
         made.obstacles = standing_.obstacles(last.layer, removed_.back());
-        made.through = nothingBelow(last);
-        made.area_mm2 = last.area_mm2;
-        for (const int index : chain) {
+        made.through = nothingBelow(made.target, last.layer);
+        made.area_mm2 = area(made.target);
+        for (const int index : group.components) {
             const RemovalComponent& component = forest_.components[index];
             made.volume_mm3 += component.area_mm2 * layers_.layers[component.layer].height_mm();
         }
@@ -77,30 +79,32 @@ class Recogniser {
 
     std::string idOf(int number) const { return layers_.setup_id + ".F" + std::to_string(number + 1); }
 
-    std::vector<int> parentFeatures(const RemovalComponent& component) const {
+    /// Features other than `own` that own a parent of the components.
+    std::vector<int> parentFeatures(const std::vector<int>& group, int own) const {
         std::vector<int> parents;
-        for (const int parent : component.parents)
-            parents.push_back(owner_[parent]);
+        for (const int index : group)
+            for (const int parent : forest_.components[index].parents)
+                if (owner_[parent] != own) parents.push_back(owner_[parent]);
         std::sort(parents.begin(), parents.end());
         parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
         return parents;
     }
 
-    /// The components of the chain and of all its ancestors, ascending.
-    std::vector<int> removedOnceDone(const std::vector<int>& chain) const {
-        std::vector<int> all = chain;
-        for (const int parent : parentFeatures(forest_.components[chain.front()]))
+    /// The components of the group and of all its ancestors, ascending.
+    std::vector<int> removedOnceDone(const std::vector<int>& group, const std::vector<int>& parents) const {
+        std::vector<int> all = group;
+        for (const int parent : parents)
             all.insert(all.end(), removed_[parent].begin(), removed_[parent].end());
         std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
         return all;
     }
 
-    bool nothingBelow(const RemovalComponent& floor) const {
+    bool nothingBelow(const Region& floor, int above) const {
         const auto meets = [&](const Region& region) {
-            return area(intersect(floor.region, region, tol_)) > tol_.area_mm2;
+            return area(intersect(floor, region, tol_)) > tol_.area_mm2;
         };
-        return std::none_of(layers_.layers.begin() + floor.layer + 1, layers_.layers.end(),
+        return std::none_of(layers_.layers.begin() + above + 1, layers_.layers.end(),
                             [&](const Layer& layer) { return meets(layer.stock) || meets(layer.part); });
     }
 

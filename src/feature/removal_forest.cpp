@@ -79,15 +79,6 @@ void linkToParents(RemovalForest& forest, int child, const std::vector<int>& abo
         component.parents.size() == 1 && component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol);
 }
 
-/// The component below that merely deepens this one, or -1.
-int deepening(const RemovalForest& forest, int index, const Tolerances& tol) {
-    const RemovalComponent& component = forest.components[index];
-    if (component.children.size() != 1) return -1;
-    const int child = component.children.front();
-    if (forest.components[child].parents.size() != 1) return -1;
-    return sameRegion(component.region, forest.components[child].region, tol) ? child : -1;
-}
-
 }  // namespace
 
 RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol) {
@@ -113,23 +104,6 @@ void dropLeft(RemovalForest& forest) {
         std::erase_if(component.parents, other);
         std::erase_if(component.children, other);
     }
-}
-
-std::vector<std::vector<int>> featureChains(const RemovalForest& forest, const Tolerances& tol) {
-    std::vector<std::vector<int>> chains;
-    std::vector<bool> taken;
-    for (const RemovalComponent& component : forest.components)
-        taken.push_back(component.left);
-    for (int first = 0; first < static_cast<int>(forest.components.size()); ++first) {
-        if (taken[first]) continue;
-        std::vector<int> chain;
-        for (int next = first; next >= 0; next = deepening(forest, next, tol)) {
-            taken[next] = true;
-            chain.push_back(next);
-        }
-        chains.push_back(std::move(chain));
-    }
-    return chains;
 }
 
 }  // namespace stepmill::feature

@@ -34,8 +34,4 @@ RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol
 /// Unlinks components marked `left` from those that are not.
 void dropLeft(RemovalForest& forest);
 
-/// Components that one feature clears: a run of components from above to below, each but the first equal
-/// to its parent [algorithms.md, section 2]. In the order in which they start.
-std::vector<std::vector<int>> featureChains(const RemovalForest& forest, const Tolerances& tol);
-
 }  // namespace stepmill::feature

@@ -9,6 +9,10 @@ namespace stepmill::layers {
 
 namespace {
 
+/// Arcs become polygons that stay this near to them [mm]. They leave that much stock standing on walls that
+/// earlier setups cut along other axes; finer ones cost every slab edges and tell no more.
+constexpr double kAskewChordMm = 0.02;
+
 /// Adds an arc as a polygon on the region's side of it: chords where the region lies inside the circle,
 /// tangents where it lies outside.
 void addArc(const Vec2& from, const Segment& segment, double sagitta_mm, std::vector<Vec2>& corners) {
@@ -35,14 +39,14 @@ Loop closedPath(const std::vector<Vec2>& corners) {
     return loop;
 }
 
-Region insidePolygon(const Region& region, const Tolerances& tol) {
+Region insidePolygon(const Region& region) {
     Region inside;
     for (const Loop& loop : region.loops) {
         std::vector<Vec2> corners;
         Vec2 from = loop.start;
         for (const Segment& segment : loop.segments) {
             if (segment.arc)
-                addArc(from, segment, tol.chord_mm, corners);
+                addArc(from, segment, kAskewChordMm, corners);
             else
                 corners.push_back(segment.to);
             from = segment.to;
@@ -76,8 +80,8 @@ Region staysInside(const Region& from_where, const Region& outline, const Vec2& 
 
 }  // namespace
 
-AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup, const Tolerances& tol)
-    : outline_(insidePolygon(prism.region, tol)),
+AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup)
+    : outline_(insidePolygon(prism.region)),
       top_mm_(prism.top_z_mm),
       bottom_mm_(prism.bottom_z_mm),
       to_setup_(to_setup),

@@ -17,7 +17,7 @@ namespace stepmill::layers {
 class AskewCut {
   public:
     /// \param to_setup  from the prism's coordinates to the setup's
-    AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup, const Tolerances& tol);
+    AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup);
 
     /// Outline heights in the setup [mm].
     double low_mm() const { return low_mm_; }

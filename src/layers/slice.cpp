@@ -33,6 +33,10 @@ struct Solids {
     double worthless_mm3 = 0;  ///< of which no slab makes a difference: SliceOptions::least_gain_share
 };
 
+/// To see whether a slab hides air worth another one, it is integrated over at most as many stretches between
+/// bends; the stock's own volume corrects the sum.
+constexpr int kStretches = 6;
+
 bool isUprightBox(const Setup& setup) {
     if (setup.stock.kind != Stock::Kind::Box) return false;
     const Eigen::Matrix3d r = setup.part_to_setup.linear().cwiseAbs();
@@ -41,7 +45,8 @@ bool isUprightBox(const Setup& setup) {
 
 double worthlessMm3(const Setup& setup, const SliceOptions& options) {
     if (setup.stock.isRaw()) return 0;
-    return setup.removable_mm3 * (setup.indexed ? options.least_gain_share_indexed : options.least_gain_share);
+    return setup.removable_mm3 *
+           (setup.indexed ? options.least_gain_share_indexed : options.least_gain_share);
 }
 
 Solids makeSolids(const Setup& setup, const SliceOptions& options, const Tolerances& tol) {
@@ -50,7 +55,7 @@ Solids makeSolids(const Setup& setup, const SliceOptions& options, const Toleran
         SolidMesh(setup.part.shape->solid, setup.part_to_setup, layers::facetChord(setup.part.bbox_mm), tol),
         std::nullopt,
         {},
-        layers::StockAir(setup, tol),
+        layers::StockAir(setup, worthlessMm3(setup, options) / 2, tol),
         worthlessMm3(setup, options)};
     if (isUprightBox(setup)) {
         const Box3& box = setup.stock_bbox_mm;
@@ -81,7 +86,7 @@ void cutStock(const Solids& solids, const SliceOptions& options, const Tolerance
             raw_half_way = layers::exactSection(*solids.raw_stock, half_way, tol).value_or(layer.stock);
     }
     if (!solids.air.empty()) {
-        stock_mm3 -= solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm);
+        stock_mm3 -= solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm, kStretches);
         layer.stock = subtract(layer.stock, solids.air.between(layer.bottom_z_mm, layer.top_z_mm), tol);
     }
     const double air_mm3 = area(layer.stock) * layer.height_mm() - stock_mm3;

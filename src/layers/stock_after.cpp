@@ -19,6 +19,9 @@ constexpr double kNothingMm3 = 1e-3;
 /// The stock's box ends where what stands is thicker than this [mm]: rounding leaves films.
 constexpr double kFilmMm = 0.01;
 
+/// What is taken from a layer is integrated over at most as many stretches between bends of earlier cuts.
+constexpr int kStretches = 32;
+
 /// Cuts by a setup in one of its layers, between two heights where they change.
 struct CutStretch {
     const Layer* layer = nullptr;
@@ -66,7 +69,7 @@ class RawAir {
         const Vec3 low = to_part.inverse() * box.min();
         const Vec3 high = to_part.inverse() * box.max();
         const Prism prism{makeRectangle(low.head<2>(), high.head<2>()), high.z(), low.z()};
-        box_.emplace(prism, setup.part_to_setup * to_part, tol);
+        box_.emplace(prism, setup.part_to_setup * to_part);
     }
     double volumeIn(const Region& gone, double bottom_mm, double top_mm) const {
         if (!box_) return 0;
@@ -122,18 +125,21 @@ Box3 shrunkBox(const Box3& known, const Setup& setup, const Box3& rest) {
 
 StockAfter stockAfter(const Setup& setup, const LayerStack& layers, const std::vector<Prism>& removed,
                       const Tolerances& tol) {
-    StockAfter after{setup.stock, 0};
+    StockAfter after{setup.stock, 0, 0};
     if (volumeOf(removed) < kNothingMm3) return after;
-    const layers::StockAir air(setup, tol);
+    const layers::StockAir air(setup, 0, tol);
     const RawAir raw_air(setup, tol);
     const std::vector<CutStretch> cut = stretches(layers, removed);
-    after.removed_mm3 = volumeOf(removed);
     for (const CutStretch& stretch : cut) {
-        if (stretch.gone.empty() || stretch.layer->stock_air_mm3 <= 0) continue;
-        const Region gone = unite(stretch.gone, tol);
-        after.removed_mm3 -= air.volumeIn(gone, stretch.bottom_z_mm, stretch.top_z_mm) +
+        if (stretch.gone.empty()) continue;
+        const double height = stretch.top_z_mm - stretch.bottom_z_mm;
+        const Region gone = intersect(unite(stretch.gone, tol), stretch.layer->stock, tol);
+        after.prisms_mm3 += area(gone) * height;
+        if (stretch.layer->stock_air_mm3 <= 0) continue;
+        after.removed_mm3 -= air.volumeIn(gone, stretch.bottom_z_mm, stretch.top_z_mm, kStretches) +
                              raw_air.volumeIn(gone, stretch.bottom_z_mm, stretch.top_z_mm);
     }
+    after.removed_mm3 += after.prisms_mm3;
     after.stock.volume_mm3 -= after.removed_mm3;
     after.stock.cuts.push_back({setup.part_to_setup, removed});
     after.stock.bbox_mm = shrunkBox(setup.stock.bbox_mm, setup, boxOfRest(cut, tol));

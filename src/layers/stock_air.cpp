@@ -36,12 +36,9 @@ constexpr std::array<Node, 4> kNodes = {{{0.011847712960255552, 0.05912219651077
                                          {0.7545078927478774, 0.440877803489225},
                                          {0.9881522870397446, 0.059122196510774994}}};
 
-/// Slabs are integrated over at most as many stretches between bends.
-constexpr double kMostStretches = 32;
-
 /// Cuts askew to the axis that are less than this share of all there is to remove count as uncut: each costs
 /// a union a slab.
-constexpr double kAskewShare = 1e-5;
+constexpr double kAskewShare = 3e-5;
 
 /// Shares of an arc at which it passes the outermost points of its circle.
 std::vector<double> turningShares(const Vec2& from, const Segment& segment) {
@@ -111,6 +108,16 @@ std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolera
         if (!gone.empty()) found.push_back({unite(gone, tol), high, *low});
     }
     return found;
+}
+
+bool isUprightRectangle(const Region& region) {
+    const Vec2 size = boundingBox(region).size();
+    return region.loops.size() == 1 && area(region) >= size.x() * size.y();
+}
+
+bool around(const Box2& outer, const Box2& inner) {
+    return (outer.min.array() <= inner.min.array() + kGridMm).all() &&
+           (inner.max.array() <= outer.max.array() + kGridMm).all();
 }
 
 bool isLevel(const MonotonePiece& piece) {
@@ -196,19 +203,17 @@ Region LyingCut::box(double place_from, double place_to, double reach_to) const 
     return makePolygon(corners);
 }
 
-StockAir::StockAir(const Setup& setup, const Tolerances& tol) : tol_(tol) {
+StockAir::StockAir(const Setup& setup, double least_level_mm3, const Tolerances& tol)
+    : tol_(tol), least_level_mm3_(least_level_mm3) {
     for (const CutPrisms& cut : setup.stock.cuts)
         add(cut, setup);
-    for (const Prism& prism : upright_)
-        planes_.insert(planes_.end(), {prism.top_z_mm, prism.bottom_z_mm});
-    for (const LyingCut& lying : lying_)
-        for (const MonotonePiece& piece : lying.outline) {
-            bends_.push_back(piece.from.y());
-            if (!piece.arc && piece.high() - piece.low() < kSameHeightMm) planes_.push_back(piece.from.y());
-        }
+    for (const Prism& prism : upright_) {
+        bends_.insert(bends_.end(), {prism.top_z_mm, prism.bottom_z_mm});
+        if (prism.volume_mm3() >= least_level_mm3_)
+            planes_.insert(planes_.end(), {prism.top_z_mm, prism.bottom_z_mm});
+    }
     for (const AskewCut& askew : askew_)
         bends_.insert(bends_.end(), {askew.low_mm(), askew.high_mm()});
-    bends_.insert(bends_.end(), planes_.begin(), planes_.end());
     std::sort(planes_.begin(), planes_.end());
     std::sort(bends_.begin(), bends_.end());
 }
@@ -219,8 +224,7 @@ void StockAir::add(const CutPrisms& cut, const Setup& setup) {
     if (std::abs(cosine) < tol_.angular_rad) return addLying(cut, to_setup);
     if (1 - std::abs(cosine) > tol_.angular_rad * tol_.angular_rad) {
         for (const Prism& prism : betweenHeights(cut.prisms, tol_))
-            if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3)
-                askew_.emplace_back(prism, to_setup, tol_);
+            if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3) askew_.emplace_back(prism, to_setup);
         return;
     }
     for (const Prism& prism : cut.prisms) {
@@ -248,24 +252,34 @@ void StockAir::addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup)
         lying.from_mm = prism.bottom_z_mm;
         lying.to_mm = prism.top_z_mm;
         for (const Loop& loop : moved(prism.region, false, seen).loops) {
-            double low_mm = 1e300;
-            double high_mm = -1e300;
+            const std::size_t first = lying.outline.size();
             Vec2 from = loop.start;
             for (const Segment& segment : loop.segments) {
-                const std::size_t first = lying.outline.size();
                 addPieces(from, segment, lying.outline);
-                for (std::size_t i = first; i < lying.outline.size(); ++i) {
-                    low_mm = std::min(low_mm, lying.outline[i].low());
-                    high_mm = std::max(high_mm, lying.outline[i].high());
-                }
                 from = segment.to;
             }
-            lying.low_mm = std::min(lying.low_mm, low_mm);
-            lying.high_mm = std::max(lying.high_mm, high_mm);
-            planes_.insert(planes_.end(), {low_mm, high_mm});
+            const bool parts_slabs =
+                std::abs(signedArea(loop)) * (lying.to_mm - lying.from_mm) >= least_level_mm3_;
+            addHeights({lying.outline.begin() + static_cast<std::ptrdiff_t>(first), lying.outline.end()},
+                       parts_slabs, lying);
         }
         lying_.push_back(std::move(lying));
     }
+}
+
+void StockAir::addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying) {
+    double low_mm = 1e300;
+    double high_mm = -1e300;
+    for (const MonotonePiece& piece : loop) {
+        low_mm = std::min(low_mm, piece.low());
+        high_mm = std::max(high_mm, piece.high());
+        bends_.push_back(piece.from.y());
+        if (parts_slabs && !piece.arc && isLevel(piece)) planes_.push_back(piece.from.y());
+    }
+    if (parts_slabs) planes_.insert(planes_.end(), {low_mm, high_mm});
+    bends_.insert(bends_.end(), {low_mm, high_mm});
+    lying.low_mm = std::min(lying.low_mm, low_mm);
+    lying.high_mm = std::max(lying.high_mm, high_mm);
 }
 
 double StockAir::bendNearMiddle(double bottom_mm, double top_mm) const {
@@ -342,19 +356,22 @@ bool StockAir::isUpright(double bottom_mm, double top_mm) const {
            });
 }
 
-double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm) const {
+double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm, int most_stretches) const {
     if (over.empty() || empty()) return 0;
     std::vector<double> ends{bottom_mm};
-    const double apart = std::max(kIntoSlabMm, (top_mm - bottom_mm) / kMostStretches);
+    const double apart = std::max(kIntoSlabMm, (top_mm - bottom_mm) / most_stretches);
     for (auto bend = std::upper_bound(bends_.begin(), bends_.end(), bottom_mm);
          bend != bends_.end() && *bend < top_mm - apart; ++bend)
         if (*bend > ends.back() + apart) ends.push_back(*bend);
     ends.push_back(top_mm);
+    const bool is_box = isUprightRectangle(over);
     double volume_mm3 = 0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const double height = ends[i + 1] - ends[i];
         const auto areaOf = [&](const Region& air) {
-            return air.empty() ? 0 : area(intersect(over, air, tol_));
+            if (air.empty()) return 0.0;
+            return area(is_box && around(boundingBox(over), boundingBox(air)) ? air
+                                                                              : intersect(over, air, tol_));
         };
         if (isUpright(ends[i], ends[i + 1])) {
             volume_mm3 += areaOf(between(ends[i], ends[i + 1])) * height;

@@ -47,8 +47,9 @@ struct LyingCut {
 /// prisms' lines and arcs: no solid is cut and nothing is sampled, so faces that coincide do no harm.
 class StockAir {
   public:
-    /// \param setup  its stock's cuts, seen in its coordinates
-    StockAir(const Setup& setup, const Tolerances& tol);
+    /// \param setup            its stock's cuts, seen in its coordinates
+    /// \param least_level_mm3  smaller cuts add no planes()
+    StockAir(const Setup& setup, double least_level_mm3, const Tolerances& tol);
 
     bool empty() const { return upright_.empty() && lying_.empty() && askew_.empty(); }
     /// Heights of horizontal walls of the cuts and of the ends of their outlines [mm], ascending.
@@ -62,16 +63,18 @@ class StockAir {
     Region at(double z_mm) const { return between(z_mm, z_mm); }
     /// Is `between` all the air there is in the slab?
     bool isUpright(double bottom_mm, double top_mm) const;
-    /// Air in the slab over the region [mm3]; where walls lean by quadrature, to about a thousandth of what
-    /// they hide.
-    double volumeIn(const Region& over, double bottom_mm, double top_mm) const;
+    /// Air in the slab over the region [mm3]; where walls lean by quadrature over as many stretches between
+    /// bends, with 32 to about a thousandth of what they hide.
+    double volumeIn(const Region& over, double bottom_mm, double top_mm, int most_stretches) const;
 
   private:
     void add(const CutPrisms& cut, const Setup& setup);
     void addBoxes(double bottom_mm, double top_mm, std::vector<Region>& air) const;
     void addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup);
+    void addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying);
 
     Tolerances tol_;
+    double least_level_mm3_;
     std::vector<Prism> upright_;
     std::vector<LyingCut> lying_;
     std::vector<AskewCut> askew_;

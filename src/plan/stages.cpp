@@ -112,7 +112,7 @@ WalkedSetups walkSetups(const std::vector<Setup>& setups, const SliceOptions& sl
         if (!removed) continue;
         StockAfter after = stockAfter(stage.setup, stage.layers, *removed, tol);
         walked.steps.push_back({stage.setup.id, stage.setup.stock.volume_mm3, after.removed_mm3,
-                                volumeOf(*removed), after.stock.volume_mm3});
+                                after.prisms_mm3, after.stock.volume_mm3});
         walked.left = std::move(after.stock);
     }
     return walked;

@@ -22,6 +22,10 @@ constexpr double kSpeckMm = 2e-5;
 /// Arcs of smaller radius are drawn straight [mm].
 constexpr double kLeastRadiusMm = 5e-6;
 
+/// Edges no longer than this are left out: where a tangent arc leaves a line, Booleans may put a step of a
+/// few grid points the wrong way round, and a disc beside it would leave the region [mm].
+constexpr double kStepMm = 5 * kGridMm;
+
 Site lineSite(const Vec2& from, const Vec2& to) {
     Site site;
     site.start = from;
@@ -69,7 +73,7 @@ void appendArc(const Vec2& from, const Segment& segment, std::vector<Site>& site
 }
 
 bool negligible(const Vec2& from, const Segment& segment) {
-    return (segment.to - from).norm() <= kTouchMm && length(from, segment) <= 2 * kTouchMm;
+    return (segment.to - from).norm() <= kStepMm && length(from, segment) <= 2 * kStepMm;
 }
 
 Vec2 travelAtStart(const Site& site) {

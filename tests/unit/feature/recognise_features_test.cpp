@@ -261,5 +261,54 @@ TEST(RecogniseFeatures, FinishesUprightWallsAfterEarlierSetups) {
     EXPECT_EQ(recogniseFeatures(stack, kTol).features.size(), 1U);
 }
 
+/// A block over a solid base, whose stock is what earlier setups left: one region a slab.
+LayerStack stackLeftBefore(const std::vector<Region>& stocks, const std::vector<test::Slab>& slabs) {
+    LayerStack stack = makeStack(kBlock, slabs);
+    for (std::size_t i = 0; i < stocks.size(); ++i) {
+        const Layer& layer = stack.layers[i];
+        stack.stock_volume_mm3 -= (area(layer.stock) - area(stocks[i])) * layer.height_mm();
+        stack.layers[i].stock = stocks[i];
+    }
+    return stack;
+}
+
+TEST(RecogniseFeatures, StairsOfEarlierSetupsAreOneFeature) {
+    // Stairs up to a wall, and a second flight that meets them at the bottom.
+    const Region wall = rect(80, 0, 100, 80);
+    const LayerStack stack =
+        stackLeftBefore({rect(60, 0, 100, 80), unite(rect(40, 0, 100, 80), rect(0, 0, 10, 80), kTol), kBlock},
+                        {{-5, wall}, {-10, wall}, {-15, wall}, {-30, kBlock}});
+    const FeatureSet set = recogniseFeatures(stack, kTol);
+    ASSERT_EQ(set.features.size(), 1U);
+    const Feature& feature = set.features.front();
+    EXPECT_EQ(feature.feature_class, FeatureClass::Step);
+    EXPECT_DOUBLE_EQ(feature.top_z_mm, 0);
+    EXPECT_DOUBLE_EQ(feature.floor_z_mm, -15);
+    EXPECT_NEAR(feature.area_mm2, 80 * 80, 1e-6);
+    EXPECT_NEAR(feature.volume_mm3, 80 * 5 * (20 + 40 + 10 + 80), 1e-6);
+    expectBooksClose(stack, set);
+}
+
+TEST(RecogniseFeatures, StairsOverFloorsAreFeaturesOfTheirOwn) {
+    // The part has a floor under the upper stair: cutting both at once would cut it.
+    const LayerStack stack =
+        stackLeftBefore({rect(60, 0, 100, 80), kBlock},
+                        {{-5, rect(80, 0, 100, 80)}, {-10, rect(60, 0, 100, 80)}, {-30, kBlock}});
+    const FeatureSet set = recogniseFeatures(stack, kTol);
+    ASSERT_EQ(set.features.size(), 2U);
+    EXPECT_NEAR(set.features[0].area_mm2, 20 * 80, 1e-6);
+    EXPECT_NEAR(set.features[1].area_mm2, 60 * 80, 1e-6);
+    expectBooksClose(stack, set);
+}
+
+TEST(RecogniseFeatures, AFeatureHoldsNoMoreAirThanMaterial) {
+    // A thin rib high over a wide floor: feeding through the air beside it would take longer than a feature.
+    const LayerStack stack =
+        stackLeftBefore({rect(0, 0, 5, 80), kBlock}, {{-40, Region{}}, {-45, Region{}}, {-60, kBlock}});
+    const FeatureSet set = recogniseFeatures(stack, kTol);
+    EXPECT_EQ(set.features.size(), 2U);
+    expectBooksClose(stack, set);
+}
+
 }  // namespace
 }  // namespace stepmill

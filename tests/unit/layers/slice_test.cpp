@@ -189,7 +189,8 @@ TEST(Slice, PartsStockThatWasCutBeforeOnlyWhereItMatters) {
         air_mm3 += layer.stock_air_mm3;
     }
     EXPECT_GT(air_mm3, 0);
-    EXPECT_NEAR(hull_mm3 - air_mm3, setup.stock.volume_mm3, 1e-6);
+    // Cuts too small to part slabs are integrated as well as decides about slabs.
+    EXPECT_NEAR(hull_mm3 - air_mm3, setup.stock.volume_mm3, options.least_gain_share * setup.removable_mm3);
 }
 
 TEST(LayerStack, AnswersByHeight) {
