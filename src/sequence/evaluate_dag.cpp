@@ -84,6 +84,17 @@ class EdgeTable {
         return least < kNoEdge && least <= known;
     }
 
+    /// The tool of those wanted with the least bound of its edge from the source; kSource without any.
+    template <typename Wanted>
+    int mostPromising(const Wanted& wanted) const {
+        int best = kSource;
+        for (int n = 0; n < n_; ++n) {
+            if (!wanted(n) || !exists(kSource, n)) continue;
+            if (best == kSource || slot(kSource, n).least_weight < slot(kSource, best).least_weight) best = n;
+        }
+        return best;
+    }
+
     bool exists(int m, int n) const { return slot(m, n).least_weight < kNoEdge; }
 
   private:
@@ -105,22 +116,30 @@ class EdgeTable {
         return task_.options.objective == Objective::Time ? cost.time_s : cost.cost;
     }
 
-    /// Tool n and its surrogates must at least cut, at the best rate of any of them, what it covers and m
-    /// does not, and n is called once. What a surrogate saves is no more than its own change, which is left
-    /// out.
+    /// What tool n covers and m does not must at least be cut at the best rate: what n reaches itself by n,
+    /// the rest by the fastest of its surrogates. n is called once. What a surrogate saves is no more than
+    /// its own change, which is left out.
     double leastWeight(int m, int n) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
         if (from != nullptr && (to.drill() || from->drill())) return kNoEdge;
         const Feature& feature = task_.ground.feature();
-        const double new_mm2 = to.coverable_mm2 - (from != nullptr ? from->coverable_mm2 : 0);
+        const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
+        const double new_mm2 = to.coverable_mm2 - from_mm2;
         if (new_mm2 <= sameArea(feature, task_.ground.tolerances())) return kNoEdge;
-        const double least_s = new_mm2 * feature.depth_mm() / to.helped_rate_mm3_per_s;
-        // A surrogate may wear less than n.
-        if (to.hasSurrogates()) return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
+        if (to.hasSurrogates()) return weightWithLumps(to, new_mm2, to.own().coverable_area_mm2 - from_mm2);
         PathTotals least;
-        least.feed_time_s = least_s;
+        least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
         return weigh(edgeCost(least, *to.tool, task_.machine));
+    }
+
+    /// A surrogate may wear less than n, so only machine time counts.
+    double weightWithLumps(const Candidate& to, double new_mm2, double own_new_mm2) const {
+        const double own_mm2 = std::clamp(own_new_mm2, 0.0, new_mm2);
+        const double depth_mm = task_.ground.feature().depth_mm();
+        const double least_s = own_mm2 * depth_mm / to.volume_rate_mm3_per_s +
+                               (new_mm2 - own_mm2) * depth_mm / to.helped_rate_mm3_per_s;
+        return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
     }
 
     double changeWeight(const Candidate& to) const { return weigh(edgeCost({}, *to.tool, task_.machine)); }
@@ -228,7 +247,10 @@ DagResult evaluateDag(const DagTask& task) {
         result.pruned += table.evaluate(round, known);
     };
     addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && !isHelped(n); });
-    addRound(kSource, kSource, false, [&](int n) { return task.ends[n] && isHelped(n); });
+    // Where only helped tools can end the feature, the one that promises most gives the plan to beat.
+    const int promising = table.mostPromising([&](int n) { return task.ends[n] && isHelped(n); });
+    addRound(kSource, kSource, false, [&](int n) { return n == promising; });
+    addRound(kSource, kSource, false, [&](int n) { return n != promising && task.ends[n] && isHelped(n); });
     addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && isHelped(n); });
     addRound(0, n_tools - 1, true, [&](int n) { return !isHelped(n); });
     addRound(0, n_tools - 1, true, isHelped);

@@ -100,7 +100,7 @@ Region unservedIn(const SurrogateFinder& finder, const std::vector<AccessibleAre
     std::vector<Region> unserved;
     for (const Lumps& of_tool : lumps)
         for (const auto& lump : of_tool)
-            if (!lump->unserved().empty()) unserved.push_back(lump->unserved());
+            if (!lump->servable()) unserved.push_back(lump->unserved());
     return unserved.empty() ? Region{} : unite(unserved, tol);
 }
 
@@ -111,7 +111,7 @@ void turnDownUnserved(const SurrogateFinder& finder, double enough_mm2,
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
         const Lumps lumps = lumpsThatMatter(finder, areas[i], enough_mm2);
         const bool served =
-            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return !lump->ways().empty(); });
+            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return lump->servable(); });
         if (!served) areas[i] = before[i];
     });
 }
@@ -135,18 +135,22 @@ Admission admitHelped(const FeatureGround& ground, const Job& job, double retrac
                       const std::vector<AccessibleArea>& areas) {
     const double same_mm2 = sameArea(ground.feature(), job.tol);
     const double enough_mm2 = free_mm2 + same_mm2;
+    const HeldOffTools held_off = heldOffTools(ground, job.library, areas);
     Admission best;
     Region given_up;
     for (int round = 0; round <= kMostGivenUp; ++round) {
         Admission admission{areas, nullptr};
-        admitWithSurrogates(ground, job.library, given_up, admission.areas);
+        admitWithSurrogates(ground, held_off, given_up, admission.areas);
         admission.finder = std::make_unique<SurrogateFinder>(ground, admission.areas, job.library,
                                                              job.options, job.machine, retract_z_mm);
+        const double could_mm2 = admission.mostCoveredMm2();
+        // What was given up does not come back, so no later round can do better than this.
+        if (round > 0 && could_mm2 <= best.mostCoveredMm2() + same_mm2) break;
         const Region unserved = unservedIn(*admission.finder, admission.areas, enough_mm2, job.tol);
         turnDownUnserved(*admission.finder, enough_mm2, areas, admission.areas);
         if (round == 0 || admission.mostCoveredMm2() > best.mostCoveredMm2() + same_mm2)
             best = std::move(admission);
-        if (unserved.empty()) break;
+        if (unserved.empty() || best.mostCoveredMm2() >= could_mm2 - same_mm2) break;
         given_up = given_up.empty() ? unserved : unite(given_up, unserved, job.tol);
     }
     return best;
