@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "sequence/edge_work.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
@@ -193,7 +194,7 @@ bool LumpSolver::reachAllTogether(const std::vector<int>& nodes) const {
 }
 
 double LumpSolver::weight(const EdgeCost& cost) const {
-    return settings_.options.objective == Objective::Time ? cost.time_s : cost.cost;
+    return weightOf(cost, settings_.options.objective);
 }
 
 double LumpSolver::changeWeight() const {
@@ -215,15 +216,14 @@ void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> t
 /// The path of one after another (-1: nothing yet); nothing when there is nothing new to clear.
 std::optional<PathTotals> LumpSolver::totalsOf(int before, int node) const {
     const Candidate* from = before < 0 ? nullptr : &tools_[before];
-    const SequenceStep step = makePath(task(), from, tools_[node], rings_[node]);
-    if (step.path.moves.empty()) return std::nullopt;
-    return step.path.totals;
+    const auto work = edgeWork(task(), from, tools_[node], rings_[node]);
+    return work ? std::optional(work->totals) : std::nullopt;
 }
 
 void LumpSolver::makeRingsOf(const std::vector<int>& nodes) {
     tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
         SharedRings& rings = rings_[nodes[i]];
-        if (!rings) rings = ringsOf(task(), tools_[nodes[i]]);
+        if (!rings && needsPaths(task())) rings = ringsOf(task(), tools_[nodes[i]]);
     });
 }
 
@@ -292,7 +292,10 @@ SequenceStep LumpSolver::step(int way, std::size_t place) const {
     const std::vector<int>& tools = ways_[way].tools;
     const Candidate* before = place == 0 ? nullptr : &tools_[nodeOf(tools[place - 1])];
     const std::size_t node = nodeOf(tools[place]);
-    return makeStep(task(), before, tools_[node], rings_[node]);
+    SequenceStep step = makeStep(task(), before, tools_[node], rings_[node]);
+    // The lump knows no obstacles of its own; the feature does.
+    step.least_stick_out_mm = leastStickOutMm(settings_.ground, *tools_[node].tool, tools_[node].own());
+    return step;
 }
 
 SolvedLump::SolvedLump(std::unique_ptr<LumpSolver> solver) : solver_(std::move(solver)) {}
