@@ -204,8 +204,9 @@ DagResult evaluateDag(const DagTask& task) {
     const auto isHelped = [&](int n) { return task.tools[n].hasSurrogates(); };
 
     // First every tool that can do the whole feature alone: that gives a complete path to beat.
+    const bool alone_known = task.alone_weight < kNoEdge;
     std::vector<std::pair<int, int>> round;
-    for (int n = 0; n < n_tools; ++n) {
+    for (int n = 0; n < n_tools && !alone_known; ++n) {
         if (task.ends[n] && !isHelped(n)) round.emplace_back(kSource, n);
     }
     table.evaluate(round, kNoEdge);
@@ -213,7 +214,7 @@ DagResult evaluateDag(const DagTask& task) {
     // Then the others, leaving out what cannot beat it; edges that need surrogates cost most to evaluate.
     const auto addRound = [&](int m_first, int m_last, bool source_known, const auto& wanted) {
         // The bounds hold for real paths; an area model may be below them, and costs little to evaluate.
-        const double known = needsPaths(task) ? cheapest().cost : kNoEdge;
+        const double known = needsPaths(task) ? std::min(task.alone_weight, cheapest().cost) : kNoEdge;
         table.bound(source_known);
         round.clear();
         for (int m = m_first; m <= m_last; ++m) {
@@ -237,7 +238,8 @@ DagResult evaluateDag(const DagTask& task) {
     addRound(0, n_tools - 1, true, [&](int n) { return !isHelped(n); });
     addRound(0, n_tools - 1, true, isHelped);
 
-    const CheapestPath best = cheapest();
+    CheapestPath best = cheapest();
+    if (alone_known && best.cost >= task.alone_weight) best = {};
     result.path = best.tools;
     result.weight = best.cost;
     result.edges = table.evaluated();

@@ -4,6 +4,7 @@
 
 #include "sequence/candidate.h"
 #include "sequence/edge_help.h"
+#include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
 
@@ -20,6 +21,9 @@ struct DagTask {
     double retract_z_mm = 0;
     /// Who helps tools that have lumps; null: none of the tools has any.
     const SurrogateFinder* surrogates = nullptr;
+    /// Weight of the cheapest tool that does all alone, where that is known: then only cheaper sequences of
+    /// several tools are sought. kNoEdge: not known.
+    double alone_weight = kNoEdge;
 };
 
 /// An edge as it was evaluated, whatever follows it.

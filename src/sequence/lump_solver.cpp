@@ -260,10 +260,15 @@ double LumpSolver::helperRate(const Helper& helper) const {
 /// The cheapest sequence, where it has more than one tool. A tool that reaches all comes last, so what it
 /// clears after others is right whatever these reach.
 void LumpSolver::weighSequences() {
+    double alone = kNoEdge;
+    for (const LumpWay& way : ways_)
+        alone = std::min(alone, way.weight);
     offer(thoseWhoReachSome());
-    const DagResult dag = evaluateDag(task());
+    DagTask several = task();
+    several.alone_weight = changeWeight() + alone;
+    const DagResult dag = evaluateDag(several);
     rings_ = dag.rings;
-    if (dag.path.size() > 1) weighInARow(dag.path);
+    if (!dag.path.empty()) weighInARow(dag.path);
 }
 
 bool LumpSolver::weighInARow(const std::vector<int>& nodes) {
