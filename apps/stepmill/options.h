@@ -24,6 +24,7 @@ struct PlanOptions {
     std::vector<std::string> no_setups;  ///< axes never to be chosen
     std::string objective = "time";
     std::string surrogates = "sequence";
+    std::string cost_model = "paths";
     std::string solid;  ///< empty: the only one; a number; "all"
     std::string unit;   ///< empty: as the file says
     int jobs = 0;       ///< 0: one per core

@@ -80,6 +80,11 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
                      "cheapest sequence of tools")
         ->check(CLI::IsMember({"single", "sequence"}))
         ->capture_default_str();
+    plan->add_option("--cost-model", options->cost_model,
+                     "what tools are chosen by: real tool paths, or an area model of the papers (yao, lim); "
+                     "the plan's times are those of its paths")
+        ->check(CLI::IsMember({"paths", "yao", "lim"}))
+        ->capture_default_str();
     plan->add_flag("--strict", options->strict, "exit 1 on any warning as well");
     plan->add_flag("--json", options->json, "print plan.json on standard output instead of the summary");
     plan->footer(

@@ -203,4 +203,27 @@ Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const Acces
     return reach;
 }
 
+double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const ToolAssembly&)>& clears) {
+    if (!tool.stick_out_range) return tool.stick_out_mm;
+    const auto [shortest_mm, longest_mm] = *tool.stick_out_range;
+    const auto at = [&](int step) { return std::min(shortest_mm + step * kStickOutStepMm, longest_mm); };
+    int too_short = -1;
+    int long_enough = static_cast<int>(std::ceil((longest_mm - shortest_mm) / kStickOutStepMm));
+    while (long_enough - too_short > 1) {
+        const int middle = (too_short + long_enough) / 2;
+        (clears(setTo(tool, at(middle))) ? long_enough : too_short) = middle;
+    }
+    return at(long_enough);
+}
+
+double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+    return leastStickOutMm(tool, [&](const ToolAssembly& shorter) {
+        const std::vector<Blocker> blockers = access::blockers(ground.feature(), shorter);
+        return !touchesAtEntry(ground, blockers, area) &&
+               std::none_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
+                   return access::losesCentres(ground, blocker, area.free_centres);
+               });
+    });
+}
+
 }  // namespace stepmill

@@ -70,8 +70,17 @@ class ToolRules {
             expect(corner <= radius, at, "at most half the diameter, " + lengthText(radius), found);
     }
 
+    bool isRange() const { return tool_["stick_out"].is_object(); }
+    /// Flutes and shank must be out of the holder at the shortest; the holder's heights are those of the
+    /// longest.
+    double shortestStickOut() const { return isRange() ? tool_["stick_out"]["min"] : tool_["stick_out"]; }
+    double longestStickOut() const { return isRange() ? tool_["stick_out"]["max"] : tool_["stick_out"]; }
+
     void checkLengths() {
-        const double stick_out = tool_["stick_out"];
+        const double stick_out = shortestStickOut();
+        if (isRange())
+            expect(longestStickOut() >= stick_out, childPointer(childPointer(pointer_, "stick_out"), "max"),
+                   "at least the shortest, " + lengthText(stick_out), tool_["stick_out"]["max"]);
         expect(tool_["flute_length"] <= stick_out, childPointer(pointer_, "flute_length"),
                "at most the stick-out, " + lengthText(stick_out), tool_["flute_length"]);
     }
@@ -80,7 +89,7 @@ class ToolRules {
         if (!tool_.contains("shank")) return;
         const json& from = tool_["shank"]["from"];
         const double flutes = tool_["flute_length"];
-        const double stick_out = tool_["stick_out"];
+        const double stick_out = shortestStickOut();
         const std::string at = childPointer(childPointer(pointer_, "shank"), "from");
         expect(from >= flutes, at, "at least the flute length, " + lengthText(flutes), from);
         expect(from <= stick_out, at, "at most the stick-out, " + lengthText(stick_out), from);
@@ -92,7 +101,7 @@ class ToolRules {
             doubt(pointer_, "no holder given; nothing above the stick-out can be checked for collisions");
             return;
         }
-        double below = tool_["stick_out"];
+        double below = longestStickOut();
         std::string below_name = "the stick-out";
         for (std::size_t i = 0; i < tool_["holder"].size(); ++i) {
             const json& cylinder = tool_["holder"][i];

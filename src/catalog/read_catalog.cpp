@@ -53,7 +53,7 @@ class ToolReader {
         tool.flute_length_mm = length(from, "flute_length");
         tool.flutes = from.value("flutes", 0);
         tool.centre_cutting = from.value("centre_cutting", tool.isDrill());
-        tool.stick_out_mm = length(from, "stick_out");
+        readStickOut(from["stick_out"], tool);
         tool.shank = shank(from, tool);
         for (const json& cylinder : from.value("holder", json::array()))
             tool.holder.push_back(
@@ -77,6 +77,16 @@ class ToolReader {
     }
 
     double length(const json& from, const char* field) const { return from.value(field, 0.0) * mm_per_unit_; }
+
+    /// Of a range the longest stands until a plan chooses: heights in the file are those of that.
+    void readStickOut(const json& from, ToolAssembly& tool) const {
+        if (from.is_number()) {
+            tool.stick_out_mm = from.get<double>() * mm_per_unit_;
+            return;
+        }
+        tool.stick_out_range = {length(from, "min"), length(from, "max")};
+        tool.stick_out_mm = tool.stick_out_range->longest_mm;
+    }
 
     /// A library that says nothing of the shank means a straight one of the cutter's diameter.
     HolderCylinder shank(const json& from, const ToolAssembly& tool) const {
@@ -169,7 +179,8 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     machine.currency = from["currency"];
     machine.travel_mm = from["travel_mm"].get<std::array<double, 3>>();
     machine.magazine_size = from["magazine_size"];
-    machine.acceleration_mm_per_s2 = from["acceleration_mm_per_s2"];
+    machine.acceleration_mm_per_s2 = from.value("acceleration_mm_per_s2", 0.0);
+    machine.junction_deviation_mm = from.value("junction_deviation_mm", machine.junction_deviation_mm);
     machine.safe_height_mm = from["safe_height_mm"];
     machine.dialect = from["dialect"];
     return machine;

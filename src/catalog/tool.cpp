@@ -13,6 +13,17 @@ const CuttingData* ToolAssembly::cuttingFor(const std::string& material_name) co
     return found == cutting.end() ? nullptr : &*found;
 }
 
+ToolAssembly setTo(ToolAssembly tool, double stick_out_mm) {
+    const double by_mm = stick_out_mm - tool.stick_out_mm;
+    tool.stick_out_mm = stick_out_mm;
+    if (tool.shank.diameter_mm > 0) tool.shank.top_mm += by_mm;
+    for (HolderCylinder& cylinder : tool.holder) {
+        cylinder.bottom_mm += by_mm;
+        cylinder.top_mm += by_mm;
+    }
+    return tool;
+}
+
 const ToolAssembly& ToolLibrary::tool(const std::string& id) const {
     const auto found =
         std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& tool) { return tool.id == id; });

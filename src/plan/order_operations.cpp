@@ -1,14 +1,11 @@
 #include <map>
 #include <set>
 
+#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
-#include "stepmill/plan/plan.h"
 
 namespace stepmill {
 namespace {
-
-/// How many partial orders the look-ahead keeps after each tool change.
-constexpr std::size_t kBeamWidth = 16;
 
 /// The operations as a precedence problem: per feature a queue, which opens when the queues of its
 /// ancestors are empty.
@@ -124,7 +121,8 @@ bool isMorePromising(const Partial& a, const Partial& b) {
     return a.tools < b.tools;
 }
 
-std::vector<Partial> oneVisitMore(const Problem& problem, const std::vector<Partial>& beam) {
+std::vector<Partial> oneVisitMore(const Problem& problem, const std::vector<Partial>& beam,
+                                  std::size_t width) {
     std::vector<Partial> wider;
     std::set<std::vector<int>> seen;
     for (const Partial& partial : beam) {
@@ -139,17 +137,17 @@ std::vector<Partial> oneVisitMore(const Problem& problem, const std::vector<Part
         }
     }
     std::sort(wider.begin(), wider.end(), isMorePromising);
-    if (wider.size() > kBeamWidth) wider.resize(kBeamWidth);
+    if (wider.size() > width) wider.resize(width);
     return wider;
 }
 
 /// The tools in the order of their visits: a beam search, one tool change at a time.
-std::vector<int> visits(const Problem& problem) {
+std::vector<int> visits(const Problem& problem, std::size_t width) {
     std::vector<Partial> beam(1);
     beam[0].done.assign(problem.queue.size(), 0);
     const int operations = static_cast<int>(problem.tool.size());
     while (beam.front().total < operations) {
-        beam = oneVisitMore(problem, beam);
+        beam = oneVisitMore(problem, beam, width);
         STEPMILL_CHECK(!beam.empty(), "features do not wait for each other in a circle");
     }
     return beam.front().tools;
@@ -166,6 +164,11 @@ Vec2 endOf(const Operation& operation) {
 
 }  // namespace
 
+std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Feature>& features,
+                            std::size_t beam_width) {
+    return visits(makeProblem(operations, features), beam_width);
+}
+
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
                                  const std::vector<Feature>& features) {
     const Problem problem = makeProblem(operations, features);
@@ -173,7 +176,7 @@ std::vector<int> orderOperations(const std::vector<Operation>& operations,
     std::vector<int> order;
     // Within a visit the nearest operation comes next, so that the tool does not cross the part for nothing.
     std::optional<Vec2> position;
-    for (const int tool : visits(problem)) {
+    for (const int tool : visits(problem, kBeamWidth)) {
         for (;;) {
             int nearest = -1;
             double nearest_mm = 0;

@@ -230,6 +230,8 @@ PlannedStage planStage(const Stage& found, const Request& request, double start_
     stage.setup.unplanned = found.found.unplanned;
     FeaturePlanner planner(std::vector<Feature>(found.found.features), request, start_share, end_share);
     stage.setup.features = planner.plan(stage.warnings);
+    stage.setup.sharing =
+        shareTools(stage.setup.features, request.machine, request.options.sequence.objective);
     stage.setup.operations = makeOperations(stage.setup, request.machine);
     stage.removed = removedBy(stage.setup.features, request.tol);
     return stage;
@@ -301,6 +303,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     plan.library = library;
     plan.material = request.sequence.material;
     plan.objective = request.sequence.objective;
+    plan.cost_model = request.sequence.cost_model;
     warnOfPart(plan);
 
     job.report("setups", 0);
@@ -318,6 +321,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
         warnOfInput(plan, stage.layers);
         plan.setups.push_back(std::move(stage.setup));
     }
+    setStickOuts(plan);
     addUpTotals(plan);
     const double removable_mm3 = plan.stock.volume_mm3 - part.volume_mm3;
     const std::vector<SetupAccount> accounts = accountsOf(plan, stages, walked);

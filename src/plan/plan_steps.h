@@ -21,6 +21,42 @@ struct ReducedFeature {
 ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
                               const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol);
 
+/// How many partial orders the look-ahead keeps after each tool change.
+inline constexpr std::size_t kBeamWidth = 16;
+
+/// The tools in the order of their visits, as few as a beam search finds: each feature's operations keep
+/// their order, and parents come before their children. One entry a visit, an index into tools named in the
+/// order of their first appearance.
+std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Feature>& features,
+                            std::size_t beam_width);
+
+/// The features' sequences chosen for the setup: one of choicesOf() each.
+struct SharedChoice {
+    std::vector<std::size_t> choice;  ///< of each feature; 0 where it has none
+    ToolSharing gain;
+};
+
+/// Chooses one sequence a feature so that paths and tool changes of the whole setup, operations merged, weigh
+/// least, and no more tools are called than the magazine has places, as far as the choices allow: first the
+/// places, then the weight. Exact where the choices have few combinations (kMostCombinations); else from each
+/// feature's own cheapest by giving up tools and changing single features as long as that helps. Never worse
+/// than the features' own cheapest.
+/// \param choices        of each feature, its own cheapest first
+/// \param change_weight  of one tool change, in the unit of the choices' paths
+/// \param magazine       places for tools; 0: no limit
+SharedChoice shareTools(const std::vector<Feature>& features,
+                        const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,
+                        int magazine);
+
+/// Makes the features' sequences anew where shareTools() finds better ones for the setup together.
+ToolSharing shareTools(std::vector<PlannedFeature>& features, const Machine& machine, Objective objective);
+
+/// Sets every tool of a range out as short as all its steps in the plan allow.
+void setStickOuts(Plan& plan);
+
+/// Names steps that take much of a feature's time for little of its volume.
+void warnOfSlowSteps(Plan& plan, const PlannedSetup& setup);
+
 /// Joins operations in their order: each begins with the rapid from where the one before it ended, so that
 /// an operation's lengths and times are those of its part of the program.
 void linkOperations(std::vector<Operation>& operations, const Machine& machine);

@@ -134,6 +134,7 @@ void warnOfShape(Plan& plan) {
 void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
     for (const PlannedFeature& planned : setup.features)
         warnOfResiduals(plan, planned);
+    warnOfSlowSteps(plan, setup);
     warnOfTravel(plan, setup);
     warnOfMagazine(plan, setup);
 }

@@ -34,6 +34,7 @@ void addSetup(const Plan& plan, PlannedSetup& setup, PlanTotals& totals) {
     double change_s = 0;
     double cutting_s = 0;
     double air_s = 0;
+    double motion_s = 0;
     for (std::size_t i = 0; i < setup.operations.size(); ++i) {
         const Operation& operation = setup.operations[i];
         const ToolAssembly& tool = plan.library.tool(operation.tool_id);
@@ -43,10 +44,13 @@ void addSetup(const Plan& plan, PlannedSetup& setup, PlanTotals& totals) {
         }
         cutting_s += operation.path.totals.feed_time_s;
         air_s += operation.path.totals.rapid_time_s;
+        motion_s += operation.path.totals.motion_time_s;
         if (tool.life_min > 0)
             totals.cost += operation.path.totals.feed_time_s / kSecondsPerMinute / tool.life_min * tool.price;
     }
     setup.time_s = cutting_s + air_s + change_s;
+    setup.motion_s = motion_s + change_s;
+    totals.motion_s += setup.motion_s;
     totals.cutting_s += cutting_s;
     totals.air_s += air_s;
     totals.tool_change_s += change_s;

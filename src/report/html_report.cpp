@@ -97,6 +97,8 @@ std::string headSection(const Plan& plan) {
         escapeHtml(plan.library.file));
     html += "<div class=\"cards\">\n";
     html += card(clockTime(totals.time_s), "machining time");
+    if (plan.machine.acceleration_mm_per_s2 > 0)
+        html += card(clockTime(totals.motion_s), "of it with the machine's acceleration");
     html += card(fmt::format("{:.2f} {}", totals.cost, plan.machine.currency), "machine and tool cost");
     html += card(times(totals.time_s, totals.lower_bound_s), "times the least possible with these tools");
     html += card(std::to_string(totals.tool_changes), "tool changes");
@@ -117,6 +119,21 @@ std::string viewsSection(const Plan& plan, const PlannedSetup& setup) {
     for (const View& view : partViews(plan.part, setup.setup.part_to_setup))
         html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", view.svg, view.title);
     return html + "</div>\n";
+}
+
+/// What choosing the features' tools together brought; nothing where it changed nothing.
+std::string sharingWords(const Plan& plan, const ToolSharing& sharing) {
+    if (sharing.features_changed == 0) return {};
+    const std::string saved =
+        plan.objective == Objective::Time
+            ? clockTime(std::abs(sharing.saved))
+            : fmt::format("{:.2f} {}", std::abs(sharing.saved), escapeHtml(plan.machine.currency));
+    return fmt::format(
+        "<p>Tools shared: {} features take other tools than their own cheapest; {} tool changes instead of "
+        "{}, "
+        "{} tools instead of {}, {} {}.</p>\n",
+        sharing.features_changed, sharing.visits, sharing.visits_alone, sharing.tools, sharing.tools_alone,
+        saved, sharing.saved >= 0 ? "saved" : "more, for the magazine's places");
 }
 
 std::string setupSection(const PlannedSetup& setup) {
@@ -155,6 +172,13 @@ std::string setupSection(const PlannedSetup& setup) {
     return html + "</table>\n";
 }
 
+/// The stick-out to set, and the range it was chosen from.
+std::string stickOutCell(const ToolAssembly& tool) {
+    if (!tool.stick_out_range) return cell(tool.stick_out_mm, 1);
+    return numberCell(fmt::format("{:.1f} ({:.1f}–{:.1f})", tool.stick_out_mm,
+                                  tool.stick_out_range->shortest_mm, tool.stick_out_range->longest_mm));
+}
+
 std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
     std::set<int> seen;
     std::string html =
@@ -169,16 +193,16 @@ std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
                                   cylinder.bottom_mm, cylinder.top_mm);
         html += "<tr>" + numberCell(std::to_string(tool.number)) + cell(tool.id) + cell(tool.description) +
                 cell(tool.diameter_mm, 3) + cell(tool.corner_radius_mm, 2) + cell(tool.flute_length_mm, 1) +
-                cell(tool.stick_out_mm, 1) + cell(holder) + "</tr>\n";
+                stickOutCell(tool) + cell(holder) + "</tr>\n";
     }
     return html + "</table>\n";
 }
 
 std::string operationsTable(const PlannedSetup& setup) {
-    std::string html =
-        "<h3>Operations in machining order</h3>\n<table>" +
-        headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down", "#step-over", "#feed",
-                 "#plunge", "#rpm", "#cut m", "#in air m", "#rapid m", "#clear of part µm", "#time"});
+    std::string html = "<h3>Operations in machining order</h3>\n<table>" +
+                       headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down",
+                                "#step-over", "#feed", "#plunge", "#rpm", "#cut m", "#in air m", "#rapid m",
+                                "#clear of part µm", "#time", "#with acceleration"});
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
         html += "<tr>" + cell(operation.id) + cell(operation.feature_id) + cell(operation.tool_id) +
@@ -191,7 +215,8 @@ std::string operationsTable(const PlannedSetup& setup) {
                 (path.pattern == "drill"
                      ? numberCell("-")
                      : numberCell(fmt::format("{:.2f}", 1000 * operation.proof.least_clearance_mm))) +
-                numberCell(clockTime(path.totals.time_s())) + "</tr>\n";
+                numberCell(clockTime(path.totals.time_s())) +
+                numberCell(clockTime(path.totals.motion_time_s)) + "</tr>\n";
     }
     return html + "</table>\n";
 }
@@ -265,15 +290,17 @@ std::string featureSection(const PlannedSetup& setup, const PlannedFeature& plan
     html += residualList(planned) + "<div class=\"steps\">\n";
     const std::vector<const Operation*> operations = operationsOf(setup, feature.id);
     STEPMILL_CHECK(operations.size() == planned.sequence.steps.size(), "every step is one operation");
+    const double depth_mm = feature.top_z_mm - planned.sequence.floor_z_mm;
     for (std::size_t i = 0; i < planned.sequence.steps.size(); ++i) {
         const SequenceStep& step = planned.sequence.steps[i];
         const Operation* operation = operations[i];
         html += fmt::format(
-            "<figure>{}<figcaption>{}. {} ({}): {:.2f} mm² new, {} layers of {:.2f} mm, {}</figcaption>"
+            "<figure>{}<figcaption>{}. {} ({}): {:.2f} mm² new ({:.3f} cm³), {} layers of {:.2f} mm, "
+            "{}</figcaption>"
             "</figure>\n",
             stepDrawing(planned, i, operation->path), i + 1, escapeHtml(step.tool_id),
-            escapeHtml(toString(step.role)), step.area.new_area_mm2, operation->path.layers,
-            operation->path.step_down_mm, clockTime(operation->path.totals.time_s()));
+            escapeHtml(toString(step.role)), step.area.new_area_mm2, step.area.new_area_mm2 * depth_mm / 1000,
+            operation->path.layers, operation->path.step_down_mm, clockTime(operation->path.totals.time_s()));
     }
     if (planned.sequence.steps.empty())
         html += "<figure>" + unmachinedDrawing(planned) + "<figcaption>Not machined.</figcaption></figure>\n";
@@ -315,8 +342,8 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol) {
     if (!plan.complete(tol))
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
-        html += viewsSection(plan, setup) + setupSection(setup) + toolsTable(plan, setup) +
-                operationsTable(setup);
+        html += viewsSection(plan, setup) + setupSection(setup) + sharingWords(plan, setup.sharing) +
+                toolsTable(plan, setup) + operationsTable(setup);
         html +=
             "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"
             "<i style=\"background:#fdf6df\"></i>target<i style=\"background:#8ec9e3\"></i>swept by this tool"

@@ -66,18 +66,52 @@ Json stockJson(const Stock& stock) {
 }
 
 Json machineJson(const Machine& machine) {
-    return {{"name", machine.name},
-            {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
-            {"max_feed_mm_per_min", number(machine.max_feed_mm_per_min)},
-            {"max_speed_rpm", number(machine.max_speed_rpm)},
-            {"tool_change_s", number(machine.tool_change_s)},
-            {"hourly_rate", number(machine.hourly_rate)},
-            {"currency", machine.currency},
-            {"travel_mm", machine.travel_mm},
-            {"magazine_size", machine.magazine_size},
-            {"acceleration_mm_per_s2", number(machine.acceleration_mm_per_s2)},
-            {"safe_height_mm", number(machine.safe_height_mm)},
-            {"dialect", machine.dialect}};
+    Json json{{"name", machine.name},
+              {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
+              {"max_feed_mm_per_min", number(machine.max_feed_mm_per_min)},
+              {"max_speed_rpm", number(machine.max_speed_rpm)},
+              {"tool_change_s", number(machine.tool_change_s)},
+              {"hourly_rate", number(machine.hourly_rate)},
+              {"currency", machine.currency},
+              {"travel_mm", machine.travel_mm},
+              {"magazine_size", machine.magazine_size},
+              {"safe_height_mm", number(machine.safe_height_mm)},
+              {"dialect", machine.dialect}};
+    if (machine.acceleration_mm_per_s2 > 0) {
+        json["acceleration_mm_per_s2"] = number(machine.acceleration_mm_per_s2);
+        json["junction_deviation_mm"] = number(machine.junction_deviation_mm);
+    }
+    return json;
+}
+
+/// The tools the plan calls, by number, as they must stand in the magazine.
+Json toolsJson(const Plan& plan) {
+    std::map<int, const ToolAssembly*> used;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations) {
+            const ToolAssembly& tool = plan.library.tool(operation.tool_id);
+            used[tool.number] = &tool;
+        }
+    return listOf(used, [](const auto& entry) {
+        const ToolAssembly& tool = *entry.second;
+        Json range = nullptr;
+        if (tool.stick_out_range)
+            range = {number(tool.stick_out_range->shortest_mm), number(tool.stick_out_range->longest_mm)};
+        return Json{{"id", tool.id},
+                    {"number", tool.number},
+                    {"diameter_mm", number(tool.diameter_mm)},
+                    {"stick_out_mm", number(tool.stick_out_mm)},
+                    {"stick_out_range_mm", std::move(range)}};
+    });
+}
+
+Json sharingJson(const ToolSharing& sharing) {
+    return {{"features_changed", sharing.features_changed},
+            {"tool_changes_alone", sharing.visits_alone},
+            {"tool_changes", sharing.visits},
+            {"tools_alone", sharing.tools_alone},
+            {"tools", sharing.tools},
+            {"saved", number(sharing.saved)}};
 }
 
 /// Who reaches all of it alone, null where nobody does.
@@ -152,6 +186,7 @@ Json featureJson(const PlannedFeature& planned) {
             {"tools", listOf(sequence.tools, toolAreasJson)},
             {"dag", {{"edges", listOf(sequence.edges, edgeJson)}, {"path", pathJson(sequence)}}},
             {"time_s", number(sequence.time_s)},
+            {"motion_time_s", number(sequence.motion_s)},
             {"lower_bound_s", number(sequence.lower_bound_s)},
             {"residual", listOf(sequence.residual, residualJson)}};
 }
@@ -175,7 +210,8 @@ Json operationJson(const Operation& operation) {
             {"cut_length_mm", number(path.totals.cut_length_mm)},
             {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
             {"air_length_mm", number(path.totals.air_length_mm)},
-            {"time_s", number(path.totals.time_s())}};
+            {"time_s", number(path.totals.time_s())},
+            {"motion_time_s", number(path.totals.motion_time_s)}};
 }
 
 Json reasonJson(const ReasonVolume& entry) {
@@ -219,6 +255,8 @@ Json setupJson(const PlannedSetup& setup) {
             {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
             {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
             {"time_s", number(setup.time_s)},
+            {"motion_time_s", number(setup.motion_s)},
+            {"tool_sharing", sharingJson(setup.sharing)},
             {"axis_name", axisName(setup.setup.axis)},
             {"indexed", setup.setup.indexed},
             {"stock", arrivingStockJson(setup.setup)},
@@ -228,6 +266,7 @@ Json setupJson(const PlannedSetup& setup) {
 
 Json totalsJson(const PlanTotals& totals) {
     return {{"time_s", number(totals.time_s)},
+            {"motion_time_s", number(totals.motion_s)},
             {"cutting_s", number(totals.cutting_s)},
             {"air_s", number(totals.air_s)},
             {"tool_change_s", number(totals.tool_change_s)},
@@ -255,6 +294,8 @@ std::string planJson(const Plan& plan) {
         {"machine", machineJson(plan.machine)},
         {"material", plan.material},
         {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
+        {"cost_model", toString(plan.cost_model)},
+        {"tools", toolsJson(plan)},
         {"setups", listOf(plan.setups, setupJson)},
         {"features", std::move(features)},
         {"operations", std::move(operations)},

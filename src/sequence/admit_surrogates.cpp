@@ -10,19 +10,9 @@
 namespace stepmill {
 namespace {
 
+/// Only cutters that reach something; drills make holes.
 bool isEndMill(const AccessibleArea& area, const ToolLibrary& library) {
     return !library.tool(area.tool_id).isDrill() && !area.coverable.empty();
-}
-
-/// The tools with their areas free of collisions, by falling diameter.
-std::vector<const AccessibleArea*> reachable(const std::vector<AccessibleArea>& areas,
-                                             const ToolLibrary& library) {
-    std::vector<const AccessibleArea*> found;
-    for (const AccessibleArea& area : areas) {
-        const AccessibleArea* reach = ownReach(area);
-        if (reach != nullptr && isEndMill(*reach, library)) found.push_back(reach);
-    }
-    return found;
 }
 
 /// What some of `tools` is kept off and no tool reaches.
@@ -59,29 +49,37 @@ const AccessibleArea* ownReach(const AccessibleArea& area) {
     return area.excluded ? nullptr : &area;
 }
 
-void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library, const Region& given_up,
-                         std::vector<AccessibleArea>& areas) {
+HeldOffTools heldOffTools(const FeatureGround& ground, const ToolLibrary& library,
+                          const std::vector<AccessibleArea>& areas) {
     const Tolerances& tol = ground.tolerances();
-    std::vector<std::shared_ptr<const AccessibleArea>> clear(areas.size());
-    std::vector<Region> held_off(areas.size());
+    HeldOffTools found;
+    found.own.resize(areas.size());
+    found.held_off.resize(areas.size());
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
         if (!isHeldOff(areas[i]) || areas[i].collision_free_area_mm2 <= tol.area_mm2) return;
         auto own = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
         if (!own || own->coverable_area_mm2 <= tol.area_mm2) return;
-        held_off[i] = withoutCrumbs(subtract(areas[i].coverable, own->coverable, tol), tol);
-        clear[i] = std::make_shared<const AccessibleArea>(std::move(*own));
+        found.held_off[i] = withoutCrumbs(subtract(areas[i].coverable, own->coverable, tol), tol);
+        found.own[i] = std::make_shared<const AccessibleArea>(std::move(*own));
     });
-    std::vector<AccessibleArea> admitted = areas;
-    for (std::size_t i = 0; i < areas.size(); ++i)
-        admitted[i].clear_of_holder = clear[i];
-    const std::vector<const AccessibleArea*> reach = reachable(admitted, library);
-    Region none_reaches = outOfReach(held_off, reach, tol);
-    if (!given_up.empty()) none_reaches = unite(none_reaches, given_up, tol);
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        const AccessibleArea* reach = found.own[i] ? found.own[i].get() : ownReach(areas[i]);
+        if (reach != nullptr && isEndMill(*reach, library)) found.reach.push_back(reach);
+    }
+    found.out_of_reach = outOfReach(found.held_off, found.reach, tol);
+    return found;
+}
 
+void admitWithSurrogates(const FeatureGround& ground, const HeldOffTools& held_off, const Region& given_up,
+                         std::vector<AccessibleArea>& areas) {
+    const Tolerances& tol = ground.tolerances();
+    const Region none_reaches =
+        given_up.empty() ? held_off.out_of_reach : unite(held_off.out_of_reach, given_up, tol);
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        if (!clear[i]) return;
-        AccessibleArea& area = admitted[i];
-        Region others = held_off[i];
+        if (!held_off.own[i]) return;
+        AccessibleArea& area = areas[i];
+        area.clear_of_holder = held_off.own[i];
+        Region others = held_off.held_off[i];
         if (!none_reaches.empty()) {
             others = subtract(others, none_reaches, tol);
             area.coverable = subtract(area.coverable, none_reaches, tol);
@@ -90,14 +88,13 @@ void admitWithSurrogates(const FeatureGround& ground, const ToolLibrary& library
         }
         const std::vector<Region> lumps = lumpsOf(others, 2 * area.radius_mm, tol);
         if (lumps.empty()) {
-            area = *clear[i];
+            area = *held_off.own[i];
             return;
         }
-        area.blocked_lumps = describe(lumps, area, reach, tol);
-        area.collision_free_area_mm2 = clear[i]->coverable_area_mm2;
+        area.blocked_lumps = describe(lumps, area, held_off.reach, tol);
+        area.collision_free_area_mm2 = held_off.own[i]->coverable_area_mm2;
         area.excluded.reset();
     });
-    areas = std::move(admitted);
 }
 
 }  // namespace stepmill

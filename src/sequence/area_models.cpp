@@ -31,6 +31,18 @@ std::vector<double> valuesOf(const std::vector<AreaModelTool>& tools, double Are
 
 }  // namespace
 
+std::string toString(CostModel model) {
+    switch (model) {
+        case CostModel::Path:
+            return "paths";
+        case CostModel::Yao:
+            return "yao";
+        case CostModel::Lim:
+            return "lim";
+    }
+    return "paths";
+}
+
 double removalRateMm3PerS(const CuttingData& cutting) {
     return cutting.step_over_mm * cutting.step_down_mm * cutting.feed_mm_per_min / kSecondsPerMinute;
 }

@@ -28,6 +28,9 @@ struct Candidate {
     const AccessibleArea& own() const { return hasSurrogates() ? *area->clear_of_holder : *area; }
 };
 
+/// What a sequence makes least: seconds or money, with acceleration where the machine gives it.
+double weightOf(const EdgeCost& cost, Objective objective);
+
 /// What that time on the machine costs, without wear and tool changes.
 EdgeCost machineCost(double seconds, const Machine& machine);
 

@@ -20,8 +20,13 @@ std::string toString(Role role) {
     return "rough";
 }
 
+double weightOf(const EdgeCost& cost, Objective objective) {
+    return objective == Objective::Time ? cost.motion_s : cost.motion_cost;
+}
+
 EdgeCost machineCost(double seconds, const Machine& machine) {
-    return {seconds, seconds / (kSecondsPerMinute * 60) * machine.hourly_rate};
+    const double cost = seconds / (kSecondsPerMinute * 60) * machine.hourly_rate;
+    return {seconds, cost, seconds, cost};
 }
 
 EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Machine& machine) {
@@ -29,7 +34,14 @@ EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Mach
     // path and not from its lengths. Eq. 12: machine time at the hourly rate, and the share of the tool's
     // life the cutting uses up.
     EdgeCost result = machineCost(totals.time_s() + machine.tool_change_s, machine);
-    if (tool.life_min > 0) result.cost += totals.feed_time_s / kSecondsPerMinute / tool.life_min * tool.price;
+    // Bounds know feed times only.
+    const double motion_s = std::max(totals.time_s(), totals.motion_time_s);
+    const EdgeCost motion = machineCost(motion_s + machine.tool_change_s, machine);
+    const double wear =
+        tool.life_min > 0 ? totals.feed_time_s / kSecondsPerMinute / tool.life_min * tool.price : 0;
+    result.cost += wear;
+    result.motion_s = motion.time_s;
+    result.motion_cost = motion.cost + wear;
     return result;
 }
 

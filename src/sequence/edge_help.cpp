@@ -82,6 +82,7 @@ void addHelp(const EdgeHelp& help, int next, const Machine& machine, DagEdge& ed
         const bool pays_change = visit.helper != last_helper;
         edge.time_s += visit_cost.time_s - (pays_change ? 0 : change.time_s);
         edge.cost += visit_cost.cost - (pays_change ? 0 : change.cost);
+        edge.motion_s += visit_cost.motion_s - (pays_change ? 0 : change.motion_s);
         edge.surrogates.back().area_mm2 += lump.area_mm2();
         edge.surrogates.back().time_s += totals.time_s();
         last_helper = visit.helper;
@@ -92,6 +93,20 @@ void addHelp(const EdgeHelp& help, int next, const Machine& machine, DagEdge& ed
         {}, help.lumps.front()->tool(help.lumps.front()->ways()[choice.ways.front()].tools.front()), machine);
     edge.time_s -= change.time_s;
     edge.cost -= change.cost;
+    edge.motion_s -= change.motion_s;
+}
+
+std::vector<std::string> helpersBefore(const EdgeHelp& help, int next, const SurrogateFinder& finder,
+                                       const std::vector<Candidate>& tools) {
+    std::vector<std::string> helpers;
+    if (help.lumps.empty()) return helpers;
+    const ChosenWays& choice = help.choice(next);
+    const int last = choice.joins_next ? finder.numberOf(*tools[next].tool) : kNoTool;
+    for (const Visit& visit : visitsOf(help, choice, last)) {
+        const std::string& id = help.lumps[visit.lump]->tool(visit.helper).id;
+        if (helpers.empty() || helpers.back() != id) helpers.push_back(id);
+    }
+    return helpers;
 }
 
 std::vector<SequenceStep> helpSteps(const EdgeHelp& help, int next, const SurrogateFinder& finder,

@@ -38,6 +38,10 @@ EdgeHelp findHelp(const SurrogateFinder& finder, const std::vector<Candidate>& t
 /// `next`.
 void addHelp(const EdgeHelp& help, int next, const Machine& machine, DagEdge& edge);
 
+/// The surrogates in machining order, each visit once.
+std::vector<std::string> helpersBefore(const EdgeHelp& help, int next, const SurrogateFinder& finder,
+                                       const std::vector<Candidate>& tools);
+
 /// The surrogates' steps in machining order, proved: by falling diameter, `next`'s own last where it takes
 /// part. \throws Error(Internal) if a path gouges
 std::vector<SequenceStep> helpSteps(const EdgeHelp& help, int next, const SurrogateFinder& finder,

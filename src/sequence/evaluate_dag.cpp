@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/drilling.h"
+#include "sequence/edge_work.h"
 #include "sequence/surrogates.h"
 #include "stepmill/core/error.h"
 #include "stepmill/sequence/tool_dag.h"
@@ -51,12 +52,15 @@ class EdgeTable {
     double weight(int m, int n) const { return slot(m, n).weight; }
     double saving(int m, int n, int next) const { return slot(m, n).help.saving(next); }
     const std::vector<SharedRings>& rings() const { return rings_; }
-    const EdgeHelp& help(int m, int n) const { return slot(m, n).help; }
-    /// The edge with what surrogates do on it when `next` follows.
-    DagEdge edge(int m, int n, int next) const {
-        DagEdge edge = slot(m, n).edge;
-        addHelp(slot(m, n).help, next, task_.machine, edge);
-        return edge;
+    std::vector<WeighedEdge> evaluated() const {
+        std::vector<WeighedEdge> edges;
+        for (int m = kSource; m < n_; ++m) {
+            for (int n = m + 1; n < n_; ++n) {
+                const EdgeSlot& at = slot(m, n);
+                if (at.weight < kNoEdge) edges.push_back({m, n, at.edge, at.help, at.weight});
+            }
+        }
+        return edges;
     }
 
     /// Cheapest conceivable ways to and from every tool, from the edges' lower bounds; the edges from the
@@ -84,6 +88,17 @@ class EdgeTable {
         return least < kNoEdge && least <= known;
     }
 
+    /// The tool of those wanted with the least bound of its edge from the source; kSource without any.
+    template <typename Wanted>
+    int mostPromising(const Wanted& wanted) const {
+        int best = kSource;
+        for (int n = 0; n < n_; ++n) {
+            if (!wanted(n) || !exists(kSource, n)) continue;
+            if (best == kSource || slot(kSource, n).least_weight < slot(kSource, best).least_weight) best = n;
+        }
+        return best;
+    }
+
     bool exists(int m, int n) const { return slot(m, n).least_weight < kNoEdge; }
 
   private:
@@ -94,33 +109,39 @@ class EdgeTable {
     void makeMissingRings(const std::vector<std::pair<int, int>>& edges) {
         std::set<int> missing;
         for (const auto& [m, n] : edges) {
-            if (!rings_[n] && !task_.tools[n].drill()) missing.insert(n);
+            if (!rings_[n] && !task_.tools[n].drill() && needsPaths(task_)) missing.insert(n);
         }
         const std::vector<int> tools(missing.begin(), missing.end());
         tbb::parallel_for(std::size_t{0}, tools.size(),
                           [&](std::size_t i) { rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]); });
     }
 
-    double weigh(const EdgeCost& cost) const {
-        return task_.options.objective == Objective::Time ? cost.time_s : cost.cost;
-    }
+    double weigh(const EdgeCost& cost) const { return weightOf(cost, task_.options.objective); }
 
-    /// Tool n and its surrogates must at least cut, at the best rate of any of them, what it covers and m
-    /// does not, and n is called once. What a surrogate saves is no more than its own change, which is left
-    /// out.
+    /// What tool n covers and m does not must at least be cut at the best rate: what n reaches itself by n,
+    /// the rest by the fastest of its surrogates. n is called once. What a surrogate saves is no more than
+    /// its own change, which is left out.
     double leastWeight(int m, int n) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
         if (from != nullptr && (to.drill() || from->drill())) return kNoEdge;
         const Feature& feature = task_.ground.feature();
-        const double new_mm2 = to.coverable_mm2 - (from != nullptr ? from->coverable_mm2 : 0);
+        const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
+        const double new_mm2 = to.coverable_mm2 - from_mm2;
         if (new_mm2 <= sameArea(feature, task_.ground.tolerances())) return kNoEdge;
-        const double least_s = new_mm2 * feature.depth_mm() / to.helped_rate_mm3_per_s;
-        // A surrogate may wear less than n.
-        if (to.hasSurrogates()) return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
+        if (to.hasSurrogates()) return weightWithLumps(to, new_mm2, to.own().coverable_area_mm2 - from_mm2);
         PathTotals least;
-        least.feed_time_s = least_s;
+        least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
         return weigh(edgeCost(least, *to.tool, task_.machine));
+    }
+
+    /// A surrogate may wear less than n, so only machine time counts.
+    double weightWithLumps(const Candidate& to, double new_mm2, double own_new_mm2) const {
+        const double own_mm2 = std::clamp(own_new_mm2, 0.0, new_mm2);
+        const double depth_mm = task_.ground.feature().depth_mm();
+        const double least_s = own_mm2 * depth_mm / to.volume_rate_mm3_per_s +
+                               (new_mm2 - own_mm2) * depth_mm / to.helped_rate_mm3_per_s;
+        return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
     }
 
     double changeWeight(const Candidate& to) const { return weigh(edgeCost({}, *to.tool, task_.machine)); }
@@ -140,20 +161,21 @@ class EdgeTable {
     bool evaluate(int m, int n, double known, EdgeSlot& into) const {
         const Candidate& to = task_.tools[n];
         const Candidate* from = m == kSource ? nullptr : &task_.tools[m];
-        const SequenceStep step = makePath(task_, from, to, rings_[n]);
-        if (step.path.moves.empty()) return true;
-        const EdgeCost cost = edgeCost(step.path.totals, *to.tool, task_.machine);
+        const auto work = edgeWork(task_, from, to, rings_[n]);
+        if (!work) return true;
+        const EdgeCost cost = edgeCost(work->totals, *to.tool, task_.machine);
         if (to.hasSurrogates() && task_.surrogates != nullptr) {
-            if (!mayBeatWithLumps(m, n, weigh(cost), step.area.new_area_mm2, known)) return false;
+            if (!mayBeatWithLumps(m, n, weigh(cost), work->new_area_mm2, known)) return false;
             into.help = findHelp(*task_.surrogates, task_.tools, from, n, changeWeight(to));
             if (!into.help.possible()) return true;
         }
         into.edge.from = from != nullptr ? from->tool->id : std::string();
         into.edge.to = to.tool->id;
-        into.edge.region_area_mm2 = area(step.area.area);
-        into.edge.totals = step.path.totals;
+        into.edge.region_area_mm2 = work->region_area_mm2;
+        into.edge.totals = work->totals;
         into.edge.time_s = cost.time_s;
         into.edge.cost = cost.cost;
+        into.edge.motion_s = cost.motion_s;
         into.weight = weigh(cost) + into.help.plain.weight;
         return true;
     }
@@ -165,28 +187,6 @@ class EdgeTable {
     std::vector<double> to_tool_;
     std::vector<double> to_sink_;
 };
-
-/// All that exist; those on the path as they are before the tool that follows there.
-std::vector<DagEdge> listEdges(const EdgeTable& table, const DagTask& task, const std::vector<int>& path) {
-    std::map<std::pair<int, int>, int> next_on_path;
-    for (std::size_t i = 0; i + 1 < path.size(); ++i)
-        next_on_path[{i == 0 ? kSource : path[i - 1], path[i]}] = path[i + 1];
-    std::vector<DagEdge> edges;
-    const int n_tools = static_cast<int>(task.tools.size());
-    for (int m = kSource; m < n_tools; ++m) {
-        for (int n = m + 1; n < n_tools; ++n) {
-            if (!(table.weight(m, n) < kNoEdge)) continue;
-            const auto next = next_on_path.find({m, n});
-            edges.push_back(table.edge(m, n, next == next_on_path.end() ? n_tools : next->second));
-        }
-        if (m != kSource && task.ends[m]) {
-            DagEdge to_sink;
-            to_sink.from = task.tools[m].tool->id;
-            edges.push_back(to_sink);
-        }
-    }
-    return edges;
-}
 
 }  // namespace
 
@@ -204,15 +204,17 @@ DagResult evaluateDag(const DagTask& task) {
     const auto isHelped = [&](int n) { return task.tools[n].hasSurrogates(); };
 
     // First every tool that can do the whole feature alone: that gives a complete path to beat.
+    const bool alone_known = task.alone_weight < kNoEdge;
     std::vector<std::pair<int, int>> round;
-    for (int n = 0; n < n_tools; ++n) {
+    for (int n = 0; n < n_tools && !alone_known; ++n) {
         if (task.ends[n] && !isHelped(n)) round.emplace_back(kSource, n);
     }
     table.evaluate(round, kNoEdge);
 
     // Then the others, leaving out what cannot beat it; edges that need surrogates cost most to evaluate.
     const auto addRound = [&](int m_first, int m_last, bool source_known, const auto& wanted) {
-        const double known = cheapest().cost;
+        // The bounds hold for real paths; an area model may be below them, and costs little to evaluate.
+        const double known = needsPaths(task) ? std::min(task.alone_weight, cheapest().cost) : kNoEdge;
         table.bound(source_known);
         round.clear();
         for (int m = m_first; m <= m_last; ++m) {
@@ -228,17 +230,19 @@ DagResult evaluateDag(const DagTask& task) {
         result.pruned += table.evaluate(round, known);
     };
     addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && !isHelped(n); });
-    addRound(kSource, kSource, false, [&](int n) { return task.ends[n] && isHelped(n); });
+    // Where only helped tools can end the feature, the one that promises most gives the plan to beat.
+    const int promising = table.mostPromising([&](int n) { return task.ends[n] && isHelped(n); });
+    addRound(kSource, kSource, false, [&](int n) { return n == promising; });
+    addRound(kSource, kSource, false, [&](int n) { return n != promising && task.ends[n] && isHelped(n); });
     addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && isHelped(n); });
     addRound(0, n_tools - 1, true, [&](int n) { return !isHelped(n); });
     addRound(0, n_tools - 1, true, isHelped);
 
-    const CheapestPath best = cheapest();
+    CheapestPath best = cheapest();
+    if (alone_known && best.cost >= task.alone_weight) best = {};
     result.path = best.tools;
     result.weight = best.cost;
-    for (std::size_t i = 0; i < best.tools.size(); ++i)
-        result.help.push_back(table.help(i == 0 ? kSource : best.tools[i - 1], best.tools[i]));
-    result.edges = listEdges(table, task, result.path);
+    result.edges = table.evaluated();
     result.rings = table.rings();
     return result;
 }

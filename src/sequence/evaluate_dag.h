@@ -4,6 +4,7 @@
 
 #include "sequence/candidate.h"
 #include "sequence/edge_help.h"
+#include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
 
@@ -20,13 +21,27 @@ struct DagTask {
     double retract_z_mm = 0;
     /// Who helps tools that have lumps; null: none of the tools has any.
     const SurrogateFinder* surrogates = nullptr;
+    /// Weight of the cheapest tool that does all alone, where that is known: then only cheaper sequences of
+    /// several tools are sought. kNoEdge: not known.
+    double alone_weight = kNoEdge;
+};
+
+/// An edge as it was evaluated, whatever follows it.
+struct WeighedEdge {
+    int from = 0;  ///< node numbers
+    int to = 0;
+    DagEdge edge;  ///< without its surrogates
+    EdgeHelp help;
+    double weight = 0;  ///< seconds or money, changes included
+
+    /// The same when that node follows.
+    double weightBefore(int next) const { return weight - help.saving(next); }
 };
 
 /// All evaluated edges of a feature's tool DAG and its cheapest path.
 struct DagResult {
-    std::vector<DagEdge> edges;      ///< by from, then to; edges to the sink last of their tool
+    std::vector<WeighedEdge> edges;  ///< by from, then to
     std::vector<int> path;           ///< node numbers
-    std::vector<EdgeHelp> help;      ///< of the edge to each node of the path
     std::vector<SharedRings> rings;  ///< of each node; null where no edge led to it
     int pruned = 0;
     double weight = kNoEdge;  ///< of the path: seconds or money

@@ -67,10 +67,6 @@ ToolAssembly withPrice(ToolAssembly tool, double price) {
     return tool;
 }
 
-double weigh(const EdgeCost& cost, Objective objective) {
-    return objective == Objective::Time ? cost.time_s : cost.cost;
-}
-
 /// Machine and library as they would be at this value of the parameter, and what then is to be made least.
 struct Shop {
     ToolLibrary library;
@@ -206,18 +202,18 @@ CostLine edgeLine(const PathTotals& totals, const ToolAssembly& tool, const Mach
     switch (parameter) {
         case Parameter::ToolChange:
             at.tool_change_s = 0;
-            line.fixed = weigh(edgeCost(totals, tool, at), objective);
+            line.fixed = weightOf(edgeCost(totals, tool, at), objective);
             at.tool_change_s = 1;
-            line.per_unit = weigh(edgeCost({}, tool, at), objective);
+            line.per_unit = weightOf(edgeCost({}, tool, at), objective);
             break;
         case Parameter::HourlyRate:
-            line.fixed = weigh(edgeCost(totals, tool, withRate(machine, 0)), objective);
+            line.fixed = weightOf(edgeCost(totals, tool, withRate(machine, 0)), objective);
             line.per_unit =
-                weigh(edgeCost(totals, withPrice(tool, 0), withRate(machine, 1)), Objective::Cost);
+                weightOf(edgeCost(totals, withPrice(tool, 0), withRate(machine, 1)), Objective::Cost);
             break;
         case Parameter::ToolPrice:
-            line.fixed = weigh(edgeCost(totals, withPrice(tool, 0), machine), objective);
-            line.per_unit = weigh(edgeCost(totals, tool, withRate(machine, 0)), Objective::Cost);
+            line.fixed = weightOf(edgeCost(totals, withPrice(tool, 0), machine), objective);
+            line.per_unit = weightOf(edgeCost(totals, tool, withRate(machine, 0)), Objective::Cost);
             break;
     }
     line.tools = {tool.id};

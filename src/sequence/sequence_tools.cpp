@@ -6,7 +6,7 @@
 #include "sequence/holder_limits.h"
 #include "sequence/lower_bound.h"
 #include "sequence/residuals.h"
-#include "sequence/surrogates.h"
+#include "sequence/sequence_choices.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/sequence.h"
 
@@ -33,24 +33,6 @@ std::vector<AccessibleArea> areasOfAllTools(const FeatureGround& ground, const T
     return areas;
 }
 
-/// Every tool's step and after it those of its surrogates.
-std::vector<SequenceStep> makeSteps(const DagTask& task, const DagResult& dag) {
-    const std::vector<int>& path = dag.path;
-    std::vector<std::vector<SequenceStep>> steps(path.size());
-    tbb::parallel_for(std::size_t{0}, path.size(), [&](std::size_t i) {
-        const Candidate* before = i == 0 ? nullptr : &task.tools[path[i - 1]];
-        steps[i].push_back(makeStep(task, before, task.tools[path[i]], dag.rings[path[i]]));
-        if (task.surrogates == nullptr) return;
-        const int next = i + 1 < path.size() ? path[i + 1] : static_cast<int>(task.tools.size());
-        for (SequenceStep& step : helpSteps(dag.help[i], next, *task.surrogates, task.tools))
-            steps[i].push_back(std::move(step));
-    });
-    std::vector<SequenceStep> all;
-    for (std::vector<SequenceStep>& of_edge : steps)
-        std::move(of_edge.begin(), of_edge.end(), std::back_inserter(all));
-    return all;
-}
-
 double mostCovered(const std::vector<Candidate>& tools) {
     double most_mm2 = 0;
     for (const Candidate& tool : tools)
@@ -64,19 +46,6 @@ struct Job {
     const SequenceOptions& options;
     const Tolerances& tol;
 };
-
-void addUp(const Job& job, ToolSequence& sequence) {
-    std::string last;
-    for (const SequenceStep& step : sequence.steps) {
-        const ToolAssembly& tool = job.library.tool(step.tool_id);
-        const EdgeCost cost = edgeCost(step.path.totals, tool, job.machine);
-        const EdgeCost change = edgeCost({}, tool, job.machine);
-        const bool stays = step.tool_id == last;
-        sequence.time_s += cost.time_s - (stays ? change.time_s : 0);
-        sequence.cost += cost.cost - (stays ? change.cost : 0);
-        last = step.tool_id;
-    }
-}
 
 bool hasSurrogates(const AccessibleArea& area) {
     return area.clear_of_holder != nullptr;
@@ -100,7 +69,7 @@ Region unservedIn(const SurrogateFinder& finder, const std::vector<AccessibleAre
     std::vector<Region> unserved;
     for (const Lumps& of_tool : lumps)
         for (const auto& lump : of_tool)
-            if (!lump->unserved().empty()) unserved.push_back(lump->unserved());
+            if (!lump->servable()) unserved.push_back(lump->unserved());
     return unserved.empty() ? Region{} : unite(unserved, tol);
 }
 
@@ -111,7 +80,7 @@ void turnDownUnserved(const SurrogateFinder& finder, double enough_mm2,
     tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
         const Lumps lumps = lumpsThatMatter(finder, areas[i], enough_mm2);
         const bool served =
-            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return !lump->ways().empty(); });
+            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return lump->servable(); });
         if (!served) areas[i] = before[i];
     });
 }
@@ -135,18 +104,22 @@ Admission admitHelped(const FeatureGround& ground, const Job& job, double retrac
                       const std::vector<AccessibleArea>& areas) {
     const double same_mm2 = sameArea(ground.feature(), job.tol);
     const double enough_mm2 = free_mm2 + same_mm2;
+    const HeldOffTools held_off = heldOffTools(ground, job.library, areas);
     Admission best;
     Region given_up;
     for (int round = 0; round <= kMostGivenUp; ++round) {
         Admission admission{areas, nullptr};
-        admitWithSurrogates(ground, job.library, given_up, admission.areas);
+        admitWithSurrogates(ground, held_off, given_up, admission.areas);
         admission.finder = std::make_unique<SurrogateFinder>(ground, admission.areas, job.library,
                                                              job.options, job.machine, retract_z_mm);
+        const double could_mm2 = admission.mostCoveredMm2();
+        // What was given up does not come back, so no later round can do better than this.
+        if (round > 0 && could_mm2 <= best.mostCoveredMm2() + same_mm2) break;
         const Region unserved = unservedIn(*admission.finder, admission.areas, enough_mm2, job.tol);
         turnDownUnserved(*admission.finder, enough_mm2, areas, admission.areas);
         if (round == 0 || admission.mostCoveredMm2() > best.mostCoveredMm2() + same_mm2)
             best = std::move(admission);
-        if (unserved.empty()) break;
+        if (unserved.empty() || best.mostCoveredMm2() >= could_mm2 - same_mm2) break;
         given_up = given_up.empty() ? unserved : unite(given_up, unserved, job.tol);
     }
     return best;
@@ -162,52 +135,46 @@ ToolSequence sequenceAbove(const Feature& feature, const Shallower& reached, con
 }
 
 ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_higher) {
-    const FeatureGround ground(feature, job.tol);
+    // z = 0 is the stock's top, so the height over it is the retract plane's z.
+    const double retract_z = job.options.retract_mm > 0 ? job.options.retract_mm : job.machine.safe_height_mm;
+    const auto made = std::make_shared<SequenceChoices>(FeatureGround(feature, job.tol), job.options,
+                                                        job.machine, job.library, retract_z);
+    const FeatureGround& ground = made->ground;
     ToolSequence sequence;
     sequence.feature_id = feature.id;
     sequence.floor_z_mm = feature.floor_z_mm;
-    sequence.tools = areasOfAllTools(ground, job.library, job.options);
+    made->areas = areasOfAllTools(ground, job.library, job.options);
     const auto usable = [&] {
-        return usableTools(feature, sequence.tools, job.library, job.options, job.machine, job.tol);
+        return usableTools(feature, made->areas, job.library, job.options, job.machine, job.tol);
     };
-    // z = 0 is the stock's top, so the height over it is the retract plane's z.
-    const double retract_z = job.options.retract_mm > 0 ? job.options.retract_mm : job.machine.safe_height_mm;
-    const std::vector<AccessibleArea> unlimited = sequence.tools;
-    const double free_mm2 = mostCovered(usable());
-    Admission admission = admitHelped(ground, job, retract_z, free_mm2, unlimited);
-    sequence.tools = std::move(admission.areas);
-    admitLimited(ground, job.library, mostCovered(usable()), sequence.tools);
-    const std::vector<Candidate> tools = usable();
-    const std::optional<Withheld> withheld = withheldFrom(ground, job.library, mostCovered(tools), unlimited);
+    const std::vector<AccessibleArea> unlimited = made->areas;
+    Admission admission = admitHelped(ground, job, retract_z, mostCovered(usable()), unlimited);
+    made->areas = std::move(admission.areas);
+    made->finder = std::move(admission.finder);
+    admitLimited(ground, job.library, mostCovered(usable()), made->areas);
+    sequence.tools = made->areas;
+    made->tools = usable();
+    made->withheld = withheldFrom(ground, job.library, mostCovered(made->tools), unlimited);
     if (may_end_higher) {
-        const double known_mm3 = mostCovered(tools) * feature.depth_mm();
+        const double known_mm3 = mostCovered(made->tools) * feature.depth_mm();
         if (const auto reached = shallower(ground, job.library, unlimited, known_mm3)) {
             ToolSequence above = sequenceAbove(feature, *reached, job);
             if (!above.steps.empty()) return above;
         }
     }
-    if (tools.empty()) {
+    made->ends = endTools(feature, made->tools, job.tol);
+    if (!made->tools.empty()) made->dag = evaluateDag(made->task());
+    sequence.pruned_edges = made->dag.pruned;
+    if (made->dag.path.empty()) {
         sequence.residual.push_back(wholeFeature(ground, sequence.tools, job.library));
         return sequence;
     }
-    const std::vector<bool> ends = endTools(feature, tools, job.tol);
-    const DagTask task{ground, tools, ends, job.options, job.machine, retract_z, admission.finder.get()};
-    const DagResult dag = evaluateDag(task);
-    sequence.edges = dag.edges;
-    sequence.pruned_edges = dag.pruned;
-    if (dag.path.empty()) {
-        sequence.residual.push_back(wholeFeature(ground, sequence.tools, job.library));
-        return sequence;
-    }
-    sequence.steps = makeSteps(task, dag);
-    addUp(job, sequence);
-    const TimeBounds bounds = timeBounds(feature, tools, ends, job.machine, job.tol);
+    made->take(0, sequence);
+    const TimeBounds bounds = timeBounds(feature, made->tools, made->ends, job.machine, job.tol);
     sequence.lower_bound_s = bounds.with_changes_s;
     sequence.cutting_bound_s = bounds.cutting_s;
-    std::vector<const Candidate*> used;
-    for (const int index : dag.path)
-        used.push_back(&tools[index]);
-    sequence.residual = leftOver(ground, used, withheld);
+    sequence.residual = made->left();
+    sequence.choices = made;
     return sequence;
 }
 

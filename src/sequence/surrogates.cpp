@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include "sequence/lump_solver.h"
 #include "stepmill/planar/boolean.h"
@@ -12,26 +13,34 @@
 namespace stepmill {
 namespace {
 
-/// Values made when first asked for. Two threads that ask at once both make it and one is kept: no thread
-/// waits for another, which may be about to do part of its work.
+/// Values made once, by who asks first; others wait for it.
 template <typename Key, typename Value>
 class Shelf {
   public:
     template <typename Make>
     std::shared_ptr<const Value> get(const Key& key, Make make) {
-        {
-            const std::lock_guard lock(mutex_);
-            const auto found = values_.find(key);
-            if (found != values_.end()) return found->second;
-        }
-        auto made = std::make_shared<const Value>(make());
-        const std::lock_guard lock(mutex_);
-        return values_.emplace(key, std::move(made)).first->second;
+        Place& place = placeOf(key);
+        std::call_once(place.once, [&] {
+            // A thread that waits for parts of its own work must not take up other work meanwhile: that may
+            // ask for this same value.
+            tbb::this_task_arena::isolate([&] { place.value = std::make_shared<const Value>(make()); });
+        });
+        return place.value;
     }
 
   private:
+    struct Place {
+        std::once_flag once;
+        std::shared_ptr<const Value> value;
+    };
+
+    Place& placeOf(const Key& key) {
+        const std::lock_guard lock(mutex_);
+        return places_[key];
+    }
+
     std::mutex mutex_;
-    std::map<Key, std::shared_ptr<const Value>> values_;
+    std::map<Key, Place> places_;
 };
 
 std::vector<Helper> helpersAmong(const std::vector<AccessibleArea>& areas, const ToolLibrary& library,
@@ -78,7 +87,8 @@ struct SurrogateFinder::Impl {
     }
 
     std::shared_ptr<const SolvedLump> solve(const AccessibleArea& n, std::size_t lump, const Region& rest) {
-        return solveLump(settings, rest, standingAround(n, lump), n.tool_id);
+        return std::make_shared<const SolvedLump>(
+            std::make_unique<LumpSolver>(settings, rest, standingAround(n, lump), n.tool_id));
     }
 };
 

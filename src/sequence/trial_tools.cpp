@@ -56,15 +56,6 @@ double shankDiameter(const ToolAssembly& narrower, const ToolAssembly& wider, do
     return shank_mm;
 }
 
-void moveHolder(ToolAssembly& tool, double by_mm) {
-    tool.stick_out_mm += by_mm;
-    if (tool.shank.diameter_mm > 0) tool.shank.top_mm += by_mm;
-    for (HolderCylinder& cylinder : tool.holder) {
-        cylinder.bottom_mm += by_mm;
-        cylinder.top_mm += by_mm;
-    }
-}
-
 CuttingData between(const CuttingData& a, const CuttingData& b, double share) {
     CuttingData data = b;
     for (double CuttingData::*member :
@@ -88,8 +79,7 @@ ToolAssembly betweenTools(const ToolAssembly& narrower, const ToolAssembly& wide
     tool.shank.diameter_mm = shankDiameter(narrower, wider, diameter_mm);
     tool.shank.bottom_mm = middle(narrower.shank.bottom_mm, wider.shank.bottom_mm);
     tool.cutting = {between(*narrower.cuttingFor(material), *wider.cuttingFor(material), share)};
-    moveHolder(tool, middle(narrower.stick_out_mm, wider.stick_out_mm) - wider.stick_out_mm);
-    return tool;
+    return setTo(std::move(tool), middle(narrower.stick_out_mm, wider.stick_out_mm));
 }
 
 ToolAssembly scaledTool(const ToolAssembly& neighbour, double diameter_mm, const std::string& material) {
@@ -187,6 +177,7 @@ std::optional<ToolAssembly> interpolatedTool(const ToolLibrary& library, ToolTyp
     tool.id = fmt::format("new {} {:.4g}", type == ToolType::Drill ? "drill" : "end mill", diameter_mm);
     tool.number = nextNumber(library);
     tool.diameter_mm = diameter_mm;
+    tool.stick_out_range.reset();
     tool.description.clear();
     tool.vendor.clear();
     tool.product_id.clear();
@@ -203,7 +194,8 @@ std::optional<ToolAssembly> withStickOut(ToolAssembly tool, double stick_out_mm)
         data.feed_mm_per_min *= share;
         data.plunge_feed_mm_per_min *= share;
     }
-    moveHolder(tool, whole_mm - tool.stick_out_mm);
+    tool = setTo(std::move(tool), whole_mm);
+    tool.stick_out_range.reset();
     tool.id = fmt::format("{} out {:.4g}", tool.id, whole_mm);
     return tool;
 }

@@ -23,6 +23,7 @@ PathTotals& PathTotals::operator+=(const PathTotals& other) {
     air_length_mm += other.air_length_mm;
     feed_time_s += other.feed_time_s;
     rapid_time_s += other.rapid_time_s;
+    motion_time_s += other.motion_time_s;
     return *this;
 }
 
@@ -60,6 +61,8 @@ PathTotals measure(const Toolpath& path, const Machine& machine) {
         totals.feed_time_s += length_mm / feed * kSecondsPerMinute;
         if (move.in_air) totals.feed_air_length_mm += length_mm;
     }
+    const bool accelerates = machine.acceleration_mm_per_s2 > 0;
+    totals.motion_time_s = accelerates ? motionTimeS(path, machine) : totals.time_s();
     return totals;
 }
 

@@ -1,12 +1,14 @@
 // Where the time goes: every stage of a plan, part by part, in one run (rows `plan/`), and slicing against
-// the number of faces (rows `slice/`). Each plan row prints the milliseconds of a stage and its share of the
-// part's total. `access` and `paths` are measured again on their own; `sequence` contains both and the
-// search.
+// the number of faces (rows `slice/`); planning against the number of tools (rows `tools/`), and the
+// second-order tool DAG beside brute force (rows `dag/`). Each plan row prints the milliseconds of a stage
+// and its share of the part's total. `access` and `paths` are measured again on their own; `sequence`
+// contains both and the search.
 
 #include <benchmark/benchmark.h>
 
 #include <chrono>
 #include <filesystem>
+#include <random>
 
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@
 #include "stepmill/plan/plan.h"
 #include "stepmill/report/inspection.h"
 #include "stepmill/sequence/sequence.h"
+#include "stepmill/sequence/tool_dag.h"
 #include "support/run_program.h"
 
 namespace stepmill {
@@ -137,6 +140,119 @@ void benchSlice(benchmark::State& state, const std::string& file) {
     state.counters["us_per_face"] = 1000 * slice_ms / rounds / faces;
 }
 
+/// A library of that many end mills: the shop's own, thinned out, or with cutters a little smaller added.
+ToolLibrary millsOf(std::size_t count) {
+    std::vector<ToolAssembly> mills;
+    for (const ToolAssembly& tool : defaultToolLibrary().tools)
+        if (tool.type == ToolType::Flat) mills.push_back(tool);
+    ToolLibrary library = defaultToolLibrary();
+    library.tools.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t round = count <= mills.size() ? 0 : i / mills.size();
+        ToolAssembly tool = count <= mills.size() ? mills[i * mills.size() / count] : mills[i % mills.size()];
+        const double share = 1 - 0.04 * static_cast<double>(round);
+        tool.diameter_mm *= share;
+        for (CuttingData& data : tool.cutting)
+            data.step_over_mm *= share;
+        tool.id += fmt::format("#{}", round);
+        tool.number = static_cast<int>(i) + 1;
+        library.tools.push_back(std::move(tool));
+    }
+    return library;
+}
+
+/// Sequences all features of a part's first setup with that many tools. Rows `tools/<part>/<count>`; the
+/// growth is the ratio of their times.
+void benchTools(benchmark::State& state, const std::string& file, std::size_t count) {
+    const Tolerances tol;
+    const ToolLibrary library = millsOf(count);
+    const Machine machine = defaultMachine();
+    SequenceOptions options;
+    options.material = "aluminium";
+    options.retract_mm = machine.safe_height_mm;
+    const Setup setup = chooseSetups(readStep(file).front(), {}).front();
+    const FeatureSet features = recogniseFeatures(slice(setup, tol), tol);
+    std::size_t evaluated = 0;
+    std::size_t pruned = 0;
+    for (auto _ : state) {
+        for (const Feature& feature : features.features) {
+            const ToolSequence sequence = sequenceTools(feature, library, machine, options, tol);
+            for (const DagEdge& edge : sequence.edges)
+                evaluated += edge.to.empty() ? 0 : 1;
+            pruned += static_cast<std::size_t>(sequence.pruned_edges);
+        }
+    }
+    const auto per_feature = static_cast<double>(features.features.size() * state.iterations());
+    state.counters["features"] = static_cast<double>(features.features.size());
+    state.counters["edges"] = static_cast<double>(evaluated) / per_feature;
+    state.counters["pruned"] = static_cast<double>(pruned) / per_feature;
+    state.counters["n(n+1)/2"] = static_cast<double>(count * (count + 1) / 2);
+}
+
+/// Random weights with savings that depend on three tools in a row.
+struct RandomDag {
+    explicit RandomDag(int tools) : n(tools), weights((n + 1) * n), savings((n + 1) * n * (n + 1)) {
+        std::mt19937 random(7);
+        for (double& weight : weights)
+            weight = std::uniform_real_distribution(10.0, 100.0)(random);
+        for (double& saving : savings)
+            saving = std::bernoulli_distribution(0.3)(random) ? 5.0 : 0.0;
+    }
+    double edge(int m, int k) const { return weights[static_cast<std::size_t>((m + 1) * n + k)]; }
+    double saving(int m, int k, int next) const {
+        return savings[static_cast<std::size_t>(((m + 1) * n + k) * (n + 1) + next)];
+    }
+
+    int n;
+    std::vector<double> weights;
+    std::vector<double> savings;
+};
+
+/// The cheapest of all 2^(n-1) sequences that end with the last tool.
+double bruteForce(const RandomDag& dag, double& edges) {
+    double least = kNoEdge;
+    for (unsigned subset = 0; subset < (1U << (dag.n - 1)); ++subset) {
+        double sum = 0;
+        int before = kSource;
+        int last = kSource;
+        for (int k = 0; k < dag.n; ++k) {
+            if (k + 1 < dag.n && (subset >> k & 1U) == 0) continue;
+            if (last != kSource) sum -= dag.saving(before, last, k);
+            sum += dag.edge(last, k);
+            edges += 1;
+            before = last;
+            last = k;
+        }
+        least = std::min(least, sum - dag.saving(before, last, dag.n));
+    }
+    return least;
+}
+
+/// Rows `dag/<tools>/path` and `dag/<tools>/brute`: the same optimum, and how often an edge's weight is
+/// asked.
+void benchDag(benchmark::State& state, int tools, bool brute) {
+    const RandomDag dag(tools);
+    std::vector<bool> ends(static_cast<std::size_t>(tools), false);
+    ends.back() = true;
+    double edges = 0;
+    double cost = 0;
+    for (auto _ : state) {
+        edges = 0;
+        if (brute) {
+            cost = bruteForce(dag, edges);
+        } else {
+            const auto edge = [&](int m, int k) {
+                edges += 1;
+                return dag.edge(m, k);
+            };
+            const auto saving = [&](int m, int k, int next) { return dag.saving(m, k, next); };
+            cost = cheapestPath(tools, edge, ends, saving).cost;
+        }
+    }
+    state.counters["edges"] = edges;
+    state.counters["cost"] = cost;
+}
+
 /// All that `stepmill inspect` does after the import: every setup, features, faces, measures, books. Rows
 /// `features/<part>`.
 void benchInspect(benchmark::State& state, const std::string& file) {
@@ -184,6 +300,22 @@ int main(int argc, char** argv) {
             ->Unit(benchmark::kMillisecond)
             ->Iterations(1)
             ->UseRealTime();
+    for (const char* name : {"nested_pockets", "bossed_pocket"})
+        for (const std::string& part : stepmill::test::sampleParts())
+            for (const std::size_t count : {8, 20, 40})
+                if (std::filesystem::path(part).stem() == name)
+                    benchmark::RegisterBenchmark(
+                        fmt::format("tools/{}/{}", name, count).c_str(),
+                        [part, count](benchmark::State& state) { stepmill::benchTools(state, part, count); })
+                        ->Unit(benchmark::kMillisecond)
+                        ->Iterations(1)
+                        ->UseRealTime();
+    for (const int tools : {6, 12, 18})
+        for (const bool brute : {false, true})
+            benchmark::RegisterBenchmark(
+                fmt::format("dag/{}/{}", tools, brute ? "brute" : "path").c_str(),
+                [tools, brute](benchmark::State& state) { stepmill::benchDag(state, tools, brute); })
+                ->Unit(benchmark::kMicrosecond);
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -140,6 +141,18 @@ struct Reach {
     double stick_out_mm = 0;  ///< what would do for the feature's own floor
 };
 Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area);
+
+/// Stick-outs of a range are tried in steps of this [mm].
+inline constexpr double kStickOutStepMm = 1;
+
+/// The shortest stick-out of the tool's range, in whole steps from its shorter end, at which shank and holder
+/// touch nothing while the axis is on the area's free centres and at its entries; the longest where none is
+/// shorter. A tool without a range: its own. \pre a mill, its area made at the longest stick-out
+double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area);
+
+/// The same for every tool: the first of the range's steps at which `clears` the tool so set; longer ones do
+/// too, so O(log steps) questions.
+double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const ToolAssembly&)>& clears);
 
 /// What tool n has to sweep after the larger tool m [algorithms.md, section 4].
 struct DecomposedArea {

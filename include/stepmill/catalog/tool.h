@@ -27,6 +27,12 @@ struct CuttingData {
     double speed_rpm = 0;
 };
 
+/// How far a cutter may be set out of its holder.
+struct StickOutRange {
+    double shortest_mm = 0;
+    double longest_mm = 0;
+};
+
 /// A cutter in its holder, as it stands in the magazine. Heights are measured from the tip.
 struct ToolAssembly {
     std::string id;
@@ -36,8 +42,10 @@ struct ToolAssembly {
     double corner_radius_mm = 0;  ///< diameter / 2 for a ball, 0 for a flat end mill
     double flute_length_mm = 0;
     int flutes = 0;
-    bool centre_cutting = false;         ///< may plunge straight down
-    double stick_out_mm = 0;             ///< tip to the lowest holder face
+    bool centre_cutting = false;  ///< may plunge straight down
+    double stick_out_mm = 0;      ///< tip to the lowest holder face; of a range the longest until a
+                                  ///< plan sets it shorter
+    std::optional<StickOutRange> stick_out_range;
     HolderCylinder shank;                ///< from the end of the flutes to the stick-out
     std::vector<HolderCylinder> holder;  ///< from below to above
     std::vector<CuttingData> cutting;
@@ -52,6 +60,9 @@ struct ToolAssembly {
     /// Cutting data for a material, or nothing when the library has none for it.
     const CuttingData* cuttingFor(const std::string& material_name) const;
 };
+
+/// The tool with its cutter set out that far: the holder moves with it, flutes and the shank's start stay.
+ToolAssembly setTo(ToolAssembly tool, double stick_out_mm);
 
 /// A checked tool library in mm, tools in the file's order.
 struct ToolLibrary {

@@ -43,6 +43,7 @@ struct PlannedFeature {
 
 struct PlanTotals {
     double time_s = 0;
+    double motion_s = 0;   ///< `time_s` with the machine's acceleration where that is given
     double cutting_s = 0;  ///< all feed moves
     double air_s = 0;      ///< rapids
     double tool_change_s = 0;
@@ -76,6 +77,16 @@ struct VolumeBalance {
     double gapShare() const;
 };
 
+/// What came of choosing the features' sequences together.
+struct ToolSharing {
+    int features_changed = 0;  ///< that took another sequence than their own cheapest
+    int visits_alone = 0;      ///< tool changes with each feature's own cheapest, operations merged
+    int visits = 0;            ///< tool changes as planned
+    double saved = 0;          ///< seconds or money, as the objective asks; never negative where tools fit
+    int tools_alone = 0;       ///< different tools, in the same way
+    int tools = 0;
+};
+
 struct PlannedSetup {
     Setup setup;
     Clamping clamping;
@@ -83,7 +94,9 @@ struct PlannedSetup {
     std::vector<Unplanned> unplanned;
     std::vector<Operation> operations;  ///< in machining order
     VolumeBalance balance;
-    double time_s = 0;  ///< tool changes included
+    ToolSharing sharing;
+    double time_s = 0;    ///< tool changes included
+    double motion_s = 0;  ///< the same with the machine's acceleration where that is given
 };
 
 struct Plan {
@@ -93,6 +106,7 @@ struct Plan {
     ToolLibrary library;
     std::string material;
     Objective objective = Objective::Time;
+    CostModel cost_model = CostModel::Path;
     std::vector<PlannedSetup> setups;
     PlanTotals totals;
     VolumeBalance balance;

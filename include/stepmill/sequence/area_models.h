@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "stepmill/catalog/tool.h"
@@ -14,6 +15,8 @@ enum class CostModel {
     Yao,   ///< k_c + k (A_j - A_i) / r_j [Yao2000, section 5.3]
     Lim    ///< volume / removal rate [Lim2000, eq. 1], and a tool change
 };
+
+std::string toString(CostModel model);  ///< "paths", "yao", "lim"
 
 /// Tools reach the same when what they reach differs by no more than this share of the most any reaches.
 inline constexpr double kFullAccessShare = 1e-5;

@@ -9,6 +9,7 @@
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
+#include "stepmill/sequence/area_models.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {
@@ -27,6 +28,8 @@ struct SequenceOptions {
     /// Rapids between entries go to this height over the stock's top [mm]; 0: the machine's safe height.
     double retract_mm = 0;
     SurrogateRule surrogates = SurrogateRule::Sequence;
+    /// What the sequence is chosen by; its own paths are always real.
+    CostModel cost_model = CostModel::Path;
 };
 
 /// What a surrogate does on an edge of the tool DAG.
@@ -50,6 +53,7 @@ struct DagEdge {
     PathTotals totals;           ///< of n's own path
     double time_s = 0;           ///< with the tool changes [DSouza2006, eq. 13]
     double cost = 0;             ///< with wear and the hourly rate [DSouza2006, eq. 12]
+    double motion_s = 0;         ///< as `time_s`, with the machine's acceleration where that is given
     std::vector<SurrogateWork> surrogates;
 };
 
@@ -73,7 +77,19 @@ struct SequenceStep {
     Toolpath path;
     PathProof proof;
     double speed_rpm = 0;
+    /// How far the tool must be set out at least for this step; its only stick-out where it has no range.
+    double least_stick_out_mm = 0;
 };
+
+/// A way through a feature's tool DAG.
+struct SequenceChoice {
+    std::vector<std::string> tools;  ///< visits in their order, surrogates among them; no tool twice in a row
+    double paths = 0;                ///< seconds or money of the paths, without tool changes
+};
+
+/// The ways through the tool DAG of one feature that may be best beside other features, which call tools
+/// anyway. All leave the same material as the feature's own optimum.
+class SequenceChoices;
 
 /// The cheapest sequence of tools for one feature, with all that was weighed.
 struct ToolSequence {
@@ -85,11 +101,21 @@ struct ToolSequence {
     std::vector<SequenceStep> steps;    ///< empty when no tool can machine anything
     double time_s = 0;                  ///< with a tool change wherever the tool is another
     double cost = 0;
+    double motion_s = 0;         ///< `time_s` with the machine's acceleration where that is given
     double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]
     double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
     int pruned_edges = 0;        ///< DAG edges whose lower bound ruled them out unevaluated
     std::vector<Residual> residual;
+    std::shared_ptr<const SequenceChoices> choices;  ///< null where there are no steps
 };
+
+/// The ways to choose from; the first is the sequence's own, and none of the others is worse than another in
+/// every company. Empty where the sequence has no steps.
+std::vector<SequenceChoice> choicesOf(const ToolSequence& sequence);
+
+/// The sequence with its steps made anew along choicesOf(sequence)[index]. \pre what sequenceTools() was
+/// given still stands
+ToolSequence withChoice(const ToolSequence& sequence, std::size_t index);
 
 /// Volume of all residuals of a feature [mm3].
 double residualVolumeMm3(const ToolSequence& sequence);
@@ -98,6 +124,9 @@ double residualVolumeMm3(const ToolSequence& sequence);
 struct EdgeCost {
     double time_s = 0;
     double cost = 0;
+    /// The same with the machine's acceleration, where that is given: what tools are chosen by.
+    double motion_s = 0;
+    double motion_cost = 0;
 };
 EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Machine& machine);
 

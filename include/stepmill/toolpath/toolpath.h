@@ -36,6 +36,8 @@ struct PathTotals {
     double air_length_mm = 0;       ///< rapids
     double feed_time_s = 0;
     double rapid_time_s = 0;
+    /// motionTimeS() where the machine's acceleration is given, else the same as time_s(); never less.
+    double motion_time_s = 0;
 
     double time_s() const { return feed_time_s + rapid_time_s; }
     PathTotals& operator+=(const PathTotals& other);
@@ -114,8 +116,18 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double re
 /// the level, those near its centre as in a plunge. \pre 0 < angle_rad <= pi / 2
 double rampFeed(double feed_mm_per_min, double plunge_feed_mm_per_min, double angle_rad);
 
-/// Sums lengths and times at the path's feeds and the machine's rapid rate (no acceleration).
+/// Sums lengths and times: at the path's feeds and the machine's rapid rate, and beside it with the machine's
+/// acceleration where that is given.
 PathTotals measure(const Toolpath& path, const Machine& machine);
+
+/// Time of the path when the axes speed up and slow down at no more than the machine's acceleration a: each
+/// move trapezoidal, from rest at the path's start to rest at its end. A corner between two directions is
+/// passed at the speed at which a circle that cuts it by the junction deviation d keeps to a,
+/// v^2 = a d sin(t/2) / (1 - sin(t/2)) for an angle t between the two moves (180 degrees: straight on), and
+/// an arc of radius R at no more than v^2 = a R. The controller is taken to look ahead over the whole path.
+/// \pre machine.acceleration_mm_per_s2 > 0. O(moves).
+/// \see docs/algorithms/costs.md
+double motionTimeS(const Toolpath& path, const Machine& machine);
 
 /// Checks the moves themselves, independently of how they were made.
 PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm, const Tolerances& tol);

@@ -83,7 +83,33 @@ TEST_F(CommandLine, RefusesUnknownOptionsAndWords) {
     expectRefused(plan({kPart, "-o", out_.string(), "--setup", "up"}), out_, {"--setup", "'up'"});
     expectRefused(plan({kPart, "-o", out_.string(), "--stock-margin", "1,2"}), out_, {"--stock-margin", "'1,2'"});
     expectRefused(plan({kPart, "-o", out_.string(), "--objective", "fun"}), out_, {"--objective"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--cost-model", "guess"}), out_, {"--cost-model", "guess"});
     expectRefused(plan({kPart, "-o", out_.string(), "--solid", "9"}), out_, {"--solid", "9"});
+}
+
+TEST_F(CommandLine, PlansByTheModelThatIsAskedForAndSaysSo) {
+    for (const char* model : {"paths", "yao", "lim"}) {
+        const ProgramRun run = plan({kPart, "-o", out_.string(), "--cost-model", model, "--json"});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        EXPECT_NE(run.out.find(std::string("\"cost_model\": \"") + model + "\""), std::string::npos) << model;
+    }
+}
+
+TEST_F(CommandLine, ChoosesAStickOutFromARangeAndTellsIt) {
+    write(file("tools.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
+        "diameter": 10, "flute_length": 20, "flutes": 3, "centre_cutting": true, "stick_out": {"min": 22, "max": 60},
+        "holder": [{"diameter": 40, "bottom": 60, "top": 90}], "cutting": [{"material": "aluminium", "step_over": 5,
+        "step_down": 5, "feed": 1200, "plunge_feed": 300, "ramp_angle_deg": 3, "speed_rpm": 9000}]}]})");
+    const ProgramRun run =
+        plan({kPart, "-o", out_.string(), "--tools", file("tools.json").string(), "--json"});
+    ASSERT_LE(run.exit_code, 1) << run.err;
+    const std::string tools = run.out.substr(run.out.find("\"tools\": ["), 400);
+    EXPECT_NE(tools.find("\"stick_out_range_mm\""), std::string::npos) << tools;
+    EXPECT_EQ(tools.find("\"stick_out_mm\": 60.0"), std::string::npos) << "shorter than the longest: " << tools;
+    write(file("tools.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
+        "diameter": 10, "flute_length": 20, "stick_out": {"min": 70, "max": 60}, "cutting": []}]})");
+    expectRefused(plan({kPart, "-o", file("no").string(), "--tools", file("tools.json").string()}), file("no"),
+                  {"tools.json", "#/tools/0/stick_out/max", "at least the shortest"});
 }
 
 TEST_F(CommandLine, NamesTheMaterialsTheLibraryKnows) {

@@ -41,6 +41,23 @@ TEST(ReadMachine, GivesEveryField) {
     EXPECT_EQ(machine.dialect, "linuxcnc");
 }
 
+TEST(ReadMachine, DoesWithoutAcceleration) {
+    json machine = goodMachine();
+    machine.erase("acceleration_mm_per_s2");
+    const Machine read = machineFromText(machine.dump(), "mill.json");
+    EXPECT_EQ(read.acceleration_mm_per_s2, 0);
+    EXPECT_DOUBLE_EQ(read.junction_deviation_mm, 0.01);
+    machine["junction_deviation_mm"] = 0.05;
+    EXPECT_DOUBLE_EQ(machineFromText(machine.dump(), "mill.json").junction_deviation_mm, 0.05);
+}
+
+TEST(MachineErrors, TellAJunctionDeviationOfNothing) {
+    json machine = goodMachine();
+    machine["junction_deviation_mm"] = 0;
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/junction_deviation_mm: expected a number greater than 0, found 0");
+}
+
 TEST(ReadMachine, TakesTheSamples) {
     EXPECT_DOUBLE_EQ(readMachine(sample("machine_vmc.json")).rapid_mm_per_min, 30000);
     EXPECT_EQ(readMachine(sample("machine_knee_mill.json")).magazine_size, 1);

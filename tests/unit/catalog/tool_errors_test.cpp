@@ -48,8 +48,8 @@ TEST(ToolErrors, TellAMissingFieldWithWhatItShouldHold) {
 }
 
 TEST(ToolErrors, TellAWrongType) {
-    EXPECT_EQ(messageWith("/tools/0/stick_out", {{"min", 30}, {"max", 50}}),
-              "tools.json#/tools/0/stick_out: expected a number greater than 0, found an object");
+    EXPECT_EQ(messageWith("/tools/0/flute_length", {{"min", 20}, {"max", 26}}),
+              "tools.json#/tools/0/flute_length: expected a number greater than 0, found an object");
     EXPECT_EQ(messageWith("/tools/0/number", 1.5),
               "tools.json#/tools/0/number: expected a whole number of at least 1, found 1.5");
     EXPECT_EQ(messageWith("/tools/0/centre_cutting", "yes"),
