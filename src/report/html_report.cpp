@@ -7,6 +7,7 @@
 #include "report/text.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/post/post.h"
 #include "stepmill/report/part_views.h"
 #include "stepmill/report/report.h"
 
@@ -119,7 +120,7 @@ std::string viewsSection(const Plan& plan, const PlannedSetup& setup) {
     return html + "</div>\n";
 }
 
-std::string setupSection(const PlannedSetup& setup) {
+std::string setupSection(const PlannedSetup& setup, Dialect dialect) {
     const Vec3 size = setup.setup.stock_bbox_mm.sizes();
     std::string html = fmt::format(
         "<h2>Setup {}</h2>\n<p>Tool axis {}{} of the part. Stock {:.2f} &times; {:.2f} &times; {:.2f} mm as "
@@ -127,10 +128,10 @@ std::string setupSection(const PlannedSetup& setup) {
         "arrives. "
         "Work offset G54: x and y zero at the stock's lower left corner seen from the spindle, z zero on its "
         "top. "
-        "Program {}.ngc, {}. Clamping: {}.</p>\n",
+        "Program {}, {}. Clamping: {}.</p>\n",
         setup.setup.id, axisName(setup.setup.axis),
         setup.setup.indexed ? " (indexed: not along the box)" : "", size.x(), size.y(), size.z(),
-        setup.setup.id, clockTime(setup.time_s), setup.clamping.text);
+        programName(setup.setup.id, dialect), clockTime(setup.time_s), setup.clamping.text);
     html += fmt::format(
         "<figure class=\"wide\">{}<figcaption>Features seen from the spindle, deeper ones on top."
         "</figcaption></figure>\n",
@@ -315,7 +316,7 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol) {
     if (!plan.complete(tol))
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
-        html += viewsSection(plan, setup) + setupSection(setup) + toolsTable(plan, setup) +
+        html += viewsSection(plan, setup) + setupSection(setup, dialectOf(plan.machine)) + toolsTable(plan, setup) +
                 operationsTable(setup);
         html +=
             "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"

@@ -56,6 +56,33 @@ class WorkFolder {
     std::vector<fs::path> made_;  // innermost first
 };
 
+PlanFiles postedFiles(const Plan& plan) {
+    PlanFiles files;
+    files.plan_json = planJson(plan);
+    files.dialect = dialectOf(plan.machine);
+    for (const PlannedSetup& setup : plan.setups)
+        files.programs[setup.setup.id] = post(jobOf(plan, setup), {files.dialect});
+    return files;
+}
+
+/// What our own reader cannot take is a proof that fails.
+Verification verified(const PlanFiles& files, const Tolerances& tol) {
+    try {
+        return verifyPlan(files, tol);
+    } catch (const Error& error) {
+        Verification verification;
+        verification.failures.push_back({error.subject(), 0, "", error.what()});
+        return verification;
+    }
+}
+
+void removePrograms(const PlanFiles& files, const fs::path& dir) {
+    std::error_code ignored;
+    for (const auto& [setup, programs] : files.programs)
+        for (const PostedProgram& program : programs)
+            fs::remove(dir / program.file, ignored);
+}
+
 }  // namespace
 
 void removeUnfinished(const fs::path& dir) {
@@ -63,12 +90,16 @@ void removeUnfinished(const fs::path& dir) {
     fs::remove_all(workFolder(dir), ignored);
 }
 
-void writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
+Verification writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
     std::vector<std::pair<std::string, std::string>> files;
-    files.emplace_back("plan.json", planJson(plan));
+    const PlanFiles posted = postedFiles(plan);
+    files.emplace_back("plan.json", posted.plan_json);
     files.emplace_back("report.html", reportHtml(plan, tol));
-    for (const PlannedSetup& setup : plan.setups)
-        files.emplace_back(setup.setup.id + ".ngc", program(plan, setup));
+    const Verification verification = verified(posted, tol);
+    if (verification.proven())
+        for (const auto& [setup, programs] : posted.programs)
+            for (const PostedProgram& program : programs)
+                files.emplace_back(program.file, program.text);
 
     WorkFolder work(dir);
     for (const auto& [name, bytes] : files)
@@ -81,7 +112,9 @@ void writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
         fs::rename(work.path() / name, dir / name, why);
         if (why) failWriting(dir / name, why);
     }
+    if (!verification.proven()) removePrograms(posted, dir);
     work.keepParents();
+    return verification;
 }
 
 }  // namespace stepmill

@@ -17,7 +17,7 @@ struct Machine {
     int magazine_size = 0;
     double acceleration_mm_per_s2 = 0;
     double safe_height_mm = 0;  ///< retract this far over the stock's top between features
-    std::string dialect;        ///< post processor: "linuxcnc"
+    std::string dialect;        ///< post processor: "linuxcnc", "fanuc", "grbl"
 };
 
 }  // namespace stepmill
