@@ -30,7 +30,8 @@ bool isProven(const PlanFiles& files, const Tolerances& tol) {
     return verification.proven();
 }
 
-/// From the proven programs of the plan to programs in another dialect, which are proven before any is written.
+/// From the proven programs of the plan to programs in another dialect, which are proven before any is
+/// written.
 int runPost(const PostCommandOptions& options) {
     const Tolerances tol;
     const PlanFiles planned = readPlanFiles(options.dir, std::nullopt, tol);
@@ -72,7 +73,8 @@ void addPostCommand(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember({"setup", "tool"}))
         ->capture_default_str();
     post->footer(
-        "The plan's own programs are proven first, and the new ones before they are written (stepmill verify):\n"
+        "The plan's own programs are proven first, and the new ones before they are written (stepmill "
+        "verify):\n"
         "exit code 3 and no program where a proof fails.\n"
         "Examples:\n"
         "  stepmill post bracket-plan --dialect fanuc --units inch\n"

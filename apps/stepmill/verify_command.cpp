@@ -51,9 +51,11 @@ void addVerifyCommand(CLI::App& app, int& exit_code) {
     verify->add_option("--part", options->part_file, "STEP file; must be the one that was planned");
     verify->add_flag("--json", options->json, "print the result as JSON");
     verify->footer(
-        "Proven: the cutter keeps off what must stay, nothing stays but what the plan names, rapids, shank and\n"
+        "Proven: the cutter keeps off what must stay, nothing stays but what the plan names, rapids, shank "
+        "and\n"
         "holder meet no material, feeds and tools are the plan's.\n"
-        "Exit codes: 0 proven; 1 proven, but the plan itself leaves something; 2 files missing or unreadable;\n"
+        "Exit codes: 0 proven; 1 proven, but the plan itself leaves something; 2 files missing or "
+        "unreadable;\n"
         "3 a proof fails (file and line are named).\n"
         "Examples:\n"
         "  stepmill verify bracket-plan\n"

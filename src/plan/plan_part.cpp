@@ -240,8 +240,8 @@ PlannedStage planStage(const Stage& found, const Request& request, double start_
     stage.setup.unplanned = found.found.unplanned;
     FeaturePlanner planner(std::vector<Feature>(found.found.features), request, start_share, end_share);
     stage.setup.features = planner.plan(stage.warnings);
-    stage.setup.operations = makeOperations(stage.setup, request.machine, request.library,
-                                              request.options.sequence.material);
+    stage.setup.operations =
+        makeOperations(stage.setup, request.machine, request.library, request.options.sequence.material);
     stage.removed = removedBy(stage.setup.features, request.tol);
     return stage;
 }

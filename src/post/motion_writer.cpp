@@ -41,7 +41,8 @@ MotionWriter::MotionWriter(std::string& out, bool inch)
 std::string MotionWriter::number(Grid grid) const {
     const int decimals = inch_ ? kInchDecimals : kMetricDecimals;
     const Grid one = inch_ ? 100000 : 10000;
-    return fmt::format("{}{}.{:0{}}", grid < 0 ? "-" : "", std::abs(grid) / one, std::abs(grid) % one, decimals);
+    return fmt::format("{}{}.{:0{}}", grid < 0 ? "-" : "", std::abs(grid) / one, std::abs(grid) % one,
+                       decimals);
 }
 
 double MotionWriter::mm(Grid grid) const {
@@ -68,7 +69,8 @@ void MotionWriter::begin(int g_word) {
 void MotionWriter::feed(double feed_mm_per_min) {
     if (feed_mm_per_min == feed_) return;
     // Inches have less in front of the point, so one decimal more.
-    out_ += inch_ ? fmt::format(" F{:.3f}", mmToInch(feed_mm_per_min)) : fmt::format(" F{:.2f}", feed_mm_per_min);
+    out_ +=
+        inch_ ? fmt::format(" F{:.3f}", mmToInch(feed_mm_per_min)) : fmt::format(" F{:.2f}", feed_mm_per_min);
     feed_ = feed_mm_per_min;
 }
 
@@ -158,8 +160,11 @@ void MotionWriter::drill(const DrillCycle& cycle, std::string_view dwell_word) {
     if (at != at_) straight(0, at, 0);
     // Back to the height it starts from, so that the next way over is as high as this one.
     out_ += fmt::format("N{} G98 G{} X{} Y{} Z{} R{}", ++block_,
-                        cycle.peck_mm > 0 ? 83 : dwell_word.empty() ? 81 : 82, number(at.x), number(at.y),
-                        number(gridOf(cycle.bottom_z_mm)), number(gridOf(cycle.r_z_mm)));
+                        cycle.peck_mm > 0    ? 83
+                        : dwell_word.empty() ? 81
+                                             : 82,
+                        number(at.x), number(at.y), number(gridOf(cycle.bottom_z_mm)),
+                        number(gridOf(cycle.r_z_mm)));
     // Rounded down: a peck is never deeper than asked.
     if (cycle.peck_mm > 0)
         out_ += " Q" + number(std::max<Grid>(1, static_cast<Grid>(cycle.peck_mm * grid_per_mm_)));

@@ -26,9 +26,9 @@ std::vector<const ToolAssembly*> toolsOf(const Job& job) {
         const ToolAssembly& tool = operation.tool;
         const auto [found, is_new] = by_number.emplace(tool.number, &tool);
         if (!is_new && found->second->id != tool.id)
-            throw Error(
-                ErrorCode::InvalidCatalog, "setup " + job.setup_id,
-                fmt::format("tools {} and {} have the same number {}", found->second->id, tool.id, tool.number));
+            throw Error(ErrorCode::InvalidCatalog, "setup " + job.setup_id,
+                        fmt::format("tools {} and {} have the same number {}", found->second->id, tool.id,
+                                    tool.number));
     }
     std::vector<const ToolAssembly*> tools;
     for (const auto& [number, tool] : by_number)
@@ -90,8 +90,9 @@ class ProgramWriter {
 
     void header() {
         const Vec3& size = job_.stock_size_mm;
-        line(out_, comment(fmt::format("Part {} from {}",
-                                       job_.part_name.empty() ? job_.part_file : job_.part_name, job_.part_file)));
+        line(out_,
+             comment(fmt::format("Part {} from {}", job_.part_name.empty() ? job_.part_file : job_.part_name,
+                                 job_.part_file)));
         line(out_, comment(fmt::format("Setup {}, tool axis {} of the part, material {}", job_.setup_id,
                                        job_.axis_name, job_.material)));
         line(out_, comment(fmt::format("Stock {} x {} x {} {}", length(size.x()), length(size.y()),
@@ -109,8 +110,8 @@ class ProgramWriter {
     std::string describe(const JobOperation& operation) const {
         return comment(fmt::format("{} feature {} T{} {} {}, {} x {} {} deep to Z{}", operation.id,
                                    operation.feature_id, operation.tool.number, operation.role,
-                                   operation.pattern, operation.layers, length(operation.step_down_mm), unit(),
-                                   length(operation.z_floor_mm)));
+                                   operation.pattern, operation.layers, length(operation.step_down_mm),
+                                   unit(), length(operation.z_floor_mm)));
     }
 
     void changeOver(const JobOperation* before, const JobOperation& next) {
@@ -149,7 +150,8 @@ class ProgramWriter {
 
     std::string dwellWord(double dwell_s) const {
         if (dwell_s <= 0) return "";
-        return rules_.dwell_in_ms ? fmt::format(" P{:.0f}", 1000 * dwell_s) : fmt::format(" P{:.3f}", dwell_s);
+        return rules_.dwell_in_ms ? fmt::format(" P{:.0f}", 1000 * dwell_s)
+                                  : fmt::format(" P{:.3f}", dwell_s);
     }
 
     void writeMoves(const JobOperation& operation) {
@@ -162,7 +164,8 @@ class ProgramWriter {
             writeExpanded(operation, dwell);
             return;
         }
-        const std::vector<FedMove> way(operation.moves.begin(), operation.moves.begin() + found->moves_before);
+        const std::vector<FedMove> way(operation.moves.begin(),
+                                       operation.moves.begin() + found->moves_before);
         motion_.write(operation.start, way);
         motion_.drill(found->cycle, dwell);
     }

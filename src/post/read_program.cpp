@@ -115,7 +115,8 @@ class Reader {
         std::vector<int> m_words;
         for (const Word& word : words) {
             if (word.letter == 'G' || word.letter == 'M') {
-                if (word.value != std::floor(word.value)) fail(fmt::format("{}{} is unknown", word.letter, word.value));
+                if (word.value != std::floor(word.value))
+                    fail(fmt::format("{}{} is unknown", word.letter, word.value));
                 (word.letter == 'G' ? g_words : m_words).push_back(static_cast<int>(word.value));
             } else if (!values.emplace(word.letter, word.value).second) {
                 fail(fmt::format("{} stands twice in a block", word.letter));

@@ -176,10 +176,10 @@ std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
 }
 
 std::string operationsTable(const PlannedSetup& setup) {
-    std::string html =
-        "<h3>Operations in machining order</h3>\n<table>" +
-        headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down", "#step-over", "#feed",
-                 "#plunge", "#rpm", "#cut m", "#in air m", "#rapid m", "#clear of part µm", "#time"});
+    std::string html = "<h3>Operations in machining order</h3>\n<table>" +
+                       headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down",
+                                "#step-over", "#feed", "#plunge", "#rpm", "coolant", "#cut m", "#in air m",
+                                "#rapid m", "#clear of part µm", "#time"});
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
         html += "<tr>" + cell(operation.id) + cell(operation.feature_id) + cell(operation.tool_id) +
@@ -187,8 +187,8 @@ std::string operationsTable(const PlannedSetup& setup) {
                 numberCell(std::to_string(path.layers)) + cell(path.step_down_mm, 2) +
                 cell(path.step_over_mm, 2) + cell(path.feed_mm_per_min, 0) +
                 cell(path.plunge_feed_mm_per_min, 0) + cell(operation.speed_rpm, 0) +
-                cell(path.totals.cut_length_mm / 1000, 2) + cell(path.totals.feed_air_length_mm / 1000, 2) +
-                cell(path.totals.air_length_mm / 1000, 2) +
+                cell(toString(operation.coolant)) + cell(path.totals.cut_length_mm / 1000, 2) +
+                cell(path.totals.feed_air_length_mm / 1000, 2) + cell(path.totals.air_length_mm / 1000, 2) +
                 (path.pattern == "drill"
                      ? numberCell("-")
                      : numberCell(fmt::format("{:.2f}", 1000 * operation.proof.least_clearance_mm))) +
@@ -316,8 +316,8 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol) {
     if (!plan.complete(tol))
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
-        html += viewsSection(plan, setup) + setupSection(setup, dialectOf(plan.machine)) + toolsTable(plan, setup) +
-                operationsTable(setup);
+        html += viewsSection(plan, setup) + setupSection(setup, dialectOf(plan.machine)) +
+                toolsTable(plan, setup) + operationsTable(setup);
         html +=
             "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"
             "<i style=\"background:#fdf6df\"></i>target<i style=\"background:#8ec9e3\"></i>swept by this tool"

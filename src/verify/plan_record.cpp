@@ -222,8 +222,9 @@ PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Di
     const PlanRecord record = planRecordFromText(files.plan_json, tol);
     files.dialect = dialect.value_or(dialectOf(record.machine));
     for (const RecordedSetup& setup : record.setups)
-        files.programs[setup.id] = dialect ? programsIn(dir, setup.id, *dialect)
-                                           : std::vector<PostedProgram>{{setup.program, readFile(dir / setup.program)}};
+        files.programs[setup.id] =
+            dialect ? programsIn(dir, setup.id, *dialect)
+                    : std::vector<PostedProgram>{{setup.program, readFile(dir / setup.program)}};
     return files;
 }
 

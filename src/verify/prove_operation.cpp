@@ -41,7 +41,8 @@ ClearingTask keepOff(const Region& obstruction) {
 }
 
 void checkClearance(const LinedPath& path, const ClearingTask& task, double radius_mm, double allowed_mm,
-                    const Tolerances& tol, double& least_mm, const std::string& what, const Findings& findings) {
+                    const Tolerances& tol, double& least_mm, const std::string& what,
+                    const Findings& findings) {
     if (path.path.moves.empty()) return;
     const double clearance = prove(path.path, task, radius_mm, tol).least_clearance_mm;
     least_mm = std::min(least_mm, clearance);
@@ -58,11 +59,12 @@ double lowestZ(const RecordedOperation& planned, const Feature& feature) {
                                   : planned.z_floor_mm;
 }
 
-void checkFloor(const ReadOperation& operation, double lowest_mm, const Tolerances& tol, const Findings& findings) {
+void checkFloor(const ReadOperation& operation, double lowest_mm, const Tolerances& tol,
+                const Findings& findings) {
     for (const ReadMove& read : operation.moves) {
         if (read.fed.move.to.z() >= lowest_mm - tol.gouge_mm) continue;
-        findings.add(read.line, fmt::format("goes down to Z{:.4f}, the floor is at Z{:.4f}", read.fed.move.to.z(),
-                                            lowest_mm));
+        findings.add(read.line, fmt::format("goes down to Z{:.4f}, the floor is at Z{:.4f}",
+                                            read.fed.move.to.z(), lowest_mm));
         return;
     }
 }
@@ -70,8 +72,9 @@ void checkFloor(const ReadOperation& operation, double lowest_mm, const Toleranc
 /// Straight feeds at heights where everything above the stock's top is free.
 void checkEnds(const ReadOperation& operation, bool last_before_change, const Findings& findings) {
     if (operation.after_tool_change && operation.start.z() < kStockTopMm)
-        findings.add(operation.line,
-                     fmt::format("comes from the tool change at Z{:.4f}, below the stock's top", operation.start.z()));
+        findings.add(
+            operation.line,
+            fmt::format("comes from the tool change at Z{:.4f}, below the stock's top", operation.start.z()));
     if (!last_before_change || operation.moves.empty()) return;
     const ReadMove& last = operation.moves.back();
     if (last.fed.move.to.z() < kStockTopMm)
@@ -84,8 +87,8 @@ bool isLevelBelow(const Vec3& from, const Move& move, double z_mm) {
 }
 
 /// Ways of the feeds that end no higher than z, joined where one goes on from another. Of a plunge its end.
-std::vector<Path> waysBelow(const ReadOperation& operation, std::size_t from_move, std::size_t to_move, double z_mm,
-                            const Vec3& start) {
+std::vector<Path> waysBelow(const ReadOperation& operation, std::size_t from_move, std::size_t to_move,
+                            double z_mm, const Vec3& start) {
     std::vector<Path> ways;
     Vec3 from = start;
     bool goes_on = false;
@@ -175,7 +178,9 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
     checkClearance(above, keepOff(feature.obstruction), radius_mm, -tol.gouge_mm, tol,
                    findings.proof.clearance_mm, "meets what stands over the feature", findings);
 
-    const auto rapidFails = [&](const Toolpath& part) { return !prove(part, task, radius_mm, tol).rapids_clear; };
+    const auto rapidFails = [&](const Toolpath& part) {
+        return !prove(part, task, radius_mm, tol).rapids_clear;
+    };
     findings.proof.rapids_clear = !rapidFails(whole.path);
     if (!findings.proof.rapids_clear)
         findings.add(firstFailingLine(whole, rapidFails), "a rapid meets material that is still there");
@@ -187,15 +192,19 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
     double& least_mm = findings.proof.holder_clearance_mm;
     for (const HolderCylinder& cylinder : access::cylindersOf(planned.tool)) {
         const double radius_mm = cylinder.diameter_mm / 2;
-        const std::string what = fmt::format("shank or holder ({:.4g} mm wide from {:.4g} mm over the tip) comes into "
-                                             "material", cylinder.diameter_mm, cylinder.bottom_mm);
+        const std::string what = fmt::format(
+            "shank or holder ({:.4g} mm wide from {:.4g} mm over the tip) comes into "
+            "material",
+            cylinder.diameter_mm, cylinder.bottom_mm);
         for (const Obstacle& obstacle : feature.obstacles) {
             if (obstacle.section.empty()) continue;
-            const LinedPath met = somePath(operation, cylinder.bottom_mm, [&](const Vec3& from, const Move& move) {
-                const double z = lowOf(from, move) + cylinder.bottom_mm;
-                return z >= obstacle.bottom_z_mm && z < obstacle.top_z_mm - kSameHeightMm;
-            });
-            checkClearance(met, keepOff(obstacle.section), radius_mm, -tol.gouge_mm, tol, least_mm, what, findings);
+            const LinedPath met =
+                somePath(operation, cylinder.bottom_mm, [&](const Vec3& from, const Move& move) {
+                    const double z = lowOf(from, move) + cylinder.bottom_mm;
+                    return z >= obstacle.bottom_z_mm && z < obstacle.top_z_mm - kSameHeightMm;
+                });
+            checkClearance(met, keepOff(obstacle.section), radius_mm, -tol.gouge_mm, tol, least_mm, what,
+                           findings);
         }
         OwnMaterial own(operation, planned, state.standing, tol);
         Vec3 from = operation.start;
@@ -209,7 +218,8 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
             const double clearance = own.clearance(way, radius_mm, z, i);
             least_mm = std::min(least_mm, clearance);
             if (clearance >= -tol.gouge_mm) continue;
-            findings.add(operation.moves[i].line, fmt::format("{} of the feature itself by {:.4f} mm", what, -clearance));
+            findings.add(operation.moves[i].line,
+                         fmt::format("{} of the feature itself by {:.4f} mm", what, -clearance));
             break;
         }
     }
@@ -241,8 +251,10 @@ void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned
         findings.proof.feed_share = std::max(findings.proof.feed_share, share);
         if (told || share <= 1 + kFeedRounding) continue;
         told = true;
-        findings.add(read.line, fmt::format("feeds at {:.1f} mm/min ({:.1f} down); planned are {:.1f} at most and "
-                                            "{:.1f} down", read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit));
+        findings.add(read.line,
+                     fmt::format("feeds at {:.1f} mm/min ({:.1f} down); planned are {:.1f} at most and "
+                                 "{:.1f} down",
+                                 read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit));
     }
 }
 

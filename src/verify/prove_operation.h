@@ -16,7 +16,9 @@ struct Findings {
     OperationProof& proof;
     std::vector<ProofFailure>& failures;
 
-    void add(int line, const std::string& text) const { failures.push_back({file, line, proof.operation, text}); }
+    void add(int line, const std::string& text) const {
+        failures.push_back({file, line, proof.operation, text});
+    }
 };
 
 /// Cutter against obstruction and floor, rapids against what stands, at its start, over its moves and at its

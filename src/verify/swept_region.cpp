@@ -25,7 +25,8 @@ void addLine(const Vec2& from, const Vec2& to, double radius_mm, std::vector<Reg
 }
 
 /// A quarter of a ring at most; down to the centre where the disc is wider than the arc.
-void addArcPiece(const Arc& arc, double from_rad, double to_rad, double radius_mm, std::vector<Region>& into) {
+void addArcPiece(const Arc& arc, double from_rad, double to_rad, double radius_mm,
+                 std::vector<Region>& into) {
     const auto at = [&](double distance_mm, double angle_rad) {
         return snapToGrid(Vec2(arc.centre + distance_mm * Vec2(std::cos(angle_rad), std::sin(angle_rad))));
     };

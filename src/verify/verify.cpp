@@ -21,7 +21,8 @@ using verify::FeatureState;
 /// Features and what is done, while a setup's program runs.
 class SetupProver {
   public:
-    SetupProver(const PlanRecord& record, const RecordedSetup& setup, const Tolerances& tol, Verification& into)
+    SetupProver(const PlanRecord& record, const RecordedSetup& setup, const Tolerances& tol,
+                Verification& into)
         : record_(record), setup_(setup), file_(setup.program), tol_(tol), into_(into) {}
 
     void prove(const std::vector<ReadProgram>& programs) {
@@ -95,21 +96,24 @@ class SetupProver {
     }
 
     /// What must be cut before is: the ancestors' operations, and this feature's own earlier ones.
-    void checkOrder(const ReadOperation& operation, const RecordedOperation& planned, const verify::Findings& findings) {
+    void checkOrder(const ReadOperation& operation, const RecordedOperation& planned,
+                    const verify::Findings& findings) {
         std::set<std::string> before;
         for (const PlannedFeature* ancestor : ancestorsOf(record_.features.at(planned.feature_id)))
             before.insert(ancestor->feature.id);
         for (const std::string& id : setup_.operation_ids) {
             const RecordedOperation& other = record_.operations.at(id);
             if (before.count(other.feature_id) > 0 && done_.count(id) == 0)
-                findings.add(operation.line, fmt::format("runs before {}, which clears {} above it", id, other.feature_id));
+                findings.add(operation.line,
+                             fmt::format("runs before {}, which clears {} above it", id, other.feature_id));
         }
     }
 
     bool isLastOfFeature(const RecordedOperation& planned) const {
-        return std::all_of(setup_.operation_ids.begin(), setup_.operation_ids.end(), [&](const std::string& id) {
-            return record_.operations.at(id).feature_id != planned.feature_id || done_.count(id) > 0;
-        });
+        return std::all_of(
+            setup_.operation_ids.begin(), setup_.operation_ids.end(), [&](const std::string& id) {
+                return record_.operations.at(id).feature_id != planned.feature_id || done_.count(id) > 0;
+            });
     }
 
     /// What stands, less what the plan names as standing down to this operation's floor.
@@ -124,13 +128,16 @@ class SetupProver {
         return area(subtract(state.standing, unite(named, tol_), tol_));
     }
 
-    void checkLeft(const ReadOperation& operation, const FeatureState& state, const verify::Findings& findings) const {
+    void checkLeft(const ReadOperation& operation, const FeatureState& state,
+                   const verify::Findings& findings) const {
         // As much as the planner takes for full access.
         const double allowed_mm2 = std::max(tol_.area_mm2, kFullAccessShare * area(state.feature.target));
         if (findings.proof.left_mm2 <= allowed_mm2) return;
         const Vec2 at = boundingBox(state.standing).min;
-        findings.add(operation.line, fmt::format("leaves {:.4g} mm2 of {} that the plan does not name, from X{:.3f} Y{:.3f} on",
-                                                 findings.proof.left_mm2, state.feature.id, at.x(), at.y()));
+        findings.add(
+            operation.line,
+            fmt::format("leaves {:.4g} mm2 of {} that the plan does not name, from X{:.3f} Y{:.3f} on",
+                        findings.proof.left_mm2, state.feature.id, at.x(), at.y()));
     }
 
     const PlanRecord& record_;
@@ -144,8 +151,8 @@ class SetupProver {
 
 }  // namespace
 
-void verifySetup(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs,
-                 const Tolerances& tol, Verification& into) {
+void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
+                 const std::vector<ReadProgram>& programs, const Tolerances& tol, Verification& into) {
     SetupProver(record, setup, tol, into).prove(programs);
 }
 

@@ -27,8 +27,8 @@ Json number(double value) {
 }  // namespace
 
 std::string verificationText(const Verification& verification) {
-    std::string text = fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11} {:>7} {:>14} {:>8}\n", "op", "feature", "tool",
-                                   "clear um", "left mm2", "rapids", "holder um", "feed %");
+    std::string text = fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11} {:>7} {:>14} {:>8}\n", "op", "feature",
+                                   "tool", "clear um", "left mm2", "rapids", "holder um", "feed %");
     for (const OperationProof& proof : verification.operations)
         text += fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11.4f} {:>7} {:>14} {:>8.1f}\n", proof.operation,
                             proof.feature, proof.tool, micrometres(proof.clearance_mm), proof.left_mm2,
@@ -38,8 +38,9 @@ std::string verificationText(const Verification& verification) {
         text += fmt::format("{}: {}: {}\n", place(failure), failure.operation, failure.text);
     for (const ReasonVolume& entry : verification.left)
         text += fmt::format("stays as the plan says: {:.2f} mm3 ({})\n", entry.volume_mm3, entry.reason);
-    text += verification.proven() ? fmt::format("All {} operations are proven.\n", verification.operations.size())
-                                  : fmt::format("{} proofs fail.\n", verification.failures.size());
+    text += verification.proven()
+                ? fmt::format("All {} operations are proven.\n", verification.operations.size())
+                : fmt::format("{} proofs fail.\n", verification.failures.size());
     return text;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "stepmill/planar/region.h"
 #include "stepmill/part/part.h"
+#include "stepmill/planar/region.h"
 #include "support/run_program.h"
 
 namespace stepmill::test {
@@ -23,10 +23,10 @@ inline bool hasSecondReader() {
 }
 
 /// Every CI sets CI: there the second reader must be installed. Elsewhere its tests are skipped without it.
-#define STEPMILL_NEEDS_SECOND_READER()                                                  \
-    if (!::stepmill::test::hasSecondReader()) {                                         \
-        if (std::getenv("CI") != nullptr) FAIL() << "rs274 must be installed in CI";    \
-        GTEST_SKIP() << "LinuxCNC's rs274 is not installed (package linuxcnc-uspace)";  \
+#define STEPMILL_NEEDS_SECOND_READER()                                                 \
+    if (!::stepmill::test::hasSecondReader()) {                                        \
+        if (std::getenv("CI") != nullptr) FAIL() << "rs274 must be installed in CI";   \
+        GTEST_SKIP() << "LinuxCNC's rs274 is not installed (package linuxcnc-uspace)"; \
     }
 
 /// A motion as LinuxCNC's interpreter passes it on.
@@ -56,9 +56,10 @@ class SecondReader {
         std::ofstream(folder / "in.ngc") << text;
         std::ofstream(folder / "tool.tbl") << table;
         std::ofstream(folder / "rs274.var") << "";
-        const std::string command = "cd '" + folder.string() +
-                                    "' && HOME=\"$PWD\" timeout 60 rs274 -t tool.tbl -v rs274.var -g in.ngc out.txt"
-                                    " </dev/null 2>err.txt";
+        const std::string command =
+            "cd '" + folder.string() +
+            "' && HOME=\"$PWD\" timeout 60 rs274 -t tool.tbl -v rs274.var -g in.ngc out.txt"
+            " </dev/null 2>err.txt";
         exit_code = std::system(command.c_str());
         output = slurp(folder / "out.txt");
         refusal = slurp(folder / "err.txt");

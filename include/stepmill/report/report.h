@@ -19,8 +19,8 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol);
 std::string summaryText(const Plan& plan);
 
 /// Writes plan.json, report.html and one program per setup into `dir` (made if absent). All files are
-/// complete or none is there. The programs are read back and proven first (verify.h): where a proof fails, none
-/// is written and none of an earlier plan stays. \throws Error(OutputUnwritable)
+/// complete or none is there. The programs are read back and proven first (verify.h): where a proof fails,
+/// none is written and none of an earlier plan stays. \throws Error(OutputUnwritable)
 Verification writePlan(const Plan& plan, const std::filesystem::path& dir, const Tolerances& tol);
 
 /// Removes what a killed writePlan(…, dir, …) may have left beside `dir`. Does nothing where all is tidy.

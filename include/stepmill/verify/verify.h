@@ -57,8 +57,8 @@ struct Verification {
 Verification verifyPlan(const PlanFiles& files, const Tolerances& tol);
 
 /// The same for the programs of one setup; adds to `into`.
-void verifySetup(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs,
-                 const Tolerances& tol, Verification& into);
+void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
+                 const std::vector<ReadProgram>& programs, const Tolerances& tol, Verification& into);
 
 /// For the terminal: a line an operation, then what fails.
 std::string verificationText(const Verification& verification);

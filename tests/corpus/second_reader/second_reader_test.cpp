@@ -41,7 +41,8 @@ std::vector<CanonMotion> fromStart(const CanonOperation& canon, const ReadOperat
     std::vector<CanonMotion> motions;
     std::size_t first = 0;
     if (ours.after_tool_change)
-        while (first < canon.motions.size() && (canon.motions[first++].to - ours.start).norm() > 2 * kPrintedMm) {
+        while (first < canon.motions.size() &&
+               (canon.motions[first++].to - ours.start).norm() > 2 * kPrintedMm) {
         }
     Vec3 at = ours.start;
     for (std::size_t i = first; i < canon.motions.size(); ++i) {
@@ -67,8 +68,8 @@ void expectSame(const CanonMotion& canon, const ReadMove& ours, const std::strin
 }
 
 /// Lengths and time of what the interpreter understood against the plan's own.
-void expectPlanned(const std::vector<CanonMotion>& motions, const Vec3& start, const Json& planned, double rapid_rate,
-                   const std::string& where) {
+void expectPlanned(const std::vector<CanonMotion>& motions, const Vec3& start, const Json& planned,
+                   double rapid_rate, const std::string& where) {
     double cut = 0;
     double air = 0;
     double time_s = planned.at("dwell_s");
@@ -87,7 +88,8 @@ void expectPlanned(const std::vector<CanonMotion>& motions, const Vec3& start, c
         margin += kPeckMm * planned.at("layers").get<double>();
     EXPECT_NEAR(cut, planned.at("cut_length_mm").get<double>(), margin) << where;
     EXPECT_NEAR(air, planned.at("air_length_mm").get<double>(), 2 * margin) << where;
-    EXPECT_NEAR(time_s, planned.at("time_s").get<double>(), 60 * margin / feed_floor + 1e-4 * time_s) << where;
+    EXPECT_NEAR(time_s, planned.at("time_s").get<double>(), 60 * margin / feed_floor + 1e-4 * time_s)
+        << where;
 }
 
 /// T words by the table, in the program's order.
@@ -106,8 +108,8 @@ struct Count {
     int arcs = 0;
 };
 
-void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSetup& setup, const std::string& part,
-             Count& count) {
+void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSetup& setup,
+             const std::string& part, Count& count) {
     const SecondReader second(files.programs.at(setup.id).front().text, tableOf(record));
     ASSERT_EQ(second.exit_code, 0) << part << " " << setup.id << ": " << second.refusal;
     const ReadProgram ours = readPrograms(files, setup).front();
@@ -132,7 +134,8 @@ void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSet
             count.arcs += motions[k].kind == CanonMotion::Kind::Arc;
         }
         count.motions += static_cast<int>(motions.size());
-        expectPlanned(motions, operation.start, planned.at(operation.id), record.machine.rapid_mm_per_min, where);
+        expectPlanned(motions, operation.start, planned.at(operation.id), record.machine.rapid_mm_per_min,
+                      where);
     }
 }
 
@@ -152,7 +155,8 @@ void readAll(const std::vector<std::string>& parts) {
         for (const RecordedSetup& setup : record.setups)
             compare(files, record, setup, fs::path(part).filename().string(), count);
     }
-    fmt::print("{} programs, {} motions ({} arcs) understood as we do\n", count.programs, count.motions, count.arcs);
+    fmt::print("{} programs, {} motions ({} arcs) understood as we do\n", count.programs, count.motions,
+               count.arcs);
     EXPECT_GT(count.motions, 0);
 }
 

@@ -40,8 +40,8 @@ void proveAll(const std::vector<std::string>& parts) {
         const ProgramRun run = verify(out, {"--json", "--part", part});
         ASSERT_LE(run.exit_code, 1) << name << ": " << run.err << run.out;
         const Json proof = Json::parse(run.out);
-        fmt::print("{:<38} {:>3} operations proven, {:.2f} s (plan {:.2f} s)\n", name, proof.at("operations").size(),
-                   run.seconds, planned.seconds);
+        fmt::print("{:<38} {:>3} operations proven, {:.2f} s (plan {:.2f} s)\n", name,
+                   proof.at("operations").size(), run.seconds, planned.seconds);
         std::fflush(stdout);
         EXPECT_TRUE(proof.at("proven").get<bool>()) << name;
         EXPECT_TRUE(proof.at("failures").empty()) << name;
@@ -64,10 +64,12 @@ TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
         const fs::path out = fs::path(folder.path()) / "plan";
         const int exit_code = plan(part, out).exit_code;
         ASSERT_LE(exit_code, 1) << part;
-        for (const std::vector<std::string>& how :
-             {std::vector<std::string>{"fanuc"}, {"grbl"}, {"fanuc", "--units", "inch"}, {"grbl", "--per", "tool"},
-              {"linuxcnc", "--units", "inch"}}) {
-            std::vector<std::string> arguments{stepmillBinary(), "post", out.string(), "-o",
+        for (const std::vector<std::string>& how : {std::vector<std::string>{"fanuc"},
+                                                    {"grbl"},
+                                                    {"fanuc", "--units", "inch"},
+                                                    {"grbl", "--per", "tool"},
+                                                    {"linuxcnc", "--units", "inch"}}) {
+            std::vector<std::string> arguments{stepmillBinary(),          "post",     out.string(), "-o",
                                                (out / "posted").string(), "--dialect"};
             arguments.insert(arguments.end(), how.begin(), how.end());
             fs::remove_all(out / "posted");
@@ -84,7 +86,8 @@ TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
 class SpoiltProgram : public testing::Test {
   protected:
     void SetUp() override {
-        ASSERT_EQ(plan(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step", dir_).exit_code, 0);
+        ASSERT_EQ(plan(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step", dir_).exit_code,
+                  0);
         std::ifstream file(dir_ / "S1.ngc");
         for (std::string line; std::getline(file, line);)
             lines_.push_back(line);
@@ -229,10 +232,12 @@ TEST_F(SpoiltProgram, ShowsAWrongSpeedAndAWrongTool) {
 
 TEST_F(SpoiltProgram, ShowsAnOperationLeftOut) {
     const std::size_t first = find("(S1.O2 ");
-    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first), lines_.begin() + static_cast<std::ptrdiff_t>(find("M30") - 2));
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first),
+                 lines_.begin() + static_cast<std::ptrdiff_t>(find("M30") - 2));
     const ProgramRun run = verifySpoilt();
     EXPECT_EQ(run.exit_code, 3);
-    EXPECT_NE(run.out.find("S1.ngc: S1.O2: the program does not have this operation"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("S1.ngc: S1.O2: the program does not have this operation"), std::string::npos)
+        << run.out;
 }
 
 TEST_F(SpoiltProgram, IsRefusedWhereNoControllerOfOursWouldReadIt) {

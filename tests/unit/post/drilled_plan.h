@@ -27,8 +27,8 @@ inline Plan drilledPlan() {
         operation.z_floor_mm = -10;
         operation.coolant = hole == 0 ? Coolant::Mist : Coolant::Off;
         operation.dwell_s = hole == 1 ? 0 : 0.5;
-        operation.path = drillHole(Vec2(10 + 10 * hole, 40.1234567), 0, -10, 5, plan.library.tools.back(), cutting,
-                                   plan.machine);
+        operation.path = drillHole(Vec2(10 + 10 * hole, 40.1234567), 0, -10, 5, plan.library.tools.back(),
+                                   cutting, plan.machine);
         const Vec3 over = operation.path.start;
         operation.path.start = at;
         operation.path.moves.insert(operation.path.moves.begin(), rapid(over.x(), over.y(), over.z()));

@@ -106,8 +106,7 @@ TEST(ReadProgram, RefusesWhatItCannotKnowNamingTheLine) {
 
 TEST(Post, WritesAProgramForEveryVisitOfATool) {
     const Plan plan = drilledPlan();
-    const std::vector<PostedProgram> posted =
-        post(jobOf(plan, plan.setups[0]), {Dialect::Grbl, false, true});
+    const std::vector<PostedProgram> posted = post(jobOf(plan, plan.setups[0]), {Dialect::Grbl, false, true});
     ASSERT_EQ(posted.size(), 3U);
     EXPECT_EQ(posted[0].file, "S1-1-T3.gcode");
     EXPECT_EQ(posted[2].file, "S1-3-T5.gcode");
