@@ -45,13 +45,14 @@ int planAll(const PlanOptions& options, const fs::path& out_folder, ProgressLine
 
     int exit_code = kComplete;
     for (const Part& part : parts) {
-        const Plan plan =
-            planPart(part, request, shop.library, shop.machine, tol,
-                     [&](const std::string& stage, double share) { progress.show(stage, share); });
+        Plan plan = planPart(part, request, shop.library, shop.machine, tol,
+                             [&](const std::string& stage, double share) { progress.show(stage, share); });
+        progress.show("proving the programs", 1);
+        const Verification verification = provePlan(plan, tol);
         fs::path folder = out_folder;
         if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
         progress.show("writing the report", 1);
-        const Verification verification = writePlan(plan, folder, tol);
+        writePlan(plan, verification, folder, tol);
         progress.show("done", 1);
         if (options.json)
             fmt::print("{}\n", planJson(plan));

@@ -1,8 +1,8 @@
 #include <system_error>
 
+#include "report/posted_files.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
-#include "stepmill/post/post.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -56,26 +56,6 @@ class WorkFolder {
     std::vector<fs::path> made_;  // innermost first
 };
 
-PlanFiles postedFiles(const Plan& plan) {
-    PlanFiles files;
-    files.plan_json = planJson(plan);
-    files.dialect = dialectOf(plan.machine);
-    for (const PlannedSetup& setup : plan.setups)
-        files.programs[setup.setup.id] = post(jobOf(plan, setup), {files.dialect});
-    return files;
-}
-
-/// What our own reader cannot take is a proof that fails.
-Verification verified(const PlanFiles& files, const Tolerances& tol) {
-    try {
-        return verifyPlan(files, tol);
-    } catch (const Error& error) {
-        Verification verification;
-        verification.failures.push_back({error.subject(), 0, "", error.what()});
-        return verification;
-    }
-}
-
 void removePrograms(const PlanFiles& files, const fs::path& dir) {
     std::error_code ignored;
     for (const auto& [setup, programs] : files.programs)
@@ -90,12 +70,12 @@ void removeUnfinished(const fs::path& dir) {
     fs::remove_all(workFolder(dir), ignored);
 }
 
-Verification writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
+void writePlan(const Plan& plan, const Verification& verification, const fs::path& dir,
+               const Tolerances& tol) {
     std::vector<std::pair<std::string, std::string>> files;
-    const PlanFiles posted = postedFiles(plan);
+    const PlanFiles posted = report::postedFiles(plan);
     files.emplace_back("plan.json", posted.plan_json);
     files.emplace_back("report.html", reportHtml(plan, tol));
-    const Verification verification = verified(posted, tol);
     if (verification.proven())
         for (const auto& [setup, programs] : posted.programs)
             for (const PostedProgram& program : programs)
@@ -114,7 +94,6 @@ Verification writePlan(const Plan& plan, const fs::path& dir, const Tolerances& 
     }
     if (!verification.proven()) removePrograms(posted, dir);
     work.keepParents();
-    return verification;
 }
 
 }  // namespace stepmill

@@ -51,9 +51,11 @@ class SetupProver {
         verify::proveHolder(operation, planned, state, tol_, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
         if (!cleared.empty()) state.standing = subtract(state.standing, cleared, tol_);
-        proof.left_mm2 = leftOf(planned, state);
+        const std::vector<Region> left = leftOf(planned, state);
+        for (const Region& piece : left)
+            proof.left_mm2 += area(piece);
         done_.insert(operation.id);
-        if (isLastOfFeature(planned)) checkLeft(operation, state, findings);
+        if (isLastOfFeature(planned)) checkLeft(operation, planned, state, left, findings);
         into_.operations.push_back(proof);
     }
 
@@ -116,28 +118,46 @@ class SetupProver {
             });
     }
 
-    /// What stands, less what the plan names as standing down to this operation's floor.
-    double leftOf(const RecordedOperation& planned, const FeatureState& state) const {
+    /// What stands, less what the plan names as standing down to this operation's floor; pieces too small to
+    /// be anything left out, the largest first.
+    std::vector<Region> leftOf(const RecordedOperation& planned, const FeatureState& state) const {
         std::vector<Region> named;
         const double depth_mm = state.feature.top_z_mm - planned.z_floor_mm;
         for (const Residual& residual : record_.features.at(planned.feature_id).sequence.residual) {
             const double height_mm = residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;
             if (height_mm >= depth_mm - tol_.linear_mm) named.push_back(residual.region);
         }
-        if (state.standing.empty() || named.empty()) return area(state.standing);
-        return area(subtract(state.standing, unite(named, tol_), tol_));
+        const bool all_named = state.standing.empty() || named.empty();
+        std::vector<Region> pieces =
+            components(all_named ? state.standing : subtract(state.standing, unite(named, tol_), tol_));
+        std::erase_if(pieces, [&](const Region& piece) { return area(piece) <= tol_.area_mm2; });
+        std::stable_sort(pieces.begin(), pieces.end(),
+                         [](const Region& one, const Region& other) { return area(one) > area(other); });
+        return pieces;
     }
 
-    void checkLeft(const ReadOperation& operation, const FeatureState& state,
+    void checkLeft(const ReadOperation& operation, const RecordedOperation& planned,
+                   const FeatureState& state, const std::vector<Region>& left,
                    const verify::Findings& findings) const {
         // As much as the planner takes for full access.
-        const double allowed_mm2 = std::max(tol_.area_mm2, kFullAccessShare * area(state.feature.target));
-        if (findings.proof.left_mm2 <= allowed_mm2) return;
-        const Vec2 at = boundingBox(state.standing).min;
+        if (left.empty() || findings.proof.left_mm2 <= kFullAccessShare * area(state.feature.target)) return;
+        Leftover leftover{setup_.id,
+                          planned.feature_id,
+                          {},
+                          findings.proof.left_mm2,
+                          state.feature.top_z_mm - planned.z_floor_mm,
+                          area(state.feature.target)};
+        for (const Region& piece : left)
+            leftover.region.loops.insert(leftover.region.loops.end(), piece.loops.begin(), piece.loops.end());
+        into_.leftovers.push_back(std::move(leftover));
+        const Box2 box = boundingBox(left.front());
         findings.add(
             operation.line,
-            fmt::format("leaves {:.4g} mm2 of {} that the plan does not name, from X{:.3f} Y{:.3f} on",
-                        findings.proof.left_mm2, state.feature.id, at.x(), at.y()));
+            fmt::format(
+                "leaves {:.4g} mm2 of {} in {} places that the plan does not name, the largest X{:.3f} "
+                "Y{:.3f} to X{:.3f} Y{:.3f}",
+                findings.proof.left_mm2, state.feature.id, left.size(), box.min.x(), box.min.y(), box.max.x(),
+                box.max.y()));
     }
 
     const PlanRecord& record_;

@@ -35,9 +35,20 @@ struct ProofFailure {
     std::string text;
 };
 
+/// What a feature's operations leave of its target and the plan does not name; a failure too.
+struct Leftover {
+    std::string setup;
+    std::string feature;
+    Region region;
+    double area_mm2 = 0;
+    double height_mm = 0;
+    double target_mm2 = 0;
+};
+
 struct Verification {
     std::vector<OperationProof> operations;  ///< in machining order
     std::vector<ProofFailure> failures;      ///< empty: all is proven
+    std::vector<Leftover> leftovers;         ///< each is among the failures
     std::vector<ReasonVolume> left;          ///< what the plan says stays, beyond rounding
 
     bool proven() const { return failures.empty(); }
