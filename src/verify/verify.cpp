@@ -18,6 +18,9 @@ namespace {
 
 using verify::FeatureState;
 
+/// Numbers in plan.json have six decimals.
+constexpr double kWrittenDecimals = 1e-6;
+
 /// Features and what is done, while a setup's program runs.
 class SetupProver {
   public:
@@ -124,8 +127,10 @@ class SetupProver {
         std::vector<Region> named;
         const double depth_mm = state.feature.top_z_mm - planned.z_floor_mm;
         for (const Residual& residual : record_.features.at(planned.feature_id).sequence.residual) {
-            const double height_mm = residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;
-            if (height_mm >= depth_mm - tol_.linear_mm) named.push_back(residual.region);
+            // Both numbers are rounded in the file.
+            const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm);
+            if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
+                named.push_back(residual.region);
         }
         const bool all_named = state.standing.empty() || named.empty();
         std::vector<Region> pieces =

@@ -62,7 +62,7 @@ struct Verification {
 /// - that shank and holder keep off material that is still there,
 /// - that feeds, speeds, tools and the order of operations are the plan's.
 ///
-/// Nothing of how paths were made is used. What is thinner than `tol.sliver_mm` counts as cut.
+/// Nothing of how paths were made is used. Skins thinner than two `tol.sliver_mm` count as cut.
 /// \throws Error(InvalidCatalog) for a plan.json or a program that cannot be read.
 /// \see docs/adr/0006-proof-from-the-files.md for what the regions themselves rest on
 Verification verifyPlan(const PlanFiles& files, const Tolerances& tol);

@@ -264,6 +264,19 @@ TEST_F(SpoiltProgram, IsRefusedWithAPlanThatWasEdited) {
     EXPECT_NE(run.err.find("plan.json#/operations/0/tool"), std::string::npos) << run.err;
 }
 
+TEST_F(SpoiltProgram, ShowsAHolderThatWouldTouch) {
+    // The same program with the tool set 8 mm out of its holder, in a pocket 12 mm deep.
+    std::ifstream file(dir_ / "plan.json");
+    Json plan = Json::parse(file);
+    Json& tool = plan["tools"][0];
+    ASSERT_FALSE(tool["holder"].empty());
+    tool["holder"][0]["bottom_mm"] = 8;
+    std::ofstream(dir_ / "plan.json") << plan;
+    const ProgramRun run = verify(dir_);
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_NE(run.out.find("from 8 mm over the tip) comes into material"), std::string::npos) << run.out;
+}
+
 TEST_F(SpoiltProgram, IsNotPosted) {
     replace(find(" G0 Z1.0000"), "Z1.0000", "Z-3.0000");
     verifySpoilt();
