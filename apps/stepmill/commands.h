@@ -9,7 +9,7 @@ enum ExitCode : int {
     kComplete = 0,  ///< all done
     kGaps = 1,      ///< plan written, but something could not be machined as asked
     kBadInput = 2,  ///< bad input or usage
-    kBug = 3        ///< a bug in Stepmill
+    kBug = 3        ///< a bug in Stepmill, or a proof that fails
 };
 
 /// Each adds one subcommand; what it does runs from CLI11's callback and sets `exit_code`.
@@ -17,6 +17,8 @@ void addPlanCommand(CLI::App& app, int& exit_code);
 void addInspectCommand(CLI::App& app, int& exit_code);
 void addRankCommand(CLI::App& app, int& exit_code);
 void addToolsCommand(CLI::App& app, int& exit_code);
+void addVerifyCommand(CLI::App& app, int& exit_code);
+void addPostCommand(CLI::App& app, int& exit_code);
 
 /// Prints an error on stderr as "stepmill: ..." and says which exit code it means.
 int reportError(const std::exception& error);

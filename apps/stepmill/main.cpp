@@ -19,12 +19,16 @@ int main(int argc, char** argv) {
     CLI::App app{"Plans 2.5D milling of a STEP part: setups, features, cutters, paths, times and money."};
     app.set_version_flag("--version", std::string("stepmill ") + STEPMILL_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 complete, 1 plan with gaps, 2 bad input or usage, 3 a bug in Stepmill.");
+    app.footer(
+        "Exit codes: 0 complete, 1 plan with gaps, 2 bad input or usage, 3 a proof fails or a bug in "
+        "Stepmill.");
 
     int exit_code = stepmill::kComplete;
     stepmill::addPlanCommand(app, exit_code);
     stepmill::addInspectCommand(app, exit_code);
     stepmill::addRankCommand(app, exit_code);
+    stepmill::addVerifyCommand(app, exit_code);
+    stepmill::addPostCommand(app, exit_code);
     stepmill::addToolsCommand(app, exit_code);
     try {
         app.parse(argc, argv);

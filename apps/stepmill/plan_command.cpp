@@ -20,12 +20,20 @@ bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol
     return !plan.complete(tol) || doubtful || (options.strict && !plan.warnings.empty());
 }
 
-/// Books that do not close are a bug of ours: the warnings say where.
-int exitCodeOf(const Plan& plan, const PlanOptions& options, const Tolerances& tol) {
+/// Books that do not close and proofs that fail are bugs of ours: warnings and proofs say where.
+int exitCodeOf(const Plan& plan, const Verification& verification, const PlanOptions& options,
+               const Tolerances& tol) {
+    if (!verification.proven()) return kBug;
     const bool books_open = std::any_of(plan.warnings.begin(), plan.warnings.end(),
                                         [](const Warning& warning) { return warning.code == "books"; });
     if (books_open) return kBug;
     return hasGaps(plan, options, tol) ? kGaps : kComplete;
+}
+
+void tellFailures(const Verification& verification) {
+    for (const ProofFailure& failure : verification.failures)
+        fmt::print(stderr, "stepmill: no program is written: {} of {}, line {}: {}\n", failure.operation,
+                   failure.file, failure.line, failure.text);
 }
 
 int planAll(const PlanOptions& options, const fs::path& out_folder, ProgressLine& progress) {
@@ -37,19 +45,21 @@ int planAll(const PlanOptions& options, const fs::path& out_folder, ProgressLine
 
     int exit_code = kComplete;
     for (const Part& part : parts) {
-        const Plan plan =
-            planPart(part, request, shop.library, shop.machine, tol,
-                     [&](const std::string& stage, double share) { progress.show(stage, share); });
+        Plan plan = planPart(part, request, shop.library, shop.machine, tol,
+                             [&](const std::string& stage, double share) { progress.show(stage, share); });
+        progress.show("proving the programs", 1);
+        const Verification verification = provePlan(plan, tol);
         fs::path folder = out_folder;
         if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
         progress.show("writing the report", 1);
-        writePlan(plan, folder, tol);
+        writePlan(plan, verification, folder, tol);
         progress.show("done", 1);
         if (options.json)
             fmt::print("{}\n", planJson(plan));
         else
             fmt::print("{}\nReport: {}\n", summaryText(plan), (folder / "report.html").string());
-        exit_code = std::max(exit_code, exitCodeOf(plan, options, tol));
+        tellFailures(verification);
+        exit_code = std::max(exit_code, exitCodeOf(plan, verification, options, tol));
     }
     return exit_code;
 }

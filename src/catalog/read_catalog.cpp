@@ -70,9 +70,7 @@ class ToolReader {
 
   private:
     static ToolType type(const std::string& name) {
-        for (const ToolType type :
-             {ToolType::Flat, ToolType::Ball, ToolType::Bull, ToolType::Drill, ToolType::Face})
-            if (toString(type) == name) return type;
+        if (const auto known = toolTypeFrom(name)) return *known;
         throw Error(ErrorCode::Internal, name, "a tool type the schema allows and the reader does not know");
     }
 
@@ -103,6 +101,8 @@ class ToolReader {
         data.plunge_feed_mm_per_min = length(from, "plunge_feed");
         data.ramp_angle_deg = from.value("ramp_angle_deg", 0.0);
         data.speed_rpm = from["speed_rpm"];
+        data.coolant = coolantFrom(from.value("coolant", "flood")).value_or(Coolant::Flood);
+        data.dwell_s = from.value("dwell_s", 0.0);
         return data;
     }
 

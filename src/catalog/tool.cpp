@@ -55,4 +55,29 @@ std::string toString(ToolType type) {
     return {};
 }
 
+std::optional<ToolType> toolTypeFrom(std::string_view word) {
+    for (const ToolType type :
+         {ToolType::Flat, ToolType::Ball, ToolType::Bull, ToolType::Drill, ToolType::Face})
+        if (toString(type) == word) return type;
+    return std::nullopt;
+}
+
+std::string toString(Coolant coolant) {
+    switch (coolant) {
+        case Coolant::Off:
+            return "off";
+        case Coolant::Mist:
+            return "mist";
+        case Coolant::Flood:
+            return "flood";
+    }
+    return {};
+}
+
+std::optional<Coolant> coolantFrom(std::string_view word) {
+    for (const Coolant coolant : {Coolant::Off, Coolant::Mist, Coolant::Flood})
+        if (toString(coolant) == word) return coolant;
+    return std::nullopt;
+}
+
 }  // namespace stepmill

@@ -183,8 +183,17 @@ class FeaturePlanner {
     std::size_t started_ = 0;
 };
 
+/// What the cutting data say beyond feeds and speeds.
+void takeShopData(Operation& operation, const ToolLibrary& library, const std::string& material) {
+    const CuttingData* cutting = library.tool(operation.tool_id).cuttingFor(material);
+    if (cutting == nullptr) return;
+    operation.coolant = cutting->coolant;
+    if (operation.role == Role::Drill) operation.dwell_s = cutting->dwell_s;
+}
+
 /// The steps of all features become operations, in machining order and numbered in it.
-std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machine) {
+std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machine, const ToolLibrary& library,
+                                      const std::string& material) {
     std::vector<Operation> operations;
     std::vector<Feature> features;
     for (PlannedFeature& planned : setup.features) {
@@ -200,6 +209,7 @@ std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machin
             operation.z_top_mm = planned.feature.top_z_mm;
             operation.z_floor_mm = planned.sequence.floor_z_mm;
             operation.speed_rpm = step.speed_rpm;
+            takeShopData(operation, library, material);
             step.path = Toolpath{};
             operations.push_back(std::move(operation));
         }
@@ -232,7 +242,8 @@ PlannedStage planStage(const Stage& found, const Request& request, double start_
     stage.setup.features = planner.plan(stage.warnings);
     stage.setup.sharing =
         shareTools(stage.setup.features, request.machine, request.options.sequence.objective);
-    stage.setup.operations = makeOperations(stage.setup, request.machine);
+    stage.setup.operations =
+        makeOperations(stage.setup, request.machine, request.library, request.options.sequence.material);
     stage.removed = removedBy(stage.setup.features, request.tol);
     return stage;
 }

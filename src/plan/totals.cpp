@@ -42,9 +42,9 @@ void addSetup(const Plan& plan, PlannedSetup& setup, PlanTotals& totals) {
             change_s += plan.machine.tool_change_s;
             ++totals.tool_changes;
         }
-        cutting_s += operation.path.totals.feed_time_s;
+        cutting_s += operation.path.totals.feed_time_s + operation.dwell_s;
         air_s += operation.path.totals.rapid_time_s;
-        motion_s += operation.path.totals.motion_time_s;
+        motion_s += operation.path.totals.motion_time_s + operation.dwell_s;
         if (tool.life_min > 0)
             totals.cost += operation.path.totals.feed_time_s / kSecondsPerMinute / tool.life_min * tool.price;
     }

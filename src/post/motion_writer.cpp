@@ -7,29 +7,16 @@
 namespace stepmill {
 namespace {
 
-constexpr double kGridPerMm = 1e4;
+constexpr int kMetricDecimals = 4;
+constexpr int kInchDecimals = 5;
 
 /// An arc's two radii may differ by this much in the program [mm]; controllers refuse arcs much worse.
 constexpr double kRadiusAgreementMm = 1e-3;
-/// Arcs that leave their chord by less than half the last decimal are lines.
-constexpr double kStraightMm = 0.5 / kGridPerMm;
+/// Arcs that leave their chord by less than half the last metric decimal are lines.
+constexpr double kStraightMm = 0.5e-4;
 /// Longer arcs are written as two: a full circle's end is its start, and close ends are ambiguous once
 /// rounded.
 constexpr double kLongestSweepRad = 1.5 * kPi;
-
-std::string number(std::int64_t grid) {
-    const std::int64_t whole = std::abs(grid) / 10000;
-    const std::int64_t part = std::abs(grid) % 10000;
-    return fmt::format("{}{}.{:04}", grid < 0 ? "-" : "", whole, part);
-}
-
-double mm(std::int64_t grid) {
-    return static_cast<double>(grid) / kGridPerMm;
-}
-
-std::int64_t gridOf(double value_mm) {
-    return std::llround(value_mm * kGridPerMm);
-}
 
 /// How far the arc bulges from its chord.
 double sagitta(double radius_mm, double sweep_rad) {
@@ -45,7 +32,28 @@ Vec2 centreBetween(const Vec2& from, const Vec2& to, const Vec2& centre) {
 
 }  // namespace
 
-MotionWriter::Point MotionWriter::toGrid(const Vec3& point) {
+MotionWriter::MotionWriter(std::string& out, bool inch)
+    : out_(out),
+      inch_(inch),
+      grid_per_mm_(inch ? std::pow(10.0, kInchDecimals) / kMillimetresPerInch
+                        : std::pow(10.0, kMetricDecimals)) {}
+
+std::string MotionWriter::number(Grid grid) const {
+    const int decimals = inch_ ? kInchDecimals : kMetricDecimals;
+    const Grid one = inch_ ? 100000 : 10000;
+    return fmt::format("{}{}.{:0{}}", grid < 0 ? "-" : "", std::abs(grid) / one, std::abs(grid) % one,
+                       decimals);
+}
+
+double MotionWriter::mm(Grid grid) const {
+    return static_cast<double>(grid) / grid_per_mm_;
+}
+
+MotionWriter::Grid MotionWriter::gridOf(double value_mm) const {
+    return std::llround(value_mm * grid_per_mm_);
+}
+
+MotionWriter::Point MotionWriter::toGrid(const Vec3& point) const {
     return {gridOf(point.x()), gridOf(point.y()), gridOf(point.z())};
 }
 
@@ -60,14 +68,17 @@ void MotionWriter::begin(int g_word) {
 
 void MotionWriter::feed(double feed_mm_per_min) {
     if (feed_mm_per_min == feed_) return;
-    out_ += fmt::format(" F{:.2f}", feed_mm_per_min);
+    // Inches have less in front of the point, so one decimal more.
+    out_ +=
+        inch_ ? fmt::format(" F{:.3f}", mmToInch(feed_mm_per_min)) : fmt::format(" F{:.2f}", feed_mm_per_min);
     feed_ = feed_mm_per_min;
 }
 
-void MotionWriter::approach(const Vec3& to) {
+void MotionWriter::approach(const Vec3& to, std::string_view z_words) {
     const Point target = toGrid(to);
     if (known_ && target == at_) return;
     begin(0);
+    out_ += z_words;
     out_ += " Z" + number(target.z) + "\n";
     begin(0);
     out_ += " X" + number(target.x) + " Y" + number(target.y) + "\n";
@@ -117,31 +128,49 @@ void MotionWriter::arcPiece(const Point& to, const Arc& arc, double feed_mm_per_
     at_ = to;
 }
 
-void MotionWriter::arc(const Vec3& from, const Move& move, double feed_mm_per_min) {
+void MotionWriter::arc(const Vec3& from, const FedMove& fed) {
+    const Move& move = fed.move;
     const Vec2 start = from.head<2>();
     const Segment segment{move.to.head<2>(), move.arc};
     const double sweep = sweepAngle(start, segment.to, *move.arc);
     if (std::abs(sweep) > kLongestSweepRad) {
         const Vec2 middle = pointAt(start, segment, 0.5);
         const double z = (from.z() + move.to.z()) / 2;
-        arcPiece(toGrid(Vec3(middle.x(), middle.y(), z)), *move.arc, feed_mm_per_min);
+        arcPiece(toGrid(Vec3(middle.x(), middle.y(), z)), *move.arc, fed.feed_mm_per_min);
     }
-    arcPiece(toGrid(move.to), *move.arc, feed_mm_per_min);
+    arcPiece(toGrid(move.to), *move.arc, fed.feed_mm_per_min);
 }
 
-void MotionWriter::write(const Toolpath& path) {
-    Vec3 from = path.start;
-    for (const Move& move : path.moves) {
-        const double feed_rate = path.feedOf(move.kind);
-        if (move.kind == MoveKind::Rapid) {
-            straight(0, toGrid(move.to), 0);
-        } else if (move.arc) {
-            arc(from, move, feed_rate);
+void MotionWriter::write(const Vec3& start, const std::vector<FedMove>& moves) {
+    Vec3 from = start;
+    for (const FedMove& fed : moves) {
+        if (fed.move.kind == MoveKind::Rapid) {
+            straight(0, toGrid(fed.move.to), 0);
+        } else if (fed.move.arc) {
+            arc(from, fed);
         } else {
-            straight(1, toGrid(move.to), feed_rate);
+            straight(1, toGrid(fed.move.to), fed.feed_mm_per_min);
         }
-        from = move.to;
+        from = fed.move.to;
     }
+}
+
+void MotionWriter::drill(const DrillCycle& cycle, std::string_view dwell_word) {
+    const Point at = toGrid({cycle.at.x(), cycle.at.y(), cycle.initial_z_mm});
+    if (at != at_) straight(0, at, 0);
+    // Back to the height it starts from, so that the next way over is as high as this one.
+    out_ += fmt::format("N{} G98 G{} X{} Y{} Z{} R{}", ++block_,
+                        cycle.peck_mm > 0    ? 83
+                        : dwell_word.empty() ? 81
+                                             : 82,
+                        number(at.x), number(at.y), number(gridOf(cycle.bottom_z_mm)),
+                        number(gridOf(cycle.r_z_mm)));
+    // Rounded down: a peck is never deeper than asked.
+    if (cycle.peck_mm > 0)
+        out_ += " Q" + number(std::max<Grid>(1, static_cast<Grid>(cycle.peck_mm * grid_per_mm_)));
+    out_ += dwell_word;
+    feed(cycle.feed_mm_per_min);
+    out_ += fmt::format("\nN{} G80\n", ++block_);
 }
 
 }  // namespace stepmill

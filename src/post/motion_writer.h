@@ -1,27 +1,31 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
-#include "stepmill/toolpath/toolpath.h"
+#include "post/drill_cycle.h"
+#include "stepmill/post/post.h"
 
 namespace stepmill {
 
-/// Writes moves as numbered G-code blocks with 4 decimals.
+/// Writes moves as numbered G-code blocks, in mm with 4 decimals or in inches with 5.
 ///
-/// Positions are kept as the controller will read them, in whole ten-thousandths of a millimetre, so that
-/// rounding never adds up and an arc's centre fits the points that are really in the program.
+/// Positions are kept as the controller will read them, in whole last decimals, so that rounding never adds
+/// up and an arc's centre fits the points that are really in the program.
 class MotionWriter {
   public:
-    explicit MotionWriter(std::string& out) : out_(out) {}
+    explicit MotionWriter(std::string& out, bool inch = false);
 
     /// After a tool change nothing is taken for granted: the next block names its place and feed in full.
     void forgetState();
-    /// Straight up or down to `z_mm`, then over to x, y: how a tool comes to its first cut.
-    void approach(const Vec3& to);
-    /// Moves of a path that starts where the tool is.
-    void write(const Toolpath& path);
+    /// Straight up or down to its z, with other words if need be, then over to x, y: how a tool comes to its
+    /// first cut.
+    void approach(const Vec3& to, std::string_view z_words = "");
+    /// Moves that start at `start`, where the tool is.
+    void write(const Vec3& start, const std::vector<FedMove>& moves);
+    /// A hole from where the tool is, as G81, or G83 with pecks, or G82 with `dwell_word` (" P0.5").
+    void drill(const DrillCycle& cycle, std::string_view dwell_word);
 
   private:
     using Grid = std::int64_t;
@@ -33,14 +37,20 @@ class MotionWriter {
         bool operator==(const Point&) const = default;
     };
 
-    static Point toGrid(const Vec3& point);
+    Grid gridOf(double value_mm) const;
+    double mm(Grid grid) const;
+    std::string number(Grid grid) const;
+    Point toGrid(const Vec3& point) const;
+
     void straight(int g_word, const Point& to, double feed_mm_per_min);
-    void arc(const Vec3& from, const Move& move, double feed_mm_per_min);
+    void arc(const Vec3& from, const FedMove& move);
     void arcPiece(const Point& to, const Arc& arc, double feed_mm_per_min);
     void begin(int g_word);
     void feed(double feed_mm_per_min);
 
     std::string& out_;
+    bool inch_;
+    double grid_per_mm_;
     Point at_;
     bool known_ = false;
     double feed_ = 0;

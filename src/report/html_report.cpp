@@ -7,6 +7,7 @@
 #include "report/text.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/post/post.h"
 #include "stepmill/report/part_views.h"
 #include "stepmill/report/report.h"
 
@@ -136,7 +137,7 @@ std::string sharingWords(const Plan& plan, const ToolSharing& sharing) {
         saved, sharing.saved >= 0 ? "saved" : "more, for the magazine's places");
 }
 
-std::string setupSection(const PlannedSetup& setup) {
+std::string setupSection(const PlannedSetup& setup, Dialect dialect) {
     const Vec3 size = setup.setup.stock_bbox_mm.sizes();
     std::string html = fmt::format(
         "<h2>Setup {}</h2>\n<p>Tool axis {}{} of the part. Stock {:.2f} &times; {:.2f} &times; {:.2f} mm as "
@@ -144,10 +145,10 @@ std::string setupSection(const PlannedSetup& setup) {
         "arrives. "
         "Work offset G54: x and y zero at the stock's lower left corner seen from the spindle, z zero on its "
         "top. "
-        "Program {}.ngc, {}. Clamping: {}.</p>\n",
+        "Program {}, {}. Clamping: {}.</p>\n",
         setup.setup.id, axisName(setup.setup.axis),
         setup.setup.indexed ? " (indexed: not along the box)" : "", size.x(), size.y(), size.z(),
-        setup.setup.id, clockTime(setup.time_s), setup.clamping.text);
+        programName(setup.setup.id, dialect), clockTime(setup.time_s), setup.clamping.text);
     html += fmt::format(
         "<figure class=\"wide\">{}<figcaption>Features seen from the spindle, deeper ones on top."
         "</figcaption></figure>\n",
@@ -201,8 +202,9 @@ std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
 std::string operationsTable(const PlannedSetup& setup) {
     std::string html = "<h3>Operations in machining order</h3>\n<table>" +
                        headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down",
-                                "#step-over", "#feed", "#plunge", "#rpm", "#cut m", "#in air m", "#rapid m",
-                                "#clear of part µm", "#time", "#with acceleration"});
+                                "#step-over", "#feed", "#plunge", "#rpm", "coolant", "#cut m", "#in air m",
+                                "#rapid m", "#clear of part µm", "#time",
+                                 "#with acceleration"});
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
         html += "<tr>" + cell(operation.id) + cell(operation.feature_id) + cell(operation.tool_id) +
@@ -210,8 +212,8 @@ std::string operationsTable(const PlannedSetup& setup) {
                 numberCell(std::to_string(path.layers)) + cell(path.step_down_mm, 2) +
                 cell(path.step_over_mm, 2) + cell(path.feed_mm_per_min, 0) +
                 cell(path.plunge_feed_mm_per_min, 0) + cell(operation.speed_rpm, 0) +
-                cell(path.totals.cut_length_mm / 1000, 2) + cell(path.totals.feed_air_length_mm / 1000, 2) +
-                cell(path.totals.air_length_mm / 1000, 2) +
+                cell(toString(operation.coolant)) + cell(path.totals.cut_length_mm / 1000, 2) +
+                cell(path.totals.feed_air_length_mm / 1000, 2) + cell(path.totals.air_length_mm / 1000, 2) +
                 (path.pattern == "drill"
                      ? numberCell("-")
                      : numberCell(fmt::format("{:.2f}", 1000 * operation.proof.least_clearance_mm))) +
@@ -342,7 +344,8 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol) {
     if (!plan.complete(tol))
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
-        html += viewsSection(plan, setup) + setupSection(setup) + sharingWords(plan, setup.sharing) +
+        html += viewsSection(plan, setup) + setupSection(setup, dialectOf(plan.machine)) +
+                sharingWords(plan, setup.sharing) +
                 toolsTable(plan, setup) + operationsTable(setup);
         html +=
             "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"

@@ -1,6 +1,8 @@
 #include "report/json_values.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
+#include "stepmill/planar/region_json.h"
+#include "stepmill/post/post.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -15,28 +17,6 @@ using report::point;
 
 Json box(const Box3& b) {
     return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});
-}
-
-Json segmentJson(const Segment& segment) {
-    Json json{{"to", point(segment.to)}};
-    if (segment.arc) {
-        json["centre"] = point(segment.arc->centre);
-        json["ccw"] = segment.arc->ccw;
-    }
-    return json;
-}
-
-Json regionJson(const Region& region) {
-    Json loops = Json::array();
-    for (const Loop& loop : region.loops) {
-        Json segments = Json::array();
-        for (const Segment& segment : loop.segments)
-            segments.push_back(segmentJson(segment));
-        loops.push_back({{"hole", signedArea(loop) < 0},
-                         {"start", point(loop.start)},
-                         {"segments", std::move(segments)}});
-    }
-    return {{"loops", std::move(loops)}};
 }
 
 Json transformJson(const Eigen::Isometry3d& transform) {
@@ -85,26 +65,6 @@ Json machineJson(const Machine& machine) {
 }
 
 /// The tools the plan calls, by number, as they must stand in the magazine.
-Json toolsJson(const Plan& plan) {
-    std::map<int, const ToolAssembly*> used;
-    for (const PlannedSetup& setup : plan.setups)
-        for (const Operation& operation : setup.operations) {
-            const ToolAssembly& tool = plan.library.tool(operation.tool_id);
-            used[tool.number] = &tool;
-        }
-    return listOf(used, [](const auto& entry) {
-        const ToolAssembly& tool = *entry.second;
-        Json range = nullptr;
-        if (tool.stick_out_range)
-            range = {number(tool.stick_out_range->shortest_mm), number(tool.stick_out_range->longest_mm)};
-        return Json{{"id", tool.id},
-                    {"number", tool.number},
-                    {"diameter_mm", number(tool.diameter_mm)},
-                    {"stick_out_mm", number(tool.stick_out_mm)},
-                    {"stick_out_range_mm", std::move(range)}};
-    });
-}
-
 Json sharingJson(const ToolSharing& sharing) {
     return {{"features_changed", sharing.features_changed},
             {"tool_changes_alone", sharing.visits_alone},
@@ -117,7 +77,7 @@ Json sharingJson(const ToolSharing& sharing) {
 /// Who reaches all of it alone, null where nobody does.
 Json lumpJson(const BlockedLump& lump) {
     return {{"area_mm2", number(lump.area_mm2)},
-            {"region", regionJson(lump.region)},
+            {"region", regionToJson(lump.region)},
             {"surrogates", lump.surrogates.empty() ? Json(nullptr) : Json(lump.surrogates)},
             {"reason", lump.reason}};
 }
@@ -151,7 +111,7 @@ Json edgeJson(const DagEdge& edge) {
 }
 
 Json residualJson(const Residual& residual) {
-    return {{"region", regionJson(residual.region)},
+    return {{"region", regionToJson(residual.region)},
             {"area_mm2", number(residual.area_mm2)},
             {"volume_mm3", number(residual.volume_mm3)},
             {"reason", residual.reason},
@@ -164,6 +124,46 @@ Json pathJson(const ToolSequence& sequence) {
     for (const SequenceStep& step : sequence.steps)
         if (step.role != Role::Surrogate) path.push_back(step.tool_id);
     return path;
+}
+
+Json obstacleJson(const Obstacle& obstacle) {
+    return {{"bottom_z_mm", number(obstacle.bottom_z_mm)},
+            {"top_z_mm", number(obstacle.top_z_mm)},
+            {"section", regionToJson(obstacle.section)}};
+}
+
+Json cylinderJson(const HolderCylinder& cylinder) {
+    return {{"diameter_mm", number(cylinder.diameter_mm)},
+            {"bottom_mm", number(cylinder.bottom_mm)},
+            {"top_mm", number(cylinder.top_mm)}};
+}
+
+Json toolJson(const ToolAssembly& tool) {
+    Json range = nullptr;
+    if (tool.stick_out_range)
+        range = {number(tool.stick_out_range->shortest_mm), number(tool.stick_out_range->longest_mm)};
+    return {{"id", tool.id},
+            {"number", tool.number},
+            {"type", toString(tool.type)},
+            {"description", tool.description},
+            {"diameter_mm", number(tool.diameter_mm)},
+            {"corner_radius_mm", number(tool.corner_radius_mm)},
+            {"flute_length_mm", number(tool.flute_length_mm)},
+            {"stick_out_mm", number(tool.stick_out_mm)},
+            {"stick_out_range_mm", std::move(range)},
+            {"shank", cylinderJson(tool.shank)},
+            {"holder", listOf(tool.holder, cylinderJson)}};
+}
+
+/// Tools the operations use, by number.
+Json usedToolsJson(const Plan& plan) {
+    std::map<int, const ToolAssembly*> used;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations) {
+            const ToolAssembly& tool = plan.library.tool(operation.tool_id);
+            used.emplace(tool.number, &tool);
+        }
+    return listOf(used, [](const auto& entry) { return toolJson(*entry.second); });
 }
 
 Json featureJson(const PlannedFeature& planned) {
@@ -181,8 +181,9 @@ Json featureJson(const PlannedFeature& planned) {
             {"open_length_mm", number(feature.open_length_mm)},
             {"closed_length_mm", number(feature.closed_length_mm)},
             {"min_corner_radius_mm", numberOrNull(feature.min_corner_radius_mm)},
-            {"target", regionJson(feature.target)},
-            {"obstruction", regionJson(feature.obstruction)},
+            {"target", regionToJson(feature.target)},
+            {"obstruction", regionToJson(feature.obstruction)},
+            {"obstacles", listOf(feature.obstacles, obstacleJson)},
             {"tools", listOf(sequence.tools, toolAreasJson)},
             {"dag", {{"edges", listOf(sequence.edges, edgeJson)}, {"path", pathJson(sequence)}}},
             {"time_s", number(sequence.time_s)},
@@ -207,11 +208,13 @@ Json operationJson(const Operation& operation) {
             {"feed_mm_per_min", number(path.feed_mm_per_min)},
             {"plunge_feed_mm_per_min", number(path.plunge_feed_mm_per_min)},
             {"speed_rpm", number(operation.speed_rpm)},
+            {"coolant", toString(operation.coolant)},
+            {"dwell_s", number(operation.dwell_s)},
             {"cut_length_mm", number(path.totals.cut_length_mm)},
             {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
             {"air_length_mm", number(path.totals.air_length_mm)},
-            {"time_s", number(path.totals.time_s())},
-            {"motion_time_s", number(path.totals.motion_time_s)}};
+            {"time_s", number(path.totals.time_s() + operation.dwell_s)},
+            {"motion_time_s", number(path.totals.motion_time_s + operation.dwell_s)}};
 }
 
 Json reasonJson(const ReasonVolume& entry) {
@@ -247,11 +250,11 @@ Json clampingJson(const Clamping& clamping) {
     return json;
 }
 
-Json setupJson(const PlannedSetup& setup) {
+Json setupJson(const PlannedSetup& setup, Dialect dialect) {
     return {{"id", setup.setup.id},
             {"axis", point(setup.setup.axis)},
             {"transform", transformJson(setup.setup.part_to_setup)},
-            {"program", setup.setup.id + ".ngc"},
+            {"program", programName(setup.setup.id, dialect)},
             {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
             {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
             {"time_s", number(setup.time_s)},
@@ -286,6 +289,7 @@ std::string planJson(const Plan& plan) {
         for (const Operation& operation : setup.operations)
             operations.push_back(operationJson(operation));
     }
+    const Dialect dialect = dialectOf(plan.machine);
     const Json json{
         {"format", 1},
         {"stepmill", {{"version", STEPMILL_VERSION}}},
@@ -295,8 +299,8 @@ std::string planJson(const Plan& plan) {
         {"material", plan.material},
         {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
         {"cost_model", toString(plan.cost_model)},
-        {"tools", toolsJson(plan)},
-        {"setups", listOf(plan.setups, setupJson)},
+        {"setups", listOf(plan.setups, [&](const PlannedSetup& setup) { return setupJson(setup, dialect); })},
+        {"tools", usedToolsJson(plan)},
         {"features", std::move(features)},
         {"operations", std::move(operations)},
         {"totals", totalsJson(plan.totals)},

@@ -1,8 +1,8 @@
 #include <system_error>
 
+#include "report/posted_files.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
-#include "stepmill/post/post.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -56,6 +56,13 @@ class WorkFolder {
     std::vector<fs::path> made_;  // innermost first
 };
 
+void removePrograms(const PlanFiles& files, const fs::path& dir) {
+    std::error_code ignored;
+    for (const auto& [setup, programs] : files.programs)
+        for (const PostedProgram& program : programs)
+            fs::remove(dir / program.file, ignored);
+}
+
 }  // namespace
 
 void removeUnfinished(const fs::path& dir) {
@@ -63,12 +70,16 @@ void removeUnfinished(const fs::path& dir) {
     fs::remove_all(workFolder(dir), ignored);
 }
 
-void writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
+void writePlan(const Plan& plan, const Verification& verification, const fs::path& dir,
+               const Tolerances& tol) {
     std::vector<std::pair<std::string, std::string>> files;
-    files.emplace_back("plan.json", planJson(plan));
+    const PlanFiles posted = report::postedFiles(plan);
+    files.emplace_back("plan.json", posted.plan_json);
     files.emplace_back("report.html", reportHtml(plan, tol));
-    for (const PlannedSetup& setup : plan.setups)
-        files.emplace_back(setup.setup.id + ".ngc", program(plan, setup));
+    if (verification.proven())
+        for (const auto& [setup, programs] : posted.programs)
+            for (const PostedProgram& program : programs)
+                files.emplace_back(program.file, program.text);
 
     WorkFolder work(dir);
     for (const auto& [name, bytes] : files)
@@ -81,6 +92,7 @@ void writePlan(const Plan& plan, const fs::path& dir, const Tolerances& tol) {
         fs::rename(work.path() / name, dir / name, why);
         if (why) failWriting(dir / name, why);
     }
+    if (!verification.proven()) removePrograms(posted, dir);
     work.keepParents();
 }
 

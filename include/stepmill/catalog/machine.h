@@ -20,7 +20,7 @@ struct Machine {
     /// given.
     double junction_deviation_mm = 0.01;
     double safe_height_mm = 0;  ///< retract this far over the stock's top between features
-    std::string dialect;        ///< post processor: "linuxcnc"
+    std::string dialect;        ///< post processor: "linuxcnc", "fanuc", "grbl"
 };
 
 }  // namespace stepmill

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace stepmill {
@@ -16,6 +17,11 @@ struct HolderCylinder {
     double top_mm = 0;
 };
 
+enum class Coolant { Off, Mist, Flood };
+std::string toString(Coolant coolant);
+/// The reverse; nothing for another word.
+std::optional<Coolant> coolantFrom(std::string_view word);
+
 /// What one cutter does in one material. Zero means not given.
 struct CuttingData {
     std::string material;
@@ -25,6 +31,8 @@ struct CuttingData {
     double plunge_feed_mm_per_min = 0;
     double ramp_angle_deg = 0;  ///< steepest descent along a helix or ramp
     double speed_rpm = 0;
+    Coolant coolant = Coolant::Flood;
+    double dwell_s = 0;  ///< at the bottom of a drilled hole
 };
 
 /// How far a cutter may be set out of its holder.
@@ -77,5 +85,7 @@ struct ToolLibrary {
 };
 
 std::string toString(ToolType type);
+/// The reverse; nothing for another word.
+std::optional<ToolType> toolTypeFrom(std::string_view word);
 
 }  // namespace stepmill

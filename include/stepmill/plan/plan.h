@@ -34,6 +34,8 @@ struct Operation {
     double z_top_mm = 0;
     double z_floor_mm = 0;
     double speed_rpm = 0;
+    Coolant coolant = Coolant::Flood;
+    double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
 };
 
 struct PlannedFeature {

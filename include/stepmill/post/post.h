@@ -1,19 +1,91 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {
 
-/// The LinuxCNC program of one setup: header comments (part, setup, stock, work offset, tools), a safe
-/// start line, operations in order with M6 and G43, arcs as G2/G3 with I and J, M30.
-/// Metric, 4 decimals; every arc's centre agrees with both its ends within 1 um, so that no controller
-/// refuses it.
-/// \throws Error(Usage) if the plan's machine names a dialect there is no post for.
+/// Languages of controllers [docs/posts.md].
+enum class Dialect { LinuxCnc, Fanuc, Grbl };
+std::string toString(Dialect dialect);
+/// The reverse; nothing for another word.
+std::optional<Dialect> dialectFrom(std::string_view word);
+/// The machine's dialect. \throws Error(Usage) when there is no post for it.
+Dialect dialectOf(const Machine& machine);
+
+/// "S1.ngc", "S1.nc" (Fanuc), "S1.gcode" (GRBL): where a program of that name is kept.
+std::string programName(const std::string& name, Dialect dialect);
+
+/// One motion with its own feed [mm/min]; the feed of a rapid is 0.
+struct FedMove {
+    Move move;
+    double feed_mm_per_min = 0;
+};
+
+/// A path's moves with the feeds of their kinds.
+std::vector<FedMove> fedMoves(const Toolpath& path);
+
+/// What a post has to know of one operation.
+struct JobOperation {
+    std::string id;
+    std::string feature_id;
+    std::string role;
+    std::string pattern;
+    ToolAssembly tool;
+    int layers = 1;
+    double step_down_mm = 0;
+    double z_floor_mm = 0;
+    double speed_rpm = 0;
+    Coolant coolant = Coolant::Flood;
+    double dwell_s = 0;  ///< at the bottom of a drilled hole
+    Vec3 start = Vec3::Zero();
+    std::vector<FedMove> moves;  ///< in setup coordinates [mm]
+};
+
+/// What a post has to know of one setup, from a plan or from the files of one.
+struct Job {
+    std::string part_name;
+    std::string part_file;
+    std::string setup_id;
+    std::string axis_name;
+    std::string material;
+    std::string machine_name;
+    Vec3 stock_size_mm = Vec3::Zero();
+    double time_s = 0;
+    std::vector<JobOperation> operations;  ///< in machining order
+};
+Job jobOf(const Plan& plan, const PlannedSetup& setup);
+
+struct PostOptions {
+    Dialect dialect = Dialect::LinuxCnc;
+    bool inch = false;      ///< G20 instead of G21
+    bool per_tool = false;  ///< a program for every visit of a tool instead of one for the setup
+};
+
+/// A program and the name of the file it belongs in.
+struct PostedProgram {
+    std::string file;
+    std::string text;
+};
+
+/// The programs of one setup: header comments (part, setup, stock, work offset, tools), a safe start line,
+/// operations in order with their tool changes, an end. Arcs are G2 and G3 with I and J, helices with Z;
+/// holes are G81, G82 or G83 where the dialect has cycles.
+///
+/// Every arc's centre agrees with both its ends within 1 um, so that no controller refuses it; coordinates
+/// have 4 decimals in mm, 5 in inches.
+/// \throws Error(InvalidCatalog) when two tools have one number.
+std::vector<PostedProgram> post(const Job& job, const PostOptions& options);
+
+/// The program of one setup in the dialect of the plan's machine.
+/// \throws Error(Usage) if there is no post for that dialect.
 std::string program(const Plan& plan, const PlannedSetup& setup);
 
-/// LinuxCNC tool table rows for the tools a setup uses.
-std::string toolTable(const Plan& plan, const PlannedSetup& setup);
+/// LinuxCNC tool table rows for the tools a job uses.
+std::string toolTable(const Job& job);
 
 }  // namespace stepmill

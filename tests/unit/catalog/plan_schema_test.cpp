@@ -23,6 +23,9 @@ json minimalPlan() {
     "tool_library": {"file": "tools.json"},
     "setups": [{"id": "S1", "axis": [0, 0, 1], "transform": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 0, 0, 0, 1],
                 "program": "S1.ngc", "features": ["S1.F1"], "operations": ["S1.O1"], "time_s": 60}],
+    "tools": [{"id": "EM8", "number": 8, "type": "flat", "description": "", "diameter_mm": 8, "corner_radius_mm": 0,
+               "flute_length_mm": 20, "stick_out_mm": 30, "shank": {"diameter_mm": 8, "bottom_mm": 20, "top_mm": 30},
+               "holder": [{"diameter_mm": 28, "bottom_mm": 30, "top_mm": 60}]}],
     "features": [{
         "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [], "top_z_mm": 0, "floor_z_mm": -5,
         "depth_mm": 5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
@@ -31,6 +34,7 @@ json minimalPlan() {
             {"to": [10, 20], "centre": [20, 20], "ccw": true}, {"to": [30, 20], "centre": [20, 20], "ccw": true}]}]},
         "obstruction": {"loops": [{"hole": false, "start": [0, 0], "segments": [
             {"to": [40, 0]}, {"to": [40, 40]}, {"to": [0, 40]}, {"to": [0, 0]}]}]},
+        "obstacles": [{"bottom_z_mm": -5, "top_z_mm": 0, "section": {"loops": []}}],
         "tools": [{"tool": "EM8", "accessible_area_mm2": 314.16, "coverable_area_mm2": 314.16,
                    "collision_free_area_mm2": 300, "access_volume_mm3": 1570.8,
                    "blocked_lumps": [{"area_mm2": 14.16, "region": {"loops": []}, "surrogates": null,
@@ -47,7 +51,7 @@ json minimalPlan() {
     "operations": [{
         "id": "S1.O1", "setup": "S1", "feature": "S1.F1", "tool": "EM8", "role": "rough",
         "pattern": "contour-parallel", "layers": 1, "z_top_mm": 0, "z_floor_mm": -5, "step_over_mm": 3.6,
-        "step_down_mm": 5, "feed_mm_per_min": 1900, "plunge_feed_mm_per_min": 570, "speed_rpm": 11950,
+        "step_down_mm": 5, "feed_mm_per_min": 1900, "plunge_feed_mm_per_min": 570, "speed_rpm": 11950, "coolant": "flood", "dwell_s": 0,
         "cut_length_mm": 200, "feed_air_length_mm": 5, "air_length_mm": 30, "time_s": 55}],
     "totals": {"time_s": 60, "cutting_s": 50, "air_s": 5, "tool_change_s": 5, "tool_changes": 1, "cost": 1.3,
                "lower_bound_s": 45},

@@ -117,7 +117,7 @@ TEST(Program, RefusesTwoToolsOfOneNumber) {
 
 TEST(ToolTable, ListsEachToolOnceInMillimetres) {
     const Plan plan = samplePlan();
-    EXPECT_EQ(toolTable(plan, plan.setups[0]), "T3 P3 Z0 D10.0000 ;EM10 \nT12 P12 Z0 D6.0000 ;EM6 \n");
+    EXPECT_EQ(toolTable(jobOf(plan, plan.setups[0])), "T3 P3 Z0 D10.0000 ;EM10 \nT12 P12 Z0 D6.0000 ;EM6 \n");
 }
 
 TEST(MotionWriter, WritesAnArcTooFlatForTheDecimalsAsALine) {
@@ -127,7 +127,7 @@ TEST(MotionWriter, WritesAnArcTooFlatForTheDecimalsAsALine) {
     std::string text;
     MotionWriter writer(text);
     writer.approach(Vec3(0, 0, 0));
-    writer.write(path);
+    writer.write(path.start, fedMoves(path));
     EXPECT_EQ(readProgram(text).blocks.back().g, 1);
 }
 
@@ -138,7 +138,7 @@ TEST(MotionWriter, DropsMovesShorterThanTheDecimals) {
     std::string text;
     MotionWriter writer(text);
     writer.approach(Vec3(0, 0, 0));
-    writer.write(path);
+    writer.write(path.start, fedMoves(path));
     EXPECT_EQ(readProgram(text).blocks.size(), 3U);
 }
 
@@ -163,7 +163,7 @@ TEST(MotionWriter, KeepsRandomArcsOfEverySizeTrue) {
         std::string text;
         MotionWriter writer(text);
         writer.approach(path.start);
-        writer.write(path);
+        writer.write(path.start, fedMoves(path));
         double length = 0;
         for (const Block& block : readProgram(text).blocks) {
             if (block.g == 0) continue;

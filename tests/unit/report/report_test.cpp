@@ -97,7 +97,7 @@ TEST(SummaryText, NamesToolsTimesAndBooks) {
 
 TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     const test::TemporaryFolder folder;
-    writePlan(shoulderPlan(), fs::path(folder.path()) / "a" / "job", Tolerances());
+    writePlan(shoulderPlan(), Verification{}, fs::path(folder.path()) / "a" / "job", Tolerances());
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) names.insert(entry.path().filename().string());
@@ -110,7 +110,7 @@ TEST(WritePlan, LeavesNothingBehindWhereItCannotWrite) {
     writeFile(fs::path(folder.path()) / "file", "in the way");
     const fs::path target = fs::path(folder.path()) / "file" / "job";
     try {
-        writePlan(shoulderPlan(), target, Tolerances());
+        writePlan(shoulderPlan(), Verification{}, target, Tolerances());
         FAIL() << "a folder below a file cannot be made";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::OutputUnwritable);

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stepmill/post/post.h"
+#include "stepmill/post/read_program.h"
+
+namespace stepmill {
+
+/// An operation as plan.json has it: all but its moves, which stand in the program.
+struct RecordedOperation {
+    std::string id;
+    std::string setup_id;
+    std::string feature_id;
+    ToolAssembly tool;  ///< without cutting data
+    std::string role;
+    std::string pattern;
+    int layers = 1;
+    double z_floor_mm = 0;
+    double step_down_mm = 0;
+    double feed_mm_per_min = 0;
+    double plunge_feed_mm_per_min = 0;
+    double speed_rpm = 0;
+    Coolant coolant = Coolant::Flood;
+    double dwell_s = 0;
+};
+
+struct RecordedSetup {
+    std::string id;
+    std::string axis_name;
+    std::string program;  ///< file name
+    Vec3 stock_size_mm = Vec3::Zero();
+    double time_s = 0;
+    std::vector<std::string> feature_ids;    ///< parents before children
+    std::vector<std::string> operation_ids;  ///< in machining order
+};
+
+/// What plan.json says that programs are proven against.
+struct PlanRecord {
+    std::string part_file;
+    std::string part_sha256;
+    std::string part_name;
+    std::string material;
+    Machine machine;
+    std::vector<RecordedSetup> setups;
+    std::map<std::string, PlannedFeature> features;  ///< regions, heights, obstacles, residuals alone
+    std::map<std::string, RecordedOperation> operations;
+    /// What stays of stock minus part at the end, by reason, and how much of it is rounding [mm3].
+    std::vector<ReasonVolume> left;
+    double rounding_mm3 = 0;
+};
+
+/// Reads a plan.json. \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject when it breaks
+/// its schema or names an operation, feature or tool it does not have.
+PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol);
+
+/// A plan.json and programs that belong to it.
+struct PlanFiles {
+    std::string plan_json;
+    Dialect dialect = Dialect::LinuxCnc;
+    /// Of each setup, by its id: one, or one for every visit of a tool in their order.
+    std::map<std::string, std::vector<PostedProgram>> programs;
+};
+
+/// The files `stepmill plan` wrote, or those `stepmill post` wrote beside them.
+/// \param dialect  whose programs; none: those plan.json names
+/// \throws Error(FileUnreadable) naming the file that is missing; what planRecordFromText throws.
+PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
+                        const Tolerances& tol);
+
+/// Reads a setup's programs back. \throws what readProgram does; Error(FileUnreadable) when there is none.
+std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup);
+
+/// Programs of a setup with what the plan knows of it, ready for a post.
+/// \throws Error(InvalidCatalog) when they have an operation the plan does not know.
+Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs);
+
+}  // namespace stepmill

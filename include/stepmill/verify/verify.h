@@ -1,0 +1,78 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "stepmill/verify/plan_record.h"
+
+namespace stepmill {
+
+/// What checking one operation of a posted program gave.
+struct OperationProof {
+    std::string operation;
+    std::string feature;
+    std::string tool;
+    std::string file;
+    int line = 0;  ///< of the operation's comment
+    /// Least distance between cutter and what must stay; negative is a gouge. Infinite beyond three radii.
+    double clearance_mm = std::numeric_limits<double>::infinity();
+    /// Area of the feature's target that neither this nor an earlier operation has swept, and that the plan
+    /// does not name as staying [mm2].
+    double left_mm2 = 0;
+    bool rapids_clear = true;
+    /// Least distance between shank or holder and material; infinite where they stay over all of it.
+    double holder_clearance_mm = std::numeric_limits<double>::infinity();
+    /// Highest feed, as a share of what the plan allows there.
+    double feed_share = 0;
+};
+
+/// A proof that fails, and where.
+struct ProofFailure {
+    std::string file;
+    int line = 0;
+    std::string operation;
+    std::string text;
+};
+
+/// What a feature's operations leave of its target and the plan does not name; a failure too.
+struct Leftover {
+    std::string setup;
+    std::string feature;
+    Region region;
+    double area_mm2 = 0;
+    double height_mm = 0;
+    double target_mm2 = 0;
+};
+
+struct Verification {
+    std::vector<OperationProof> operations;  ///< in machining order
+    std::vector<ProofFailure> failures;      ///< empty: all is proven
+    std::vector<Leftover> leftovers;         ///< each is among the failures
+    std::vector<ReasonVolume> left;          ///< what the plan says stays, beyond rounding
+
+    bool proven() const { return failures.empty(); }
+};
+
+/// Proves posted programs against the plan they belong to: reads them as the controller will and checks for
+/// every operation, from lines and arcs themselves,
+/// - that the cutter keeps off the feature's obstruction (within `tol.gouge_mm`) and off the floor below,
+/// - that nothing of the target stays but what the plan names,
+/// - that rapids meet no material that is still there when they run,
+/// - that shank and holder keep off material that is still there,
+/// - that feeds, speeds, tools and the order of operations are the plan's.
+///
+/// Nothing of how paths were made is used. Skins thinner than two `tol.sliver_mm` count as cut.
+/// \throws Error(InvalidCatalog) for a plan.json or a program that cannot be read.
+/// \see docs/adr/0006-proof-from-the-files.md for what the regions themselves rest on
+Verification verifyPlan(const PlanFiles& files, const Tolerances& tol);
+
+/// The same for the programs of one setup; adds to `into`.
+void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
+                 const std::vector<ReadProgram>& programs, const Tolerances& tol, Verification& into);
+
+/// For the terminal: a line an operation, then what fails.
+std::string verificationText(const Verification& verification);
+std::string verificationJson(const Verification& verification);
+
+}  // namespace stepmill

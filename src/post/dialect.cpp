@@ -1,0 +1,87 @@
+#include "post/dialect.h"
+
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+namespace {
+
+constexpr Dialect kDialects[] = {Dialect::LinuxCnc, Dialect::Fanuc, Dialect::Grbl};
+
+std::string knownDialects() {
+    std::string names;
+    for (const Dialect dialect : kDialects)
+        names += (names.empty() ? "" : ", ") + toString(dialect);
+    return names;
+}
+
+}  // namespace
+
+std::string toString(Dialect dialect) {
+    switch (dialect) {
+        case Dialect::LinuxCnc:
+            return "linuxcnc";
+        case Dialect::Fanuc:
+            return "fanuc";
+        case Dialect::Grbl:
+            return "grbl";
+    }
+    return {};
+}
+
+std::optional<Dialect> dialectFrom(std::string_view word) {
+    for (const Dialect dialect : kDialects)
+        if (toString(dialect) == word) return dialect;
+    return std::nullopt;
+}
+
+Dialect dialectOf(const Machine& machine) {
+    if (const auto dialect = dialectFrom(machine.dialect)) return *dialect;
+    throw Error(ErrorCode::Usage, "machine " + machine.name,
+                "there is no post for dialect '" + machine.dialect + "'; known: " + knownDialects());
+}
+
+const DialectRules& rulesOf(Dialect dialect) {
+    static const DialectRules kLinuxCnc{.cycles = true,
+                                        .tool_changer = true,
+                                        .tool_lengths = true,
+                                        .percent = false,
+                                        .goes_home = false,
+                                        .dwell_in_ms = false,
+                                        .any_program_name = true,
+                                        .safe_start = "G17 G40 G49 G80 G90 G94",
+                                        .extension = ".ngc"};
+    static const DialectRules kFanuc{.cycles = true,
+                                     .tool_changer = true,
+                                     .tool_lengths = true,
+                                     .percent = true,
+                                     .goes_home = true,
+                                     .dwell_in_ms = true,
+                                     .any_program_name = false,
+                                     .safe_start = "G17 G40 G49 G80 G90 G94",
+                                     .extension = ".nc"};
+    // GRBL 1.1 refuses H words and M6; G49 and G80 it takes.
+    static const DialectRules kGrbl{.cycles = false,
+                                    .tool_changer = false,
+                                    .tool_lengths = false,
+                                    .percent = false,
+                                    .goes_home = false,
+                                    .dwell_in_ms = false,
+                                    .any_program_name = true,
+                                    .safe_start = "G17 G40 G49 G80 G90 G94",
+                                    .extension = ".gcode"};
+    switch (dialect) {
+        case Dialect::Fanuc:
+            return kFanuc;
+        case Dialect::Grbl:
+            return kGrbl;
+        case Dialect::LinuxCnc:
+            break;
+    }
+    return kLinuxCnc;
+}
+
+std::string programName(const std::string& name, Dialect dialect) {
+    return name + rulesOf(dialect).extension;
+}
+
+}  // namespace stepmill

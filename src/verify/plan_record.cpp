@@ -1,0 +1,286 @@
+#include "stepmill/verify/plan_record.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/planar/region_json.h"
+
+namespace stepmill {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kPlanFile = "plan.json";
+
+[[noreturn]] void fail(const std::string& pointer, const std::string& what) {
+    throw Error(ErrorCode::InvalidCatalog, kPlanFile + pointer, what);
+}
+
+Region region(const Json& json, const std::string& subject) {
+    return regionFromJson(json, kPlanFile + (" " + subject));
+}
+
+HolderCylinder cylinder(const Json& json) {
+    return {json["diameter_mm"], json["bottom_mm"], json["top_mm"]};
+}
+
+ToolAssembly tool(const Json& json) {
+    ToolAssembly tool;
+    tool.id = json["id"];
+    tool.number = json["number"];
+    tool.type = *toolTypeFrom(json["type"].get<std::string>());
+    tool.description = json["description"];
+    tool.diameter_mm = json["diameter_mm"];
+    tool.corner_radius_mm = json["corner_radius_mm"];
+    tool.flute_length_mm = json["flute_length_mm"];
+    tool.stick_out_mm = json["stick_out_mm"];
+    tool.shank = cylinder(json["shank"]);
+    for (const Json& one : json["holder"])
+        tool.holder.push_back(cylinder(one));
+    return tool;
+}
+
+PlannedFeature feature(const Json& json) {
+    PlannedFeature planned;
+    Feature& feature = planned.feature;
+    feature.id = json["id"];
+    feature.setup_id = json["setup"];
+    feature.parents = json["parents"].get<std::vector<std::string>>();
+    feature.top_z_mm = json["top_z_mm"];
+    feature.floor_z_mm = json["floor_z_mm"];
+    // Of the classes only whether there is a floor matters here.
+    const std::string name = json["class"];
+    feature.through = name.starts_with("through") || name == toString(FeatureClass::OpenProfile);
+    if (name == toString(FeatureClass::HoleThrough)) feature.feature_class = FeatureClass::HoleThrough;
+    if (name == toString(FeatureClass::HoleBlind)) feature.feature_class = FeatureClass::HoleBlind;
+    feature.area_mm2 = json["area_mm2"];
+    feature.volume_mm3 = json["volume_mm3"];
+    feature.target = region(json["target"], feature.id + " target");
+    feature.obstruction = region(json["obstruction"], feature.id + " obstruction");
+    for (const Json& obstacle : json["obstacles"])
+        feature.obstacles.push_back({obstacle["bottom_z_mm"], obstacle["top_z_mm"],
+                                     region(obstacle["section"], feature.id + " obstacle")});
+    for (const Json& from : json["residual"]) {
+        Residual residual;
+        residual.region = region(from["region"], feature.id + " residual");
+        residual.area_mm2 = from["area_mm2"];
+        residual.volume_mm3 = from["volume_mm3"];
+        residual.reason = from["reason"];
+        planned.sequence.residual.push_back(std::move(residual));
+    }
+    return planned;
+}
+
+/// Entries of a list by their id.
+template <typename Value>
+const Value& known(const std::map<std::string, Value>& all, const std::string& id, const std::string& pointer,
+                   const char* what) {
+    const auto found = all.find(id);
+    if (found == all.end()) fail(pointer, fmt::format("expected {} of this plan, found '{}'", what, id));
+    return found->second;
+}
+
+RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools,
+                            const std::string& pointer) {
+    RecordedOperation operation;
+    operation.id = json["id"];
+    operation.setup_id = json["setup"];
+    operation.feature_id = json["feature"];
+    operation.tool = known(tools, json["tool"], pointer + "/tool", "a tool");
+    operation.role = json["role"];
+    operation.pattern = json["pattern"];
+    operation.layers = json["layers"];
+    operation.z_floor_mm = json["z_floor_mm"];
+    operation.step_down_mm = json["step_down_mm"];
+    operation.feed_mm_per_min = json["feed_mm_per_min"];
+    operation.plunge_feed_mm_per_min = json["plunge_feed_mm_per_min"];
+    operation.speed_rpm = json["speed_rpm"];
+    operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
+    operation.dwell_s = json["dwell_s"];
+    return operation;
+}
+
+RecordedSetup setup(const Json& json) {
+    RecordedSetup setup;
+    setup.id = json["id"];
+    setup.axis_name = json.value("axis_name", "");
+    setup.program = json["program"];
+    if (json.contains("stock"))
+        for (int i = 0; i < 3; ++i)
+            setup.stock_size_mm[i] = json["stock"]["size_mm"][i];
+    setup.time_s = json["time_s"];
+    setup.feature_ids = json["features"].get<std::vector<std::string>>();
+    setup.operation_ids = json["operations"].get<std::vector<std::string>>();
+    // Programs lie beside plan.json, nowhere else.
+    if (setup.program.find_first_of("/\\") != std::string::npos)
+        fail("#/setups", fmt::format("program '{}' is no plain file name", setup.program));
+    return setup;
+}
+
+Machine machine(const Json& json) {
+    Machine machine;
+    machine.name = json["name"];
+    machine.rapid_mm_per_min = json["rapid_mm_per_min"];
+    machine.max_feed_mm_per_min = json.value("max_feed_mm_per_min", 0.0);
+    machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
+    return machine;
+}
+
+void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
+    const Json& books = plan["volume_balance"];
+    record.rounding_mm3 =
+        std::max(kVolumeRoundingMm3, tol.volume_share * books["stock_minus_part_mm3"].get<double>());
+    for (const char* list : {"residual_by_reason", "unreachable_by_reason"})
+        if (books.contains(list))
+            for (const Json& entry : books[list])
+                record.left.push_back({entry["reason"], entry["volume_mm3"]});
+}
+
+/// Every id that is named exists.
+void checkNames(const PlanRecord& record) {
+    for (const auto& [id, planned] : record.features)
+        for (const std::string& parent : planned.feature.parents)
+            known(record.features, parent, "#/features", "a feature");
+    for (const auto& [id, operation] : record.operations)
+        known(record.features, operation.feature_id, "#/operations", "a feature");
+    for (const RecordedSetup& setup : record.setups) {
+        for (const std::string& id : setup.feature_ids)
+            known(record.features, id, "#/setups", "a feature");
+        for (const std::string& id : setup.operation_ids)
+            known(record.operations, id, "#/setups", "an operation");
+    }
+}
+
+}  // namespace
+
+PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
+    const std::vector<std::string> errors = schemaErrors(SchemaName::Plan, text);
+    if (!errors.empty()) {
+        const std::size_t colon = errors.front().find(": ");
+        if (colon == std::string::npos) fail("", errors.front());
+        fail(errors.front().substr(0, colon), errors.front().substr(colon + 2));
+    }
+    const Json plan = Json::parse(text);
+    PlanRecord record;
+    record.part_file = plan["part"]["file"];
+    record.part_sha256 = plan["part"]["sha256"];
+    record.part_name = plan["part"]["name"];
+    record.material = plan["material"];
+    record.machine = machine(plan["machine"]);
+    std::map<std::string, ToolAssembly> tools;
+    for (const Json& one : plan["tools"])
+        tools[one["id"]] = tool(one);
+    for (const Json& one : plan["features"])
+        record.features[one["id"]] = feature(one);
+    for (std::size_t i = 0; i < plan["operations"].size(); ++i) {
+        const Json& one = plan["operations"][i];
+        record.operations[one["id"]] = operation(one, tools, fmt::format("#/operations/{}", i));
+    }
+    for (const Json& one : plan["setups"])
+        record.setups.push_back(setup(one));
+    readBalance(plan, tol, record);
+    checkNames(record);
+    return record;
+}
+
+namespace {
+
+/// "S1-2-T5.nc" is the second of S1: its number, 0 for other names.
+int visitOf(const std::string& file, const std::string& setup_id, Dialect dialect) {
+    const std::string begin = setup_id + "-";
+    if (!file.starts_with(begin) || !file.ends_with(programName("", dialect))) return 0;
+    return std::atoi(file.c_str() + begin.size());
+}
+
+std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& setup_id,
+                                      Dialect dialect) {
+    const std::string whole = programName(setup_id, dialect);
+    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole)}};
+    std::map<int, std::string> visits;
+    for (const auto& entry : std::filesystem::directory_iterator(dir)) {
+        const std::string name = entry.path().filename().string();
+        const int visit = visitOf(name, setup_id, dialect);
+        if (visit > 0) visits[visit] = name;
+    }
+    if (visits.empty()) return {{whole, readFile(dir / whole)}};  // which says what is missing
+    std::vector<PostedProgram> programs;
+    for (const auto& [visit, name] : visits)
+        programs.push_back({name, readFile(dir / name)});
+    return programs;
+}
+
+}  // namespace
+
+PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
+                        const Tolerances& tol) {
+    PlanFiles files;
+    files.plan_json = readFile(dir / kPlanFile);
+    const PlanRecord record = planRecordFromText(files.plan_json, tol);
+    files.dialect = dialect.value_or(dialectOf(record.machine));
+    for (const RecordedSetup& setup : record.setups)
+        files.programs[setup.id] =
+            dialect ? programsIn(dir, setup.id, *dialect)
+                    : std::vector<PostedProgram>{{setup.program, readFile(dir / setup.program)}};
+    return files;
+}
+
+std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup) {
+    const auto found = files.programs.find(setup.id);
+    if (found == files.programs.end())
+        throw Error(ErrorCode::FileUnreadable, setup.program, "the plan's program is missing");
+    std::vector<ReadProgram> programs;
+    for (const PostedProgram& program : found->second)
+        programs.push_back(readProgram(program.text, program.file, files.dialect));
+    return programs;
+}
+
+namespace {
+
+JobOperation jobOperation(const RecordedOperation& planned, const ReadOperation& read) {
+    JobOperation operation;
+    operation.id = planned.id;
+    operation.feature_id = planned.feature_id;
+    operation.role = planned.role;
+    operation.pattern = planned.pattern;
+    operation.tool = planned.tool;
+    operation.layers = planned.layers;
+    operation.step_down_mm = planned.step_down_mm;
+    operation.z_floor_mm = planned.z_floor_mm;
+    operation.speed_rpm = planned.speed_rpm;
+    operation.coolant = planned.coolant;
+    operation.dwell_s = planned.dwell_s;
+    operation.start = read.start;
+    for (const ReadMove& move : read.moves)
+        operation.moves.push_back(move.fed);
+    return operation;
+}
+
+}  // namespace
+
+Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs) {
+    Job job;
+    job.part_name = record.part_name;
+    job.part_file = record.part_file;
+    job.setup_id = setup.id;
+    job.axis_name = setup.axis_name;
+    job.material = record.material;
+    job.machine_name = record.machine.name;
+    job.stock_size_mm = setup.stock_size_mm;
+    job.time_s = setup.time_s;
+    for (const ReadProgram& program : programs) {
+        for (const ReadOperation& read : program.operations) {
+            const auto found = record.operations.find(read.id);
+            if (found == record.operations.end())
+                throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", program.file, read.line),
+                            fmt::format("the plan has no operation '{}'", read.id));
+            job.operations.push_back(jobOperation(found->second, read));
+        }
+    }
+    return job;
+}
+
+}  // namespace stepmill

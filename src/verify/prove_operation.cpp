@@ -1,0 +1,273 @@
+// One operation of a posted program against what must stay and what is still there.
+
+#include "verify/prove_operation.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "access/collision.h"
+#include "sequence/drilling.h"
+#include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
+#include "toolpath/curve.h"
+#include "verify/read_path.h"
+#include "verify/swept_region.h"
+
+namespace stepmill::verify {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// The stock's top in every setup [mm].
+constexpr double kStockTopMm = 0;
+/// Heights closer than this are one: half a last decimal, in inches or mm [mm].
+constexpr double kSameHeightMm = 3e-4;
+/// Skins thinner than this many slivers count as cut: passes may stop one sliver before the end of a strip,
+/// and strips of centres as narrow as one get none.
+constexpr double kThinSlivers = 2;
+/// A drill may be this much narrower than the hole that it makes (drillCheck) [mm].
+constexpr double kDrillUndersizeMm = 0.02;
+/// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
+constexpr double kFeedRounding = 1e-3;
+
+double lowOf(const Vec3& from, const Move& move) {
+    return std::min(from.z(), move.to.z());
+}
+
+/// A task that only tells prove() what must stay.
+ClearingTask keepOff(const Region& obstruction) {
+    ClearingTask task;
+    task.obstruction = obstruction;
+    task.top_z_mm = kInfinite;       // every feed is looked at
+    task.retract_z_mm = -kInfinite;  // no rapid is
+    return task;
+}
+
+void checkClearance(const LinedPath& path, const ClearingTask& task, double radius_mm, double allowed_mm,
+                    const Tolerances& tol, double& least_mm, const std::string& what,
+                    const Findings& findings) {
+    if (path.path.moves.empty()) return;
+    const double clearance = prove(path.path, task, radius_mm, tol).least_clearance_mm;
+    least_mm = std::min(least_mm, clearance);
+    if (clearance >= allowed_mm) return;
+    const int line = firstFailingLine(path, [&](const Toolpath& part) {
+        return prove(part, task, radius_mm, tol).least_clearance_mm < allowed_mm;
+    });
+    findings.add(line, fmt::format("{} by {:.4f} mm", what, -clearance));
+}
+
+/// How deep the tip may go.
+double lowestZ(const RecordedOperation& planned, const Feature& feature) {
+    return planned.tool.isDrill() ? std::min(planned.z_floor_mm, drillTipZ(feature, planned.tool))
+                                  : planned.z_floor_mm;
+}
+
+void checkFloor(const ReadOperation& operation, double lowest_mm, const Tolerances& tol,
+                const Findings& findings) {
+    for (const ReadMove& read : operation.moves) {
+        if (read.fed.move.to.z() >= lowest_mm - tol.gouge_mm) continue;
+        findings.add(read.line, fmt::format("goes down to Z{:.4f}, the floor is at Z{:.4f}",
+                                            read.fed.move.to.z(), lowest_mm));
+        return;
+    }
+}
+
+/// Straight feeds at heights where everything above the stock's top is free.
+void checkEnds(const ReadOperation& operation, bool last_before_change, const Findings& findings) {
+    if (operation.after_tool_change && operation.start.z() < kStockTopMm)
+        findings.add(
+            operation.line,
+            fmt::format("comes from the tool change at Z{:.4f}, below the stock's top", operation.start.z()));
+    if (!last_before_change || operation.moves.empty()) return;
+    const ReadMove& last = operation.moves.back();
+    if (last.fed.move.to.z() < kStockTopMm)
+        findings.add(last.line, fmt::format("ends at Z{:.4f}, below the stock's top, before the tool changes",
+                                            last.fed.move.to.z()));
+}
+
+bool isLevelBelow(const Vec3& from, const Move& move, double z_mm) {
+    return move.kind != MoveKind::Rapid && std::max(from.z(), move.to.z()) <= z_mm;
+}
+
+/// Ways of the feeds that end no higher than z, joined where one goes on from another. Of a plunge its end.
+std::vector<Path> waysBelow(const ReadOperation& operation, std::size_t from_move, std::size_t to_move,
+                            double z_mm, const Vec3& start) {
+    std::vector<Path> ways;
+    Vec3 from = start;
+    bool goes_on = false;
+    for (std::size_t i = from_move; i < to_move; ++i) {
+        const Move& move = operation.moves[i].fed.move;
+        const bool plunged = move.kind == MoveKind::Plunge && move.to.z() <= z_mm;
+        const bool wanted = isLevelBelow(from, move, z_mm) || plunged;
+        if (wanted && !goes_on) ways.push_back({Vec2(from.head<2>()), {}});
+        if (wanted && Vec2(move.to.head<2>()) != from.head<2>())
+            ways.back().segments.push_back({move.to.head<2>(), move.arc});
+        goes_on = wanted;
+        from = move.to;
+    }
+    return ways;
+}
+
+/// The feature's own material as the holder meets it: what stood when the operation began, less what it has
+/// cut by then. Cuts are taken off only when it matters.
+class OwnMaterial {
+  public:
+    OwnMaterial(const ReadOperation& operation, const RecordedOperation& planned, const Region& standing,
+                const Tolerances& tol)
+        : operation_(operation), planned_(planned), standing_(standing), tol_(tol) {
+        edges_ = toolpath::edgesOf(standing_);
+    }
+
+    /// Least distance from the edge to what stands at `z_mm` when move `index` begins, less the radius.
+    double clearance(const toolpath::Edge& way, double radius_mm, double z_mm, std::size_t index) {
+        double found = distance(way, radius_mm) - radius_mm;
+        if (found >= 0 || index <= cut_until_) return found;
+        takeOff(index, z_mm);
+        return distance(way, radius_mm) - radius_mm;
+    }
+
+  private:
+    double distance(const toolpath::Edge& way, double radius_mm) const {
+        double least = 4 * radius_mm;
+        const Box2 around = way.box.grown(least);
+        for (const toolpath::Edge& edge : edges_)
+            if (edge.box.overlaps(around)) least = std::min(least, toolpath::separation(way, edge));
+        if (least > 0 && contains(standing_, way.segment.to)) return 0;
+        return least;
+    }
+
+    void takeOff(std::size_t index, double z_mm) {
+        const Vec3 start = cut_until_ == 0 ? operation_.start : operation_.moves[cut_until_ - 1].fed.move.to;
+        const std::vector<Path> ways = waysBelow(operation_, cut_until_, index, z_mm, start);
+        const double radius_mm = planned_.tool.radius_mm() + kThinSlivers * tol_.sliver_mm;
+        if (!ways.empty()) {
+            standing_ = subtract(standing_, sweptRegion(ways, radius_mm, tol_), tol_);
+            edges_ = toolpath::edgesOf(standing_);
+        }
+        cut_until_ = index;
+    }
+
+    const ReadOperation& operation_;
+    const RecordedOperation& planned_;
+    Region standing_;
+    const Tolerances& tol_;
+    std::vector<toolpath::Edge> edges_;
+    std::size_t cut_until_ = 0;
+};
+
+}  // namespace
+
+void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                bool last_before_change, const Tolerances& tol, const Findings& findings) {
+    const Feature& feature = state.feature;
+    const double radius_mm = planned.tool.radius_mm();
+    checkEnds(operation, last_before_change, findings);
+    checkFloor(operation, lowestZ(planned, feature), tol, findings);
+
+    ClearingTask task;
+    task.target = state.standing;
+    task.obstruction = feature.obstruction;
+    task.top_z_mm = feature.top_z_mm;
+    task.floor_z_mm = planned.z_floor_mm;
+    task.retract_z_mm = std::max(kStockTopMm, feature.top_z_mm);
+    const LinedPath whole = wholePath(operation);
+    checkClearance(whole, task, radius_mm, -tol.gouge_mm, tol, findings.proof.clearance_mm,
+                   "cuts into what must stay", findings);
+    // Feeds over the feature's top, where prove() takes for granted that nothing stands.
+    const LinedPath above = somePath(operation, 0, [&](const Vec3& from, const Move& move) {
+        const double low = lowOf(from, move);
+        return move.kind != MoveKind::Rapid && low >= feature.top_z_mm && low < kStockTopMm;
+    });
+    checkClearance(above, keepOff(feature.obstruction), radius_mm, -tol.gouge_mm, tol,
+                   findings.proof.clearance_mm, "meets what stands over the feature", findings);
+
+    const auto rapidFails = [&](const Toolpath& part) {
+        return !prove(part, task, radius_mm, tol).rapids_clear;
+    };
+    findings.proof.rapids_clear = !rapidFails(whole.path);
+    if (!findings.proof.rapids_clear)
+        findings.add(firstFailingLine(whole, rapidFails), "a rapid meets material that is still there");
+}
+
+void proveHolder(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                 const Tolerances& tol, const Findings& findings) {
+    const Feature& feature = state.feature;
+    double& least_mm = findings.proof.holder_clearance_mm;
+    for (const HolderCylinder& cylinder : access::cylindersOf(planned.tool)) {
+        const double radius_mm = cylinder.diameter_mm / 2;
+        const std::string what = fmt::format(
+            "shank or holder ({:.4g} mm wide from {:.4g} mm over the tip) comes into "
+            "material",
+            cylinder.diameter_mm, cylinder.bottom_mm);
+        for (const Obstacle& obstacle : feature.obstacles) {
+            if (obstacle.section.empty()) continue;
+            const LinedPath met =
+                somePath(operation, cylinder.bottom_mm, [&](const Vec3& from, const Move& move) {
+                    const double z = lowOf(from, move) + cylinder.bottom_mm;
+                    return z >= obstacle.bottom_z_mm && z < obstacle.top_z_mm - kSameHeightMm;
+                });
+            checkClearance(met, keepOff(obstacle.section), radius_mm, -tol.gouge_mm, tol, least_mm, what,
+                           findings);
+        }
+        OwnMaterial own(operation, planned, state.standing, tol);
+        Vec3 from = operation.start;
+        for (std::size_t i = 0; i < operation.moves.size(); ++i) {
+            const Move& move = operation.moves[i].fed.move;
+            const double z = lowOf(from, move) + cylinder.bottom_mm;
+            const toolpath::Edge way =
+                toolpath::makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            from = move.to;
+            if (z >= feature.top_z_mm - kSameHeightMm) continue;
+            const double clearance = own.clearance(way, radius_mm, z, i);
+            least_mm = std::min(least_mm, clearance);
+            if (clearance >= -tol.gouge_mm) continue;
+            findings.add(operation.moves[i].line,
+                         fmt::format("{} of the feature itself by {:.4f} mm", what, -clearance));
+            break;
+        }
+    }
+}
+
+void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned, double max_feed_mm_per_min,
+                const Findings& findings) {
+    if (operation.tool_number != planned.tool.number)
+        findings.add(operation.line, fmt::format("runs with T{}, planned is T{} {}", operation.tool_number,
+                                                 planned.tool.number, planned.tool.id));
+    if (std::abs(operation.speed_rpm - planned.speed_rpm) > 1)
+        findings.add(operation.line, fmt::format("runs at S{:.0f}, planned is S{:.0f}", operation.speed_rpm,
+                                                 planned.speed_rpm));
+    // Cutting data without a feed down mean the cutting feed.
+    const double sink_limit =
+        planned.plunge_feed_mm_per_min > 0 ? planned.plunge_feed_mm_per_min : planned.feed_mm_per_min;
+    double feed_limit = std::max(planned.feed_mm_per_min, planned.tool.isDrill() ? sink_limit : 0.0);
+    if (max_feed_mm_per_min > 0) feed_limit = std::min(feed_limit, max_feed_mm_per_min);
+    Vec3 from = operation.start;
+    bool told = false;
+    for (const ReadMove& read : operation.moves) {
+        const Move& move = read.fed.move;
+        const double drop = from.z() - move.to.z();
+        const double flat = length(Vec2(from.head<2>()), {Vec2(move.to.head<2>()), move.arc});
+        from = move.to;
+        if (move.kind == MoveKind::Rapid) continue;
+        const double sinking = drop > 0 ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
+        const double share = std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit);
+        findings.proof.feed_share = std::max(findings.proof.feed_share, share);
+        if (told || share <= 1 + kFeedRounding) continue;
+        told = true;
+        findings.add(read.line,
+                     fmt::format("feeds at {:.1f} mm/min ({:.1f} down); planned are {:.1f} at most and "
+                                 "{:.1f} down",
+                                 read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit));
+    }
+}
+
+Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol) {
+    const ToolAssembly& tool = planned.tool;
+    double radius_mm = tool.radius_mm() + kThinSlivers * tol.sliver_mm;
+    if (tool.isDrill()) radius_mm += kDrillUndersizeMm / 2;
+    return sweptRegion(
+        waysBelow(operation, 0, operation.moves.size(), planned.z_floor_mm + kSameHeightMm, operation.start),
+        radius_mm, tol);
+}
+
+}  // namespace stepmill::verify

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "stepmill/verify/verify.h"
+
+namespace stepmill::verify {
+
+/// A feature while the program runs: what of it is still there.
+struct FeatureState {
+    Feature feature;  ///< below what its ancestors left [plan/plan_steps.h]
+    Region standing;  ///< of the target, over its whole depth
+};
+
+/// Where an operation's checks report to.
+struct Findings {
+    const std::string& file;
+    OperationProof& proof;
+    std::vector<ProofFailure>& failures;
+
+    void add(int line, const std::string& text) const {
+        failures.push_back({file, line, proof.operation, text});
+    }
+};
+
+/// Cutter against obstruction and floor, rapids against what stands, at its start, over its moves and at its
+/// end. `ends_low_allowed`: the next operation goes on with the same tool.
+void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                bool last_before_change, const Tolerances& tol, const Findings& findings);
+
+/// Shank and holder against what stands over the floor, the feature's own material included until it is cut.
+void proveHolder(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                 const Tolerances& tol, const Findings& findings);
+
+/// Feeds, spindle speed and tool as planned.
+void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned, double max_feed_mm_per_min,
+                const Findings& findings);
+
+/// What the operation clears down to its floor.
+Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol);
+
+}  // namespace stepmill::verify

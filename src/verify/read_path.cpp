@@ -1,0 +1,59 @@
+#include "verify/read_path.h"
+
+namespace stepmill::verify {
+
+LinedPath LinedPath::first(std::size_t count) const {
+    LinedPath part;
+    part.path.start = path.start;
+    part.path.moves.assign(path.moves.begin(), path.moves.begin() + static_cast<std::ptrdiff_t>(count));
+    part.lines.assign(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count));
+    return part;
+}
+
+LinedPath wholePath(const ReadOperation& operation) {
+    LinedPath whole;
+    whole.path.start = operation.start;
+    for (const ReadMove& read : operation.moves) {
+        whole.path.moves.push_back(read.fed.move);
+        whole.lines.push_back(read.line);
+        if (read.fed.move.kind != MoveKind::Plunge) continue;
+        Move stay = read.fed.move;
+        stay.kind = MoveKind::Feed;
+        whole.path.moves.push_back(stay);
+        whole.lines.push_back(read.line);
+    }
+    return whole;
+}
+
+LinedPath somePath(const ReadOperation& operation, double raised_mm, const Wanted& wanted) {
+    LinedPath some;
+    const Vec3 up(0, 0, raised_mm);
+    Vec3 from = operation.start;
+    for (const ReadMove& read : operation.moves) {
+        if (wanted(from, read.fed.move)) {
+            if (some.path.moves.empty()) some.path.start = from + up;
+            Move hop;
+            hop.to = from + up;
+            Move move = read.fed.move;
+            move.to += up;
+            if (move.kind == MoveKind::Rapid) move.kind = MoveKind::Feed;
+            some.path.moves.push_back(hop);
+            some.path.moves.push_back(move);
+            some.lines.insert(some.lines.end(), 2, read.line);
+        }
+        from = read.fed.move.to;
+    }
+    return some;
+}
+
+int firstFailingLine(const LinedPath& path, const std::function<bool(const Toolpath&)>& fails) {
+    std::size_t good = 0;
+    std::size_t bad = path.path.moves.size();
+    while (bad - good > 1) {
+        const std::size_t middle = good + (bad - good) / 2;
+        (fails(path.first(middle).path) ? bad : good) = middle;
+    }
+    return path.lines[bad - 1];
+}
+
+}  // namespace stepmill::verify

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+
+#include "stepmill/post/read_program.h"
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill::verify {
+
+/// A read operation, or some of its moves, as the path that prove() takes, with the line of every move.
+struct LinedPath {
+    Toolpath path;
+    std::vector<int> lines;
+
+    /// The first moves alone.
+    LinedPath first(std::size_t count) const;
+};
+
+/// All moves. A stay is added where a plunge ends, which is how prove() knows of what went straight down.
+LinedPath wholePath(const ReadOperation& operation);
+
+/// The moves that `wanted`, raised by that much, with hops between them that nobody looks at; all of them
+/// feeds.
+using Wanted = std::function<bool(const Vec3& from, const Move& move)>;
+LinedPath somePath(const ReadOperation& operation, double raised_mm, const Wanted& wanted);
+
+/// Line of the first move up to which `fails` does; moves after a failing one must not mend it. \pre
+/// fails(path)
+int firstFailingLine(const LinedPath& path, const std::function<bool(const Toolpath&)>& fails);
+
+}  // namespace stepmill::verify

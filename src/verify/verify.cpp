@@ -1,0 +1,196 @@
+// Posted programs against the plan they belong to.
+
+#include "stepmill/verify/verify.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "plan/plan_steps.h"
+#include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/sequence/area_models.h"
+#include "verify/prove_operation.h"
+
+namespace stepmill {
+namespace {
+
+using verify::FeatureState;
+
+/// Numbers in plan.json have six decimals.
+constexpr double kWrittenDecimals = 1e-6;
+
+/// Features and what is done, while a setup's program runs.
+class SetupProver {
+  public:
+    SetupProver(const PlanRecord& record, const RecordedSetup& setup, const Tolerances& tol,
+                Verification& into)
+        : record_(record), setup_(setup), file_(setup.program), tol_(tol), into_(into) {}
+
+    void prove(const std::vector<ReadProgram>& programs) {
+        for (const ReadProgram& program : programs) {
+            file_ = program.file;
+            for (std::size_t i = 0; i < program.operations.size(); ++i) {
+                const bool last =
+                    i + 1 == program.operations.size() || program.operations[i + 1].after_tool_change;
+                proveOne(program.operations[i], last);
+            }
+        }
+        for (const std::string& id : setup_.operation_ids)
+            if (done_.count(id) == 0)
+                into_.failures.push_back({file_, 0, id, "the program does not have this operation"});
+    }
+
+  private:
+    void proveOne(const ReadOperation& operation, bool last_before_change) {
+        const RecordedOperation& planned = plannedOf(operation);
+        FeatureState& state = stateOf(planned.feature_id);
+        OperationProof proof{operation.id, planned.feature_id, planned.tool.id, file_, operation.line};
+        const verify::Findings findings{file_, proof, into_.failures};
+        checkOrder(operation, planned, findings);
+        verify::proveFeeds(operation, planned, record_.machine.max_feed_mm_per_min, findings);
+        verify::proveMoves(operation, planned, state, last_before_change, tol_, findings);
+        verify::proveHolder(operation, planned, state, tol_, findings);
+        const Region cleared = verify::cleared(operation, planned, tol_);
+        if (!cleared.empty()) state.standing = subtract(state.standing, cleared, tol_);
+        const std::vector<Region> left = leftOf(planned, state);
+        for (const Region& piece : left)
+            proof.left_mm2 += area(piece);
+        done_.insert(operation.id);
+        if (isLastOfFeature(planned)) checkLeft(operation, planned, state, left, findings);
+        into_.operations.push_back(proof);
+    }
+
+    const RecordedOperation& plannedOf(const ReadOperation& operation) const {
+        const auto found = record_.operations.find(operation.id);
+        const bool ours = found != record_.operations.end() && found->second.setup_id == setup_.id;
+        if (!ours)
+            throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", file_, operation.line),
+                        fmt::format("the plan has no operation '{}' in {}", operation.id, setup_.id));
+        if (done_.count(operation.id) > 0)
+            throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", file_, operation.line),
+                        fmt::format("operation '{}' stands twice in the program", operation.id));
+        return found->second;
+    }
+
+    std::vector<const PlannedFeature*> parentsOf(const PlannedFeature& planned) const {
+        std::vector<const PlannedFeature*> parents;
+        for (const std::string& id : planned.feature.parents)
+            parents.push_back(&record_.features.at(id));
+        return parents;
+    }
+
+    std::vector<const PlannedFeature*> ancestorsOf(const PlannedFeature& planned) const {
+        std::vector<const PlannedFeature*> found = parentsOf(planned);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (const PlannedFeature* parent : parentsOf(*found[i]))
+                if (std::find(found.begin(), found.end(), parent) == found.end()) found.push_back(parent);
+        return found;
+    }
+
+    FeatureState& stateOf(const std::string& id) {
+        const auto found = states_.find(id);
+        if (found != states_.end()) return found->second;
+        const PlannedFeature& planned = record_.features.at(id);
+        FeatureState state;
+        state.feature =
+            belowResiduals(planned.feature, parentsOf(planned), ancestorsOf(planned), tol_).feature;
+        state.standing = state.feature.target;
+        return states_.emplace(id, std::move(state)).first->second;
+    }
+
+    /// What must be cut before is: the ancestors' operations, and this feature's own earlier ones.
+    void checkOrder(const ReadOperation& operation, const RecordedOperation& planned,
+                    const verify::Findings& findings) {
+        std::set<std::string> before;
+        for (const PlannedFeature* ancestor : ancestorsOf(record_.features.at(planned.feature_id)))
+            before.insert(ancestor->feature.id);
+        for (const std::string& id : setup_.operation_ids) {
+            const RecordedOperation& other = record_.operations.at(id);
+            if (before.count(other.feature_id) > 0 && done_.count(id) == 0)
+                findings.add(operation.line,
+                             fmt::format("runs before {}, which clears {} above it", id, other.feature_id));
+        }
+    }
+
+    bool isLastOfFeature(const RecordedOperation& planned) const {
+        return std::all_of(
+            setup_.operation_ids.begin(), setup_.operation_ids.end(), [&](const std::string& id) {
+                return record_.operations.at(id).feature_id != planned.feature_id || done_.count(id) > 0;
+            });
+    }
+
+    /// What stands, less what the plan names as standing down to this operation's floor; pieces too small to
+    /// be anything left out, the largest first.
+    std::vector<Region> leftOf(const RecordedOperation& planned, const FeatureState& state) const {
+        std::vector<Region> named;
+        const double depth_mm = state.feature.top_z_mm - planned.z_floor_mm;
+        for (const Residual& residual : record_.features.at(planned.feature_id).sequence.residual) {
+            // Both numbers are rounded in the file.
+            const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm);
+            if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
+                named.push_back(residual.region);
+        }
+        const bool all_named = state.standing.empty() || named.empty();
+        std::vector<Region> pieces =
+            components(all_named ? state.standing : subtract(state.standing, unite(named, tol_), tol_));
+        std::erase_if(pieces, [&](const Region& piece) { return area(piece) <= tol_.area_mm2; });
+        std::stable_sort(pieces.begin(), pieces.end(),
+                         [](const Region& one, const Region& other) { return area(one) > area(other); });
+        return pieces;
+    }
+
+    void checkLeft(const ReadOperation& operation, const RecordedOperation& planned,
+                   const FeatureState& state, const std::vector<Region>& left,
+                   const verify::Findings& findings) const {
+        // As much as the planner takes for full access.
+        if (left.empty() || findings.proof.left_mm2 <= kFullAccessShare * area(state.feature.target)) return;
+        Leftover leftover{setup_.id,
+                          planned.feature_id,
+                          {},
+                          findings.proof.left_mm2,
+                          state.feature.top_z_mm - planned.z_floor_mm,
+                          area(state.feature.target)};
+        for (const Region& piece : left)
+            leftover.region.loops.insert(leftover.region.loops.end(), piece.loops.begin(), piece.loops.end());
+        into_.leftovers.push_back(std::move(leftover));
+        const Box2 box = boundingBox(left.front());
+        findings.add(
+            operation.line,
+            fmt::format(
+                "leaves {:.4g} mm2 of {} in {} places that the plan does not name, the largest X{:.3f} "
+                "Y{:.3f} to X{:.3f} Y{:.3f}",
+                findings.proof.left_mm2, state.feature.id, left.size(), box.min.x(), box.min.y(), box.max.x(),
+                box.max.y()));
+    }
+
+    const PlanRecord& record_;
+    const RecordedSetup& setup_;
+    std::string file_;
+    const Tolerances& tol_;
+    Verification& into_;
+    std::map<std::string, FeatureState> states_;
+    std::set<std::string> done_;
+};
+
+}  // namespace
+
+void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
+                 const std::vector<ReadProgram>& programs, const Tolerances& tol, Verification& into) {
+    SetupProver(record, setup, tol, into).prove(programs);
+}
+
+Verification verifyPlan(const PlanFiles& files, const Tolerances& tol) {
+    const PlanRecord record = planRecordFromText(files.plan_json, tol);
+    Verification verification;
+    for (const RecordedSetup& setup : record.setups)
+        verifySetup(record, setup, readPrograms(files, setup), tol, verification);
+    double left_mm3 = 0;
+    for (const ReasonVolume& entry : record.left)
+        left_mm3 += entry.volume_mm3;
+    if (left_mm3 > record.rounding_mm3) verification.left = record.left;
+    return verification;
+}
+
+}  // namespace stepmill

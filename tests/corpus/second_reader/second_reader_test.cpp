@@ -1,0 +1,187 @@
+// Every posted LinuxCNC program through LinuxCNC's own interpreter: what it understands is what our reader
+// understands, motion by motion, and what the plan says, length by length.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "stepmill/verify/plan_record.h"
+#include "support/second_reader.h"
+
+namespace stepmill::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const Tolerances kTol;
+/// The interpreter prints four decimals.
+constexpr double kPrintedMm = 1.01e-4;
+/// What rounding to the program's decimals does to a move's length.
+constexpr double kRoundedMoveMm = 2e-4;
+/// Cycles count pecks from the R plane: one peck more than planned, there and back, and rapids that stop
+/// elsewhere over the last peck.
+double cycleMargin(const Json& planned) {
+    const double pecks = planned.at("layers");
+    if (planned.at("pattern") != "drill" || pecks <= 1) return 0;
+    constexpr double kOverHoleMm = 1;
+    constexpr double kBeyondFloorMm = 6;  // a drill's point and a little, where it goes through
+    const double depth = planned.at("z_top_mm").get<double>() - planned.at("z_floor_mm").get<double>();
+    return 2 * (depth + kOverHoleMm + kBeyondFloorMm) + pecks;
+}
+constexpr int kTimeLimitS = 30;
+
+double lengthOf(const Vec3& from, const CanonMotion& motion) {
+    double flat = (motion.to - from).head<2>().norm();
+    if (motion.kind == CanonMotion::Kind::Arc) {
+        const Arc arc{motion.centre, (from.head<2>() - motion.centre).norm(), motion.turn > 0};
+        flat = length(Vec2(from.head<2>()), {Vec2(motion.to.head<2>()), arc});
+    }
+    return std::hypot(flat, motion.to.z() - from.z());
+}
+
+/// The interpreter's motions of an operation from its first place on, without those that go nowhere.
+std::vector<CanonMotion> fromStart(const CanonOperation& canon, const ReadOperation& ours) {
+    std::vector<CanonMotion> motions;
+    std::size_t first = 0;
+    if (ours.after_tool_change)
+        while (first < canon.motions.size() &&
+               (canon.motions[first++].to - ours.start).norm() > 2 * kPrintedMm) {
+        }
+    Vec3 at = ours.start;
+    for (std::size_t i = first; i < canon.motions.size(); ++i) {
+        const CanonMotion& motion = canon.motions[i];
+        const bool stays = motion.kind != CanonMotion::Kind::Arc && (motion.to - at).norm() < kPrintedMm / 4;
+        if (!stays) motions.push_back(motion);
+        at = motion.to;
+    }
+    return motions;
+}
+
+void expectSame(const CanonMotion& canon, const ReadMove& ours, const std::string& where) {
+    const Move& move = ours.fed.move;
+    const auto kind = move.kind == MoveKind::Rapid ? CanonMotion::Kind::Rapid
+                      : move.arc                   ? CanonMotion::Kind::Arc
+                                                   : CanonMotion::Kind::Feed;
+    ASSERT_EQ(static_cast<int>(canon.kind), static_cast<int>(kind)) << where;
+    ASSERT_LT((canon.to - move.to).cwiseAbs().maxCoeff(), kPrintedMm) << where;
+    ASSERT_NEAR(canon.feed_mm_per_min, ours.fed.feed_mm_per_min, 1e-3) << where;
+    if (!move.arc) return;
+    ASSERT_LT((canon.centre - move.arc->centre).cwiseAbs().maxCoeff(), kPrintedMm) << where;
+    ASSERT_EQ(canon.turn, move.arc->ccw ? 1 : -1) << where;
+}
+
+/// Lengths and time of what the interpreter understood against the plan's own.
+void expectPlanned(const std::vector<CanonMotion>& motions, const Vec3& start, const Json& planned,
+                   double rapid_rate, const std::string& where) {
+    double cut = 0;
+    double air = 0;
+    double time_s = planned.at("dwell_s");
+    Vec3 at = start;
+    double feed_floor = 1e9;
+    for (const CanonMotion& motion : motions) {
+        const double length = lengthOf(at, motion);
+        const bool rapid = motion.kind == CanonMotion::Kind::Rapid;
+        (rapid ? air : cut) += length;
+        time_s += length / (rapid ? rapid_rate : motion.feed_mm_per_min) * 60;
+        if (!rapid) feed_floor = std::min(feed_floor, motion.feed_mm_per_min);
+        at = motion.to;
+    }
+    const double rounding = kRoundedMoveMm * static_cast<double>(motions.size());
+    const double cycle = cycleMargin(planned);
+    const double pecks = cycle > 0 ? planned.at("layers").get<double>() + 1 : 0;
+    const double cut_margin = rounding + pecks;
+    const double air_margin = rounding + cycle;
+    EXPECT_NEAR(cut, planned.at("cut_length_mm").get<double>(), cut_margin) << where;
+    EXPECT_NEAR(air, planned.at("air_length_mm").get<double>(), air_margin) << where;
+    EXPECT_NEAR(time_s, planned.at("time_s").get<double>(),
+                60 * (cut_margin / feed_floor + air_margin / rapid_rate) + 1e-4 * time_s)
+        << where;
+}
+
+/// T words by the table, in the program's order.
+std::string tableOf(const PlanRecord& record) {
+    Job job;
+    for (const auto& [id, operation] : record.operations) {
+        job.operations.emplace_back();
+        job.operations.back().tool = operation.tool;
+    }
+    return toolTable(job);
+}
+
+struct Count {
+    int programs = 0;
+    int motions = 0;
+    int arcs = 0;
+};
+
+void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSetup& setup,
+             const std::string& part, Count& count) {
+    const SecondReader second(files.programs.at(setup.id).front().text, tableOf(record));
+    ASSERT_EQ(second.exit_code, 0) << part << " " << setup.id << ": " << second.refusal;
+    const ReadProgram ours = readPrograms(files, setup).front();
+    ASSERT_EQ(second.operations.size(), ours.operations.size()) << part;
+    const Json plan = Json::parse(files.plan_json);
+    std::map<std::string, Json> planned;
+    for (const Json& operation : plan.at("operations"))
+        planned[operation.at("id")] = operation;
+    ++count.programs;
+    for (std::size_t i = 0; i < ours.operations.size(); ++i) {
+        const ReadOperation& operation = ours.operations[i];
+        const CanonOperation& canon = second.operations[i];
+        const std::string where = part + " " + operation.id;
+        ASSERT_EQ(canon.id, operation.id) << part;
+        EXPECT_EQ(canon.tool, record.operations.at(operation.id).tool.number) << where;
+        const std::vector<CanonMotion> motions = fromStart(canon, operation);
+        ASSERT_EQ(motions.size(), operation.moves.size()) << where;
+        for (std::size_t k = 0; k < motions.size(); ++k) {
+            expectSame(motions[k], operation.moves[k],
+                       fmt::format("{} line {} {}", where, operation.moves[k].line, motions[k].n_word));
+            if (testing::Test::HasFatalFailure()) return;
+            count.arcs += motions[k].kind == CanonMotion::Kind::Arc;
+        }
+        count.motions += static_cast<int>(motions.size());
+        expectPlanned(motions, operation.start, planned.at(operation.id), record.machine.rapid_mm_per_min,
+                      where);
+    }
+}
+
+void readAll(const std::vector<std::string>& parts) {
+    STEPMILL_NEEDS_SECOND_READER();
+    if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
+    Count count;
+    for (const std::string& part : parts) {
+        const TemporaryFolder folder;
+        const fs::path out = fs::path(folder.path()) / "plan";
+        const ProgramRun run = runProgram(
+            {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
+        if (run.exit_code == 2) continue;  // refused with a reason: no program
+        ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
+        const PlanFiles files = readPlanFiles(out, std::nullopt, kTol);
+        const PlanRecord record = planRecordFromText(files.plan_json, kTol);
+        for (const RecordedSetup& setup : record.setups)
+            compare(files, record, setup, fs::path(part).filename().string(), count);
+    }
+    fmt::print("{} programs, {} motions ({} arcs) understood as we do\n", count.programs, count.motions,
+               count.arcs);
+    EXPECT_GT(count.motions, 0);
+}
+
+TEST(SecondReaderCorpus, UnderstandsEverySamplePartAsWeDo) {
+    readAll(sampleParts());
+}
+
+TEST(SecondReaderCorpus, UnderstandsEveryMachinedPartAsWeDo) {
+    readAll(sharedParts("machined"));
+}
+
+TEST(SecondReaderCorpus, UnderstandsEveryNistPartAsWeDo) {
+    readAll(sharedParts("nist"));
+}
+
+}  // namespace
+}  // namespace stepmill::test

@@ -1,0 +1,289 @@
+// Every plan proves itself from its files, and a program that is spoilt does not.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace stepmill::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr int kTimeLimitS = 30;
+
+ProgramRun plan(const std::string& part, const fs::path& out) {
+    return runProgram(
+        {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
+}
+
+ProgramRun verify(const fs::path& dir, std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {stepmillBinary(), "verify", dir.string()});
+    return runProgram(options);
+}
+
+void proveAll(const std::vector<std::string>& parts) {
+    if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
+    for (const std::string& part : parts) {
+        const TemporaryFolder folder;
+        const fs::path out = fs::path(folder.path()) / "plan";
+        const std::string name = fs::path(part).filename().string();
+        const ProgramRun planned = plan(part, out);
+        EXPECT_NE(planned.exit_code, 3) << name << ": " << planned.err;
+        if (planned.exit_code > 1) continue;  // refused with a reason
+        const ProgramRun run = verify(out, {"--json", "--part", part});
+        ASSERT_LE(run.exit_code, 1) << name << ": " << run.err << run.out;
+        const Json proof = Json::parse(run.out);
+        fmt::print("{:<38} {:>3} operations proven, {:.2f} s (plan {:.2f} s)\n", name,
+                   proof.at("operations").size(), run.seconds, planned.seconds);
+        std::fflush(stdout);
+        EXPECT_TRUE(proof.at("proven").get<bool>()) << name;
+        EXPECT_TRUE(proof.at("failures").empty()) << name;
+    }
+}
+
+TEST(VerifyPlans, EverySamplePartIsProven) {
+    proveAll(sampleParts());
+}
+TEST(VerifyPlans, EveryMachinedPartIsProven) {
+    proveAll(sharedParts("machined"));
+}
+TEST(VerifyPlans, EveryNistPartIsProven) {
+    proveAll(sharedParts("nist"));
+}
+
+TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
+    for (const std::string& part : sampleParts()) {
+        const TemporaryFolder folder;
+        const fs::path out = fs::path(folder.path()) / "plan";
+        const int exit_code = plan(part, out).exit_code;
+        ASSERT_LE(exit_code, 1) << part;
+        for (const std::vector<std::string>& how : {std::vector<std::string>{"fanuc"},
+                                                    {"grbl"},
+                                                    {"fanuc", "--units", "inch"},
+                                                    {"grbl", "--per", "tool"},
+                                                    {"linuxcnc", "--units", "inch"}}) {
+            std::vector<std::string> arguments{stepmillBinary(),          "post",     out.string(), "-o",
+                                               (out / "posted").string(), "--dialect"};
+            arguments.insert(arguments.end(), how.begin(), how.end());
+            fs::remove_all(out / "posted");
+            const ProgramRun posted = runProgram(arguments);
+            EXPECT_EQ(posted.exit_code, 0) << part << " " << how.front() << ": " << posted.err;
+            fs::copy_file(out / "plan.json", out / "posted" / "plan.json");
+            EXPECT_EQ(verify(out / "posted", {"--dialect", how.front()}).exit_code, exit_code)
+                << part << " " << how.front();
+        }
+    }
+}
+
+/// A plan of the rounded pocket whose program can be spoilt.
+class SpoiltProgram : public testing::Test {
+  protected:
+    void SetUp() override {
+        ASSERT_EQ(plan(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step", dir_).exit_code,
+                  0);
+        std::ifstream file(dir_ / "S1.ngc");
+        for (std::string line; std::getline(file, line);)
+            lines_.push_back(line);
+    }
+
+    /// Index of the first line from `after` on with these words.
+    std::size_t find(const std::string& words, std::size_t after = 0) const {
+        for (std::size_t i = after; i < lines_.size(); ++i)
+            if (lines_[i].find(words) != std::string::npos) return i;
+        ADD_FAILURE() << "no line with '" << words << "'";
+        return 0;
+    }
+
+    void replace(std::size_t index, const std::string& words, const std::string& by) {
+        std::string& line = lines_[index];
+        const std::size_t at = line.find(words);
+        ASSERT_NE(at, std::string::npos) << line;
+        line.replace(at, words.size(), by);
+    }
+
+    ProgramRun verifySpoilt() const {
+        std::ofstream file(dir_ / "S1.ngc");
+        for (const std::string& line : lines_)
+            file << line << '\n';
+        file.close();
+        return verify(dir_);
+    }
+
+    void expectFails(std::size_t index, const std::string& words) const {
+        const ProgramRun run = verifySpoilt();
+        EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+        const std::string place = fmt::format("S1.ngc, line {}: ", index + 1);
+        const std::size_t at = run.out.find(place);
+        ASSERT_NE(at, std::string::npos) << place << " is not named in\n" << run.out;
+        const std::string complaint = run.out.substr(at, run.out.find('\n', at) - at);
+        EXPECT_NE(complaint.find(words), std::string::npos) << complaint;
+    }
+
+    void expectRefused(std::size_t index, const std::string& words) const {
+        const ProgramRun run = verifySpoilt();
+        EXPECT_EQ(run.exit_code, 2) << run.out << run.err;
+        EXPECT_NE(run.err.find(fmt::format("S1.ngc, line {}: ", index + 1)), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
+    }
+
+    /// The straight feed whose X lies farthest left, which is along the left wall.
+    std::size_t wallLine(double& x) const {
+        std::size_t found = 0;
+        x = 1e9;
+        for (std::size_t i = 0; i < lines_.size(); ++i) {
+            const std::size_t at = lines_[i].find(" X");
+            if (lines_[i].find("G1 ") == std::string::npos || at == std::string::npos) continue;
+            const double here = std::stod(lines_[i].substr(at + 2));
+            if (here < x) {
+                x = here;
+                found = i;
+            }
+        }
+        return found;
+    }
+
+    TemporaryFolder folder_;
+    fs::path dir_ = fs::path(folder_.path()) / "plan";
+    std::vector<std::string> lines_;
+};
+
+TEST_F(SpoiltProgram, IsProvenAsItWas) {
+    EXPECT_EQ(verifySpoilt().exit_code, 0);
+}
+
+TEST_F(SpoiltProgram, ShowsAHundredthOfAMillimetreIntoTheWall) {
+    double x = 0;
+    const std::size_t line = wallLine(x);
+    replace(line, fmt::format("X{:.4f}", x), fmt::format("X{:.4f}", x - 0.01));
+    expectFails(line, "cuts into what must stay by 0.0");
+}
+
+TEST_F(SpoiltProgram, ShowsAnArcTheOtherWayRound) {
+    const std::size_t line = find(" G2 ");
+    replace(line, " G2 ", " G3 ");
+    expectFails(line, "cuts into what must stay");
+}
+
+TEST_F(SpoiltProgram, ShowsARetractLeftOut) {
+    // The first retract that is followed by a rapid across.
+    std::size_t line = find(" G0 Z", find(" G1 "));
+    while (lines_[line + 1].find(" G0 X") == std::string::npos)
+        line = find(" G0 Z", line + 1);
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
+    expectFails(line, "");
+}
+
+TEST_F(SpoiltProgram, ShowsTheLastRetractLeftOut) {
+    std::size_t line = lines_.size() - 1;
+    while (lines_[line].find(" G0 Z") == std::string::npos)
+        --line;
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
+    expectFails(line - 1, "below the stock's top");
+}
+
+TEST_F(SpoiltProgram, ShowsAFeedThatIsTooHigh) {
+    const std::size_t line = find(" G1 X");
+    const std::size_t f = lines_[line].find(" F");
+    ASSERT_NE(f, std::string::npos);
+    lines_[line] = lines_[line].substr(0, f) + " F9000.00";
+    expectFails(line, "feeds at 9000.0 mm/min");
+}
+
+TEST_F(SpoiltProgram, ShowsARapidIntoMaterial) {
+    const std::size_t line = find(" G0 Z1.0000");
+    replace(line, "Z1.0000", "Z-3.0000");
+    expectFails(line, "a rapid meets material");
+}
+
+TEST_F(SpoiltProgram, ShowsACutBelowTheFloor) {
+    const std::size_t line = find("Z-12.0000", find(" G1 "));
+    replace(line, "Z-12.0000", "Z-12.0100");
+    expectFails(line, "the floor is at Z-12.0000");
+}
+
+TEST_F(SpoiltProgram, ShowsAPassLeftOut) {
+    // The last operation's last cuts: what they clear, nothing else does.
+    const std::size_t comment = find("(S1.O2 ");
+    std::size_t last = lines_.size() - 1;
+    while (lines_[last].find(" G1 ") == std::string::npos)
+        --last;
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(last));
+    expectFails(comment, "that the plan does not name");
+}
+
+TEST_F(SpoiltProgram, ShowsAWrongSpeedAndAWrongTool) {
+    const std::size_t comment = find("(S1.O2 ");
+    const std::size_t speed = find(" M3", comment);
+    const std::string spindle = lines_[speed];
+    lines_[speed] = "S12000 M3";
+    expectFails(comment, "runs at S12000");
+    lines_[speed] = spindle;
+    const std::size_t change = find(" M6", comment);
+    lines_[change] = "T9 M6";
+    expectFails(comment, "runs with T9");
+}
+
+TEST_F(SpoiltProgram, ShowsAnOperationLeftOut) {
+    const std::size_t first = find("(S1.O2 ");
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first),
+                 lines_.begin() + static_cast<std::ptrdiff_t>(find("M30") - 2));
+    const ProgramRun run = verifySpoilt();
+    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_NE(run.out.find("S1.ngc: S1.O2: the program does not have this operation"), std::string::npos)
+        << run.out;
+}
+
+TEST_F(SpoiltProgram, IsRefusedWhereNoControllerOfOursWouldReadIt) {
+    const std::size_t line = find(" G1 X");
+    const std::string good = lines_[line];
+    lines_[line] = "G1 X#5 F100";
+    expectRefused(line, "expected a number after X");
+    lines_[line] = "G55";
+    expectRefused(line, "no post writes G55");
+    lines_[line] = good;
+    fs::remove(dir_ / "S1.ngc");
+    const ProgramRun run = verify(dir_);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("S1.ngc"), std::string::npos) << run.err;
+}
+
+TEST_F(SpoiltProgram, IsRefusedWithAPlanThatWasEdited) {
+    std::ifstream file(dir_ / "plan.json");
+    Json plan = Json::parse(file);
+    plan["operations"][0]["tool"] = "EM99";
+    std::ofstream(dir_ / "plan.json") << plan;
+    const ProgramRun run = verify(dir_);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find("plan.json#/operations/0/tool"), std::string::npos) << run.err;
+}
+
+TEST_F(SpoiltProgram, ShowsAHolderThatWouldTouch) {
+    // The same program with the tool set 8 mm out of its holder, in a pocket 12 mm deep.
+    std::ifstream file(dir_ / "plan.json");
+    Json plan = Json::parse(file);
+    Json& tool = plan["tools"][0];
+    ASSERT_FALSE(tool["holder"].empty());
+    tool["holder"][0]["bottom_mm"] = 8;
+    std::ofstream(dir_ / "plan.json") << plan;
+    const ProgramRun run = verify(dir_);
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_NE(run.out.find("from 8 mm over the tip) comes into material"), std::string::npos) << run.out;
+}
+
+TEST_F(SpoiltProgram, IsNotPosted) {
+    replace(find(" G0 Z1.0000"), "Z1.0000", "Z-3.0000");
+    verifySpoilt();
+    const ProgramRun run = runProgram({stepmillBinary(), "post", dir_.string(), "--dialect", "fanuc"});
+    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_FALSE(fs::exists(dir_ / "S1.nc"));
+}
+
+}  // namespace
+}  // namespace stepmill::test
