@@ -200,6 +200,9 @@ std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machin
             operation.z_top_mm = planned.feature.top_z_mm;
             operation.z_floor_mm = planned.sequence.floor_z_mm;
             operation.speed_rpm = step.speed_rpm;
+            if (operation.path.step_over_mm > 0)
+                operation.even_length_mm =
+                    step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.layers;
             step.path = Toolpath{};
             operations.push_back(std::move(operation));
         }

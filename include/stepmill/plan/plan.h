@@ -34,6 +34,9 @@ struct Operation {
     double z_top_mm = 0;
     double z_floor_mm = 0;
     double speed_rpm = 0;
+    /// Area cleared / step-over x layers: how long the path would be if all its passes lay evenly side by
+    /// side and nothing else had to be cut; 0 for drills [mm].
+    double even_length_mm = 0;
 };
 
 struct PlannedFeature {
