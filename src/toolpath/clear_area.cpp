@@ -85,7 +85,7 @@ void writeRegions(const ClearingTask& task, const RingFamily& family, const tool
         if (!passes.concerns(component)) continue;
         std::optional<RegionCut> cut = cutter.choose(component, task.entries[i], patterns);
         if (!cut) continue;
-        stops.push_back({cut->script.begin, cut->script.end});
+        stops.push_back({cut->blocks.front().begin, cut->blocks.back().end});
         cuts.push_back(std::move(*cut));
         weighed.push_back(std::move(patterns));
     }
@@ -93,8 +93,8 @@ void writeRegions(const ClearingTask& task, const RingFamily& family, const tool
     MoveWriter writer(path);
     for (const std::size_t i : visitOrder(stops)) {
         const bool over_top =
-            !path.regions.empty() && layer.standing.isClear(writer.at(), cuts[i].script.begin);
-        cutter.write(cuts[i].script, over_top ? Over::Top : Over::Retract, writer);
+            !path.regions.empty() && layer.standing.isClear(writer.at(), cuts[i].blocks.front().begin);
+        cutter.write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
         path.regions.push_back(std::move(weighed[i]));
     }
     writer.retract();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -51,6 +52,7 @@ class LayerPlanner {
           swept_(task.clearing, task.radius_mm),
           done_(passes.size(), false),
           was_cut_(passes.size(), false),
+          spot_of_(passes.size(), 0),
           looked_at_(passes.size(), false),
           left_(static_cast<int>(passes.size())) {
         dropNeedless();
@@ -64,12 +66,13 @@ class LayerPlanner {
         // The layers after the first begin where this one ends.
         STEPMILL_CHECK(!descents_.empty() && descents_.front().step == 0, "a layer begins from above");
         LayerScript script;
-        script.begin = descents_.front().to;
-        script.end = at_;
-        script.next_over = overWay(at_, script.begin);
+        script.apart = blocksApart();
+        script.whole.begin = descents_.front().to;
+        script.whole.end = at_;
+        script.whole.next_over = overWay(at_, script.whole.begin, swept_);
         for (const Descent& descent : descents_)
-            setOver(script_[descent.step], overWay(descent.from, descent.to));
-        script.steps = std::move(script_);
+            setOver(script_[descent.step], overWay(descent.from, descent.to, swept_));
+        script.whole.steps = std::move(script_);
         return script;
     }
 
@@ -169,6 +172,7 @@ class LayerPlanner {
         if (!isFree(at_, joint.at.point)) return false;
         const bool cleared = swept_.isClear(at_, joint.at.point);
         if (!neighbour && !cleared) return false;
+        if (!neighbour) descents_.back().needs_others = true;
         link(joint.at.point, cleared);
         cut(joint);
         return true;
@@ -206,8 +210,9 @@ class LayerPlanner {
 
     bool comeDownInAir(const Joint& joint) {
         const Pass& next = pass(joint.pass);
-        if (startsInAir(joint) || swept_.isClear(joint.at.point, joint.at.point)) {
-            descend(ComeDown{joint.at.point}, joint.at.point);
+        const bool in_air = startsInAir(joint);
+        if (in_air || swept_.isClear(joint.at.point, joint.at.point)) {
+            descend(ComeDown{joint.at.point}, joint.at.point, !in_air);
             cut(joint);
             return true;
         }
@@ -350,18 +355,86 @@ class LayerPlanner {
         std::size_t step;
         Vec2 from;
         Vec2 to;
+        /// It, or a link after it, counts on ground that was cleared before.
+        bool needs_others;
     };
 
-    void descend(const ScriptStep& step, const Vec2& to) {
-        descents_.push_back({script_.size(), at_, to});
+    void descend(const ScriptStep& step, const Vec2& to, bool needs_others = true) {
+        descents_.push_back({script_.size(), at_, to, needs_others});
         script_.push_back(step);
         at_ = to;
     }
 
     /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
-    Over overWay(const Vec2& from, const Vec2& to) const {
+    Over overWay(const Vec2& from, const Vec2& to, const SweptGround& ground) const {
         if (!standing_.isClear(from, to)) return Over::Retract;
-        return swept_.isClear(from, to) ? Over::Layer : Over::Top;
+        return ground.isClear(from, to) ? Over::Layer : Over::Top;
+    }
+
+    // Blocks --------------------------------------------------------------------------------------------
+
+    /// Steps from one descent to the next one form a spot. Spots belong together where one counts on ground
+    /// that the other clears, or has to wait for it.
+    std::vector<LayerBlock> blocksApart() const {
+        const std::vector<std::size_t> block_of = blocksOfSpots();
+        const std::size_t count = 1 + *std::max_element(block_of.begin(), block_of.end());
+        std::vector<LayerBlock> blocks;
+        for (std::size_t block = 0; count > 1 && block < count; ++block)
+            blocks.push_back(makeBlock(block, block_of));
+        return blocks;
+    }
+
+    /// Numbered in the order of their first spots.
+    std::vector<std::size_t> blocksOfSpots() const {
+        std::vector<std::size_t> block_of(descents_.size());
+        std::iota(block_of.begin(), block_of.end(), std::size_t{0});
+        const auto join = [&](std::size_t a, std::size_t b) {
+            const auto [into, from] = std::minmax(block_of[a], block_of[b]);
+            std::replace(block_of.begin(), block_of.end(), std::size_t{from}, std::size_t{into});
+        };
+        for (std::size_t spot = 0; spot < descents_.size(); ++spot) {
+            if (!descents_[spot].needs_others) continue;
+            for (std::size_t before = 0; before < spot; ++before)
+                join(before, spot);
+        }
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            for (const int j : passes_[i].after)
+                if (was_cut_[i] && was_cut_[static_cast<std::size_t>(j)])
+                    join(spot_of_[i], spot_of_[static_cast<std::size_t>(j)]);
+        std::vector<std::size_t> names = block_of;
+        std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());
+        for (std::size_t& block : block_of)
+            block =
+                static_cast<std::size_t>(std::lower_bound(names.begin(), names.end(), block) - names.begin());
+        return block_of;
+    }
+
+    LayerBlock makeBlock(std::size_t block, const std::vector<std::size_t>& block_of) const {
+        LayerBlock made;
+        SweptGround ground(task_, radius_mm_);
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            if (was_cut_[i] && block_of[spot_of_[i]] == block)
+                for (const Edge& edge : edgesOf(passes_[i].path))
+                    ground.add(edge);
+        bool first = true;
+        for (std::size_t spot = 0; spot < descents_.size(); ++spot) {
+            if (block_of[spot] != block) continue;
+            const Descent& descent = descents_[spot];
+            const bool last_spot = spot + 1 == descents_.size();
+            const std::size_t next = last_spot ? script_.size() : descents_[spot + 1].step;
+            const std::size_t at = made.steps.size();
+            made.steps.insert(made.steps.end(), script_.begin() + static_cast<std::ptrdiff_t>(descent.step),
+                              script_.begin() + static_cast<std::ptrdiff_t>(next));
+            if (first)
+                made.begin = descent.to;
+            else
+                setOver(made.steps[at], overWay(made.end, descent.to, ground));
+            first = false;
+            made.end = last_spot ? at_ : descents_[spot + 1].from;
+        }
+        made.next_over = overWay(made.end, made.begin, ground);
+        return made;
     }
 
     // Script ---------------------------------------------------------------------------------------------
@@ -390,6 +463,7 @@ class LayerPlanner {
             swept_.add(edge);
         settle(i);
         was_cut_[static_cast<std::size_t>(i)] = true;
+        spot_of_[static_cast<std::size_t>(i)] = descents_.size() - 1;
         last_ = i;
         at_ = path.end();
     }
@@ -407,8 +481,9 @@ class LayerPlanner {
     SweptGround swept_;          ///< what has been swept so far
     std::vector<bool> done_;     ///< cut, or found needless
     std::vector<bool> was_cut_;
-    std::vector<bool> looked_at_;  ///< by dropCleared()
-    int left_;                     ///< passes not yet cut
+    std::vector<std::size_t> spot_of_;  ///< number of the descent before it
+    std::vector<bool> looked_at_;       ///< by dropCleared()
+    int left_;                          ///< passes not yet cut
     bool entered_ = false;
     std::vector<ScriptStep> script_;
     std::vector<Descent> descents_;

@@ -69,13 +69,23 @@ struct LinkRates {
     double approach_mm;  ///< the last of the way down is fed
 };
 
-/// A layer of one component of the free centres.
-struct LayerScript {
+/// Steps of a layer that are cut over all depths before the next ones.
+struct LayerBlock {
     std::vector<ScriptStep> steps;
     Vec2 begin = Vec2::Zero();  ///< where it comes down first
     Vec2 end = Vec2::Zero();
     /// How to go over to the first step from where the layer before ended.
     Over next_over = Over::Retract;
+};
+
+/// A layer of one component of the free centres.
+struct LayerScript {
+    LayerBlock whole;
+    /// The same passes in blocks of which none needs what another clears: rest material in several places.
+    /// Empty where there are not several.
+    std::vector<LayerBlock> apart;
+
+    bool empty() const { return whole.steps.empty(); }
 };
 
 /// What must stay, asked for ways over it.

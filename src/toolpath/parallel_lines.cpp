@@ -91,17 +91,20 @@ std::pair<double, double> extent(const std::vector<Edge>& boundary, const Vec2& 
 class LineMaker {
   public:
     LineMaker(const RingFamily::Component& component, double step_over_mm)
-        : guarded_(component.guarded), edges_(edgesOf(component.guarded)), step_over_mm_(step_over_mm) {}
+        : ground_(component.line_ground),
+          edges_(edgesOf(component.line_ground)),
+          guarded_edges_(edgesOf(component.guarded)),
+          step_over_mm_(step_over_mm) {}
 
     RingFamily::Variant make(double angle_rad) const {
         RingFamily::Variant variant;
         variant.pattern = Pattern::Zigzag;
         variant.angle_rad = angle_rad;
         const Direction direction = directionOf(angle_rad);
-        const auto [low, high] = extent(edges_, direction.across);
+        const auto [low, high] = extent(guarded_edges_, direction.across);
         const int gaps = std::max(1, static_cast<int>(std::ceil((high - low) / step_over_mm_ - 1e-9)));
         variant.line_spacing_mm = (high - low) / gaps;
-        const auto [left, right] = extent(edges_, direction.along);
+        const auto [left, right] = extent(guarded_edges_, direction.along);
         for (int row = 1; row < gaps; ++row) {
             const Vec2 on = (low + row * variant.line_spacing_mm) * direction.across;
             const double beyond = step_over_mm_;
@@ -112,7 +115,7 @@ class LineMaker {
     }
 
   private:
-    /// The pieces of a line inside the guarded centres.
+    /// The pieces of a line inside the ground.
     void addRow(const Vec2& from, const Vec2& to, int row, std::vector<RingFamily::Ring>& lines) const {
         const Edge line = makeEdge(snapToGrid(from), {snapToGrid(to), {}});
         std::vector<double> shares;
@@ -123,7 +126,7 @@ class LineMaker {
         for (std::size_t i = 1; i < shares.size(); ++i) {
             const std::optional<Edge> part = cutOut(line, shares[i - 1], shares[i]);
             if (!part || length(part->from, part->segment) < kLeastLineShare * step_over_mm_) continue;
-            if (!contains(guarded_, pointAt(part->from, part->segment, 0.5))) continue;
+            if (!contains(ground_, pointAt(part->from, part->segment, 0.5))) continue;
             Path path{part->from, {part->segment}};
             std::vector<RingFamily::Ring>& into = lines;
             const bool goes_on =
@@ -135,8 +138,9 @@ class LineMaker {
         }
     }
 
-    const Region& guarded_;
+    const Region& ground_;
     std::vector<Edge> edges_;
+    std::vector<Edge> guarded_edges_;
     double step_over_mm_;
 };
 
@@ -250,7 +254,7 @@ std::vector<Path> joinedLines(const RingFamily::Component& component, const Ring
     const std::vector<int> previous = onlyNeighbours(pieces, along, -1);
     const auto linkFrom = [&](const Vec2& a, const Vec2& b) -> std::optional<Path> {
         if (isFreeWay(component, a, b, tol)) return Path{a, {{b, {}}}};
-        std::optional<Path> way = alongBoundary(component.guarded, a, b, onBoundaryMm(tol));
+        std::optional<Path> way = alongBoundary(component.line_ground, a, b, onBoundaryMm(tol));
         if (way && length(*way) > kLongestDetour * (b - a).norm()) way.reset();
         return way;
     };

@@ -20,7 +20,7 @@ RingFamily::Variant oneWay(const RingFamily::Variant& zigzag);
 
 /// What is left of the lines of one layer, joined end to end where a line has one neighbour in the next row
 /// and that neighbour no other [Li2001: a group between two contours]. Links run straight where `component`
-/// lets them, else along its guarded boundary.
+/// lets them, else along the boundary of its line ground.
 std::vector<Path> joinedLines(const RingFamily::Component& component, const RingFamily::Variant& variant,
                               const std::vector<RingFamily::Ring>& pieces, const Tolerances& tol);
 

@@ -7,6 +7,7 @@
 
 #include "stepmill/core/units.h"
 #include "toolpath/engagement.h"
+#include "toolpath/visit_order.h"
 
 namespace stepmill::toolpath {
 
@@ -26,6 +27,17 @@ bool mayBeNeedless(const std::vector<Pass>& passes, const Pass& pass) {
     return pass.closed && std::all_of(pass.neighbours.begin(), pass.neighbours.end(), [&](int j) {
                return passes[static_cast<std::size_t>(j)].level < pass.level;
            });
+}
+
+/// None needs what another clears, so any order will do.
+std::vector<LayerBlock> inShortOrder(std::vector<LayerBlock> blocks) {
+    std::vector<Stop> stops;
+    for (const LayerBlock& block : blocks)
+        stops.push_back({block.begin, block.end});
+    std::vector<LayerBlock> ordered;
+    for (const std::size_t i : visitOrder(stops))
+        ordered.push_back(std::move(blocks[i]));
+    return ordered;
 }
 
 }  // namespace
@@ -52,7 +64,7 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
             }
         }
         RegionCut made = cut(component, entry, variant, passes);
-        if (made.script.steps.empty()) continue;
+        if (made.blocks.empty()) continue;
         weighed.weighed.push_back(made.time);
         const bool better =
             !best || wanted == variant.pattern || made.time.time_s < best->time.time_s * (1 - kSavedShare);
@@ -73,18 +85,30 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
 RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry& entry,
                             const RingFamily::Variant& variant, const std::vector<Pass>& passes) const {
     RegionCut made;
-    made.script = scriptLayer(task_, component, entry, passes);
-    if (made.script.steps.empty()) return made;
+    LayerScript script = scriptLayer(task_, component, entry, passes);
+    if (script.empty()) return made;
+    script.apart = inShortOrder(std::move(script.apart));
     if (frame_.slot_feed_mm_per_min > 0) {
-        Engagement engagement(task_.clearing, task_.radius_mm, task_.step_over_mm);
-        markWideCuts(made.script.steps, engagement);
+        Engagement whole(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        markWideCuts(script.whole.steps, whole);
+        Engagement apart(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        for (LayerBlock& block : script.apart)
+            markWideCuts(block.steps, apart);
     }
+    made.blocks = {std::move(script.whole)};
+    made.time = {variant.pattern, degrees(variant.angle_rad), timeOf(made), false};
+    if (frame_.layers == 1 || script.apart.empty()) return made;
+    RegionCut apart{std::move(script.apart), made.time};
+    apart.time.time_s = timeOf(apart);
+    return apart.time.time_s < made.time.time_s ? apart : made;
+}
+
+double RegionCutter::timeOf(const RegionCut& cut) const {
     Toolpath trial = frame_;
     MoveWriter writer(trial);
-    write(made.script, Over::Retract, writer);
+    write(cut, Over::Retract, writer);
     writer.retract();
-    made.time = {variant.pattern, degrees(variant.angle_rad), measure(trial, machine_).time_s(), false};
-    return made;
+    return measure(trial, machine_).time_s();
 }
 
 /// Of the passes alone. Over open sides passes may turn out to cut nothing, so nothing is known before.
@@ -107,14 +131,19 @@ LayerHeights RegionCutter::heights(int from_layer, int to_layer) const {
             ramp_angle_rad_};
 }
 
-void RegionCutter::write(const LayerScript& script, Over first_over, MoveWriter& writer) const {
-    if (writeLoneRing(script, writer)) return;
-    for (int i = 1; i <= frame_.layers; ++i)
-        writer.writeLayer(script.steps, i == 1 ? first_over : script.next_over, heights(i - 1, i));
+void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writer) const {
+    if (cut.blocks.size() == 1 && writeLoneRing(cut.blocks.front(), writer)) return;
+    Over over = first_over;
+    for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
+        const LayerBlock& block = cut.blocks[k];
+        if (k > 0) over = task_.standing.isClear(writer.at(), block.begin) ? Over::Top : Over::Retract;
+        for (int i = 1; i <= frame_.layers; ++i)
+            writer.writeLayer(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
+    }
 }
 
 /// A lone ring is cut on the way down, one depth of cut a turn at most, and levelled on the floor.
-bool RegionCutter::writeLoneRing(const LayerScript& layer, MoveWriter& writer) const {
+bool RegionCutter::writeLoneRing(const LayerBlock& layer, MoveWriter& writer) const {
     const auto* ramp = layer.steps.size() == 1 ? std::get_if<RampAlong>(&layer.steps[0]) : nullptr;
     if (ramp == nullptr || !ramp->closed) return false;
     const double turn_mm = length(ramp->curve);

@@ -10,7 +10,7 @@ namespace stepmill::toolpath {
 
 /// How one component of the free centres is cut at every depth, by one pattern.
 struct RegionCut {
-    LayerScript script;
+    std::vector<LayerBlock> blocks;  ///< one after another, each over all depths
     PatternTime time;
 };
 
@@ -27,15 +27,16 @@ class RegionCutter {
                                     RegionPatterns& weighed) const;
 
     /// Writes a cut over all depths.
-    void write(const LayerScript& script, Over first_over, MoveWriter& writer) const;
+    void write(const RegionCut& cut, Over first_over, MoveWriter& writer) const;
 
   private:
     RegionCut cut(const RingFamily::Component& component, const Entry& entry,
                   const RingFamily::Variant& variant, const std::vector<Pass>& passes) const;
     double leastTime(const RingFamily::Component& component, const std::vector<Pass>& passes) const;
+    double timeOf(const RegionCut& cut) const;
     double levelOf(int layer) const;
     LayerHeights heights(int from_layer, int to_layer) const;
-    bool writeLoneRing(const LayerScript& layer, MoveWriter& writer) const;
+    bool writeLoneRing(const LayerBlock& layer, MoveWriter& writer) const;
 
     const LayerTask& task_;
     const PassMaker& passes_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "toolpath/parallel_lines.h"
 #include "toolpath/passes.h"
@@ -153,6 +154,11 @@ class FamilyMaker {
         const RingFamily::Variant& contour = component.variants.front();
         for (const RingFamily::Ring& ring : contour.rings)
             if (ring.level == 0) wall_rings.push_back({ring.path, 0, false});
+        component.line_ground = component.guarded;
+        // A disc on a line need not go beyond an open side farther than clears the target's edge.
+        if (!component.open_sides.empty())
+            component.line_ground =
+                intersect(component.guarded, offset(task_.target, step_over_mm_ / 2, tol_), tol_);
         RingFamily::Variant lines = zigzag(component, wall_rings, step_over_mm_);
         if (lines.lines.empty()) return;
         lines.leaves_component = contour.leaves_component;

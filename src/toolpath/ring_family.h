@@ -30,8 +30,10 @@ class RingFamily {
     };
     struct Component {
         Region region;
-        /// Free centres with the guard to all boundaries: what lines end at.
+        /// Free centres with the guard to all boundaries.
         Region guarded;
+        /// Of these, what lines have to run through: half a step-over around the target.
+        Region line_ground;
         std::vector<toolpath::Edge> boundary;
         std::vector<toolpath::Edge> walls;       ///< of the boundary, where a disc touches what must stay
         std::vector<toolpath::Edge> open_sides;  ///< of the boundary, where it only touches the target

@@ -18,6 +18,8 @@ constexpr std::size_t kLongestStretch = 3;
 /// With more stops than this the nearest next has to do: an improvement costs the square of their number.
 constexpr std::size_t kMostStops = 60;
 constexpr int kMostRounds = 50;
+/// The nearest next is tried from this many stops.
+constexpr std::size_t kMostStarts = 8;
 
 class Visit {
   public:
@@ -30,11 +32,11 @@ class Visit {
         return sum;
     }
 
-    Order nearestNext() const {
+    Order nearestNext(std::size_t first) const {
         Order left(stops_.size());
         std::iota(left.begin(), left.end(), std::size_t{0});
-        Order order{left.front()};
-        left.erase(left.begin());
+        Order order{first};
+        left.erase(left.begin() + index(first));
         while (!left.empty()) {
             const Vec2& from = stops_[order.back()].out;
             const auto next = std::min_element(left.begin(), left.end(), [&](std::size_t a, std::size_t b) {
@@ -88,12 +90,15 @@ std::vector<std::size_t> visitOrder(const std::vector<Stop>& stops) {
     std::iota(given.begin(), given.end(), std::size_t{0});
     if (stops.size() < 3) return given;
     const Visit visit(stops);
-    Order order = visit.nearestNext();
-    if (visit.way(order) > visit.way(given)) order = given;
-    if (stops.size() > kMostStops) return order;
-    for (int round = 0; round < kMostRounds && visit.improve(order); ++round) {
+    Order best = given;
+    for (std::size_t first = 0; first < std::min(stops.size(), kMostStarts); ++first) {
+        Order order = visit.nearestNext(first);
+        if (stops.size() <= kMostStops)
+            for (int round = 0; round < kMostRounds && visit.improve(order); ++round) {
+            }
+        if (visit.way(order) < visit.way(best) - kGainMm) best = std::move(order);
     }
-    return order;
+    return best;
 }
 
 }  // namespace stepmill::toolpath

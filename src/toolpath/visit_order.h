@@ -12,9 +12,9 @@ struct Stop {
     Vec2 out = Vec2::Zero();
 };
 
-/// Order of the stops for short straight ways between them, first and last free: the nearest next, then
-/// 2-opt and moving of stretches until neither makes the ways shorter. Deterministic; never longer than the
-/// order given.
+/// Order of the stops for short straight ways between them, first and last free: the nearest next from
+/// several firsts, then 2-opt and moving of stretches until neither makes the ways shorter. Deterministic;
+/// never longer than the order given.
 std::vector<std::size_t> visitOrder(const std::vector<Stop>& stops);
 
 }  // namespace stepmill::toolpath
