@@ -201,9 +201,9 @@ double linkLength(const RingFamily::Variant& variant) {
     const std::vector<int> next = onlyNeighbours(variant.lines, along, 1);
     double sum = 0;
     for (std::size_t i = 0; i < variant.lines.size(); ++i) {
-        // A row that ends here has to be left for another place; count its way back.
+        // Lines that end here have to be left for another place; count the way back over this one.
         if (next[i] < 0) {
-            sum += length(variant.lines[i].path);
+            if (variant.lines[i].level < variant.lines.back().level) sum += length(variant.lines[i].path);
             continue;
         }
         const Path& a = variant.lines[i].path;
