@@ -57,7 +57,7 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
         const std::vector<Pass> passes = passes_.make(component, variant);
         if (passes.empty()) continue;
         if (best && wanted == Pattern::Best) {
-            const double least = leastTime(component, passes);
+            const double least = leastTime(passes);
             if (least >= best->time.time_s) {
                 weighed.weighed.push_back({variant.pattern, degrees(variant.angle_rad), least, true});
                 continue;
@@ -111,10 +111,8 @@ double RegionCutter::timeOf(const RegionCut& cut) const {
     return measure(trial, machine_).time_s();
 }
 
-/// Of the passes alone. Over open sides passes may turn out to cut nothing, so nothing is known before.
-double RegionCutter::leastTime(const RingFamily::Component& component,
-                               const std::vector<Pass>& passes) const {
-    if (!component.open_sides.empty() || !task_.clearing.cleared_centres.empty()) return 0;
+/// Of the passes alone, but for those that may lie in others' ground.
+double RegionCutter::leastTime(const std::vector<Pass>& passes) const {
     double length_mm = 0;
     for (const Pass& pass : passes)
         if (!mayBeNeedless(passes, pass)) length_mm += length(pass.path);

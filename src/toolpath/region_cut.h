@@ -32,7 +32,7 @@ class RegionCutter {
   private:
     RegionCut cut(const RingFamily::Component& component, const Entry& entry,
                   const RingFamily::Variant& variant, const std::vector<Pass>& passes) const;
-    double leastTime(const RingFamily::Component& component, const std::vector<Pass>& passes) const;
+    double leastTime(const std::vector<Pass>& passes) const;
     double timeOf(const RegionCut& cut) const;
     double levelOf(int layer) const;
     LayerHeights heights(int from_layer, int to_layer) const;

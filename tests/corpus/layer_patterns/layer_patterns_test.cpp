@@ -49,8 +49,7 @@ TEST(DieCavityLayers, AreCutInTheBestOfBothPatternsEach) {
     const ToolLibrary library = defaultToolLibrary();
     const Machine machine = defaultMachine();
     const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/die_cavity.step").front();
-    const Setup setup = chooseSetups(part, {}).front();
-    const FeatureSet features = recogniseFeatures(slice(setup, kTol), kTol);
+    const FeatureSet features = recogniseFeatures(slice(chooseSetups(part, {}).front(), kTol), kTol);
     ASSERT_GE(features.features.size(), 3U);
     int compared = 0;
     for (const ToolAssembly& tool : library.tools) {

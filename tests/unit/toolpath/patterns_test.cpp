@@ -34,24 +34,21 @@ std::vector<double> anglesOfLongFeeds(const Toolpath& path, double longer_than_m
     return angles;
 }
 
-TEST(Patterns, RunLinesAlongTheLongestSide) {
-    // 120 x 40 with nothing around it, turned by 30 degrees.
+TEST(Patterns, RunLinesAlongANarrowPocket) {
+    // 120 x 30, turned by 30 degrees.
     const Eigen::Rotation2Dd turn(degToRad(30));
     std::vector<Vec2> corners;
-    for (const Vec2& corner : {Vec2(0, 0), Vec2(120, 0), Vec2(120, 40), Vec2(0, 40)})
+    for (const Vec2& corner : {Vec2(0, 0), Vec2(120, 0), Vec2(120, 30), Vec2(0, 30)})
         corners.push_back(turn * corner);
-    const ClearingTask task = fullTask(makePolygon(corners), {}, 10, kTol);
-    const Toolpath path = cutWith(task, Pattern::Zigzag, 10, 8);
+    const Region pocket = makePolygon(corners);
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 10, kTol);
+    const Toolpath path = cutWith(task, Pattern::Zigzag, 10, 4);
     ASSERT_EQ(path.regions.size(), 1U);
     EXPECT_EQ(path.pattern, "zigzag at 30 deg");
     const std::vector<double> angles = anglesOfLongFeeds(path, 60);
-    EXPECT_EQ(angles.size(), 7U);  // 60 mm across the centres in gaps of 7.5
+    EXPECT_GE(angles.size(), 4U);  // two rows in the 10 mm of the centres, and two walls
     for (const double angle : angles)
         EXPECT_NEAR(angle, 30, 1e-3);
-    for (const Path& chain : topView(path))
-        for (const Segment& segment : chain.segments)
-            EXPECT_LE(contains(task.target, segment.to) ? 0 : distanceToBoundary(task.target, segment.to),
-                      4.01);
 }
 
 TEST(Patterns, OfAClosedPocketAreRings) {
