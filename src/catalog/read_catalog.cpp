@@ -99,6 +99,7 @@ class ToolReader {
         data.step_down_mm = length(from, "step_down");
         data.feed_mm_per_min = length(from, "feed");
         data.plunge_feed_mm_per_min = length(from, "plunge_feed");
+        data.slot_feed_mm_per_min = length(from, "slot_feed");
         data.ramp_angle_deg = from.value("ramp_angle_deg", 0.0);
         data.speed_rpm = from["speed_rpm"];
         data.coolant = coolantFrom(from.value("coolant", "flood")).value_or(Coolant::Flood);

@@ -210,6 +210,9 @@ std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machin
             operation.z_floor_mm = planned.sequence.floor_z_mm;
             operation.speed_rpm = step.speed_rpm;
             takeShopData(operation, library, material);
+            if (operation.path.step_over_mm > 0)
+                operation.even_length_mm =
+                    step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.layers;
             step.path = Toolpath{};
             operations.push_back(std::move(operation));
         }

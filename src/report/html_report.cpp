@@ -202,9 +202,8 @@ std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
 std::string operationsTable(const PlannedSetup& setup) {
     std::string html = "<h3>Operations in machining order</h3>\n<table>" +
                        headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down",
-                                "#step-over", "#feed", "#plunge", "#rpm", "coolant", "#cut m", "#in air m",
-                                "#rapid m", "#clear of part µm", "#time",
-                                 "#with acceleration"});
+                                "#step-over", "#feed", "#plunge", "#rpm", "coolant", "#even m", "#cut m",
+                                "#in air m", "#rapid m", "#clear of part µm", "#time", "#with acceleration"});
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
         html += "<tr>" + cell(operation.id) + cell(operation.feature_id) + cell(operation.tool_id) +
@@ -212,7 +211,8 @@ std::string operationsTable(const PlannedSetup& setup) {
                 numberCell(std::to_string(path.layers)) + cell(path.step_down_mm, 2) +
                 cell(path.step_over_mm, 2) + cell(path.feed_mm_per_min, 0) +
                 cell(path.plunge_feed_mm_per_min, 0) + cell(operation.speed_rpm, 0) +
-                cell(toString(operation.coolant)) + cell(path.totals.cut_length_mm / 1000, 2) +
+                cell(toString(operation.coolant)) + cell(operation.even_length_mm / 1000, 2) +
+                cell(path.totals.cut_length_mm / 1000, 2) +
                 cell(path.totals.feed_air_length_mm / 1000, 2) + cell(path.totals.air_length_mm / 1000, 2) +
                 (path.pattern == "drill"
                      ? numberCell("-")
@@ -285,6 +285,29 @@ std::string residualList(const PlannedFeature& planned) {
     return html;
 }
 
+std::string patternsTable(const std::vector<const Operation*>& operations) {
+    std::string rows;
+    for (const Operation* operation : operations) {
+        int region = 0;
+        for (const RegionPatterns& patterns : operation->path.regions) {
+            std::string others;
+            for (std::size_t i = 1; i < patterns.weighed.size(); ++i) {
+                const PatternTime& other = patterns.weighed[i];
+                others += fmt::format("{}{} {}{}", i > 1 ? ", " : "", toString(other.pattern),
+                                      other.at_least ? "at least " : "", clockTime(other.time_s));
+            }
+            const PatternTime& taken = patterns.weighed.front();
+            rows += "<tr>" + cell(operation->id) + cell(operation->tool_id) +
+                    numberCell(std::to_string(++region)) + cell(toString(taken.pattern)) +
+                    numberCell(clockTime(taken.time_s)) + cell(others) + "</tr>\n";
+        }
+    }
+    if (rows.empty()) return {};
+    return "<details><summary>Patterns weighed</summary><table>" +
+           headRow({"operation", "tool", "#region", "pattern", "#time", "others"}) + rows +
+           "</table></details>\n";
+}
+
 std::string featureSection(const PlannedSetup& setup, const PlannedFeature& planned) {
     const Feature& feature = planned.feature;
     std::string html = fmt::format("<section><h3>{} &middot; {} &middot; {:.3f} mm deep</h3>\n", feature.id,
@@ -306,7 +329,7 @@ std::string featureSection(const PlannedSetup& setup, const PlannedFeature& plan
     }
     if (planned.sequence.steps.empty())
         html += "<figure>" + unmachinedDrawing(planned) + "<figcaption>Not machined.</figcaption></figure>\n";
-    return html + "</div>\n" + choiceTables(planned) + "</section>\n";
+    return html + "</div>\n" + patternsTable(operations) + choiceTables(planned) + "</section>\n";
 }
 
 std::string booksSection(const Plan& plan) {

@@ -192,6 +192,17 @@ Json featureJson(const PlannedFeature& planned) {
             {"residual", listOf(sequence.residual, residualJson)}};
 }
 
+Json patternTimeJson(const PatternTime& time) {
+    return {{"pattern", toString(time.pattern)},
+            {"angle_deg", number(time.angle_deg)},
+            {"time_s", number(time.time_s)},
+            {"at_least", time.at_least}};
+}
+
+Json regionPatternsJson(const RegionPatterns& region) {
+    return listOf(region.weighed, patternTimeJson);
+}
+
 Json operationJson(const Operation& operation) {
     const Toolpath& path = operation.path;
     return {{"id", operation.id},
@@ -200,6 +211,7 @@ Json operationJson(const Operation& operation) {
             {"tool", operation.tool_id},
             {"role", toString(operation.role)},
             {"pattern", path.pattern},
+            {"regions", listOf(path.regions, regionPatternsJson)},
             {"layers", path.layers},
             {"z_top_mm", number(operation.z_top_mm)},
             {"z_floor_mm", number(operation.z_floor_mm)},
@@ -210,6 +222,7 @@ Json operationJson(const Operation& operation) {
             {"speed_rpm", number(operation.speed_rpm)},
             {"coolant", toString(operation.coolant)},
             {"dwell_s", number(operation.dwell_s)},
+            {"even_length_mm", number(operation.even_length_mm)},
             {"cut_length_mm", number(path.totals.cut_length_mm)},
             {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
             {"air_length_mm", number(path.totals.air_length_mm)},

@@ -51,6 +51,7 @@ CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
         cutting.speed_rpm = machine.max_speed_rpm;
         cutting.feed_mm_per_min *= slower;
         cutting.plunge_feed_mm_per_min *= slower;
+        cutting.slot_feed_mm_per_min *= slower;
     }
     if (machine.max_feed_mm_per_min > 0) {
         cutting.feed_mm_per_min = std::min(cutting.feed_mm_per_min, machine.max_feed_mm_per_min);

@@ -6,10 +6,8 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/emit.h"
-#include "toolpath/layer_script.h"
-#include "toolpath/passes.h"
-#include "toolpath/ring_family.h"
+#include "toolpath/region_cut.h"
+#include "toolpath/visit_order.h"
 
 namespace stepmill {
 
@@ -17,8 +15,6 @@ namespace {
 
 /// Where the cutting data name no ramp angle.
 constexpr double kDefaultRampAngleDeg = 3;
-/// Less of a ring than this is not worth a move of its own [mm].
-constexpr double kLeastLevelMm = 0.01;
 /// A depth that exceeds whole steps by no more than this share of a step takes no further layer.
 constexpr double kLayerExcess = 1e-9;
 
@@ -34,7 +30,7 @@ double rampAngle(const CuttingData& cutting) {
 Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData& cutting,
                    const Machine& machine) {
     Toolpath path;
-    path.pattern = "contour-parallel";
+    path.pattern = toString(Pattern::ContourInsideOut);
     path.step_over_mm = toolpath::usedStepOver(cutting, radius_mm);
     const double depth_mm = task.top_z_mm - task.floor_z_mm;
     path.layers = layersFor(depth_mm, cutting.step_down_mm);
@@ -46,89 +42,64 @@ Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData
                                                                              : cutting.feed_mm_per_min);
     path.ramp_feed_mm_per_min =
         rampFeed(path.feed_mm_per_min, path.plunge_feed_mm_per_min, rampAngle(cutting));
+    // A slot feed that is none slower needs no telling apart; ramps cut full width too.
+    if (cutting.slot_feed_mm_per_min > 0 && cutting.slot_feed_mm_per_min < path.feed_mm_per_min) {
+        path.slot_feed_mm_per_min = cutting.slot_feed_mm_per_min;
+        path.ramp_feed_mm_per_min = std::min(path.ramp_feed_mm_per_min, path.slot_feed_mm_per_min);
+    }
     return path;
 }
 
-/// Writes component after component, each over all depths of cut.
-class ComponentWriter {
-  public:
-    ComponentWriter(const ClearingTask& task, const toolpath::PassSet& set, double radius_mm,
-                    double angle_rad, const Machine& machine, const Tolerances& tol, Toolpath& path)
-        : task_(task),
-          set_(set),
-          radius_mm_(radius_mm),
-          angle_rad_(angle_rad),
-          tol_(tol),
-          path_(path),
-          writer_(path),
-          rates_{(path.step_down_mm + toolpath::kDescentStartMm) / std::tan(angle_rad),
-                 path.feed_mm_per_min,
-                 path.plunge_feed_mm_per_min,
-                 machine.rapid_mm_per_min,
-                 path.step_down_mm + toolpath::kApproachMm,
-                 toolpath::kApproachMm} {}
+/// Angles of lines are told in whole degrees.
+std::string patternWord(const PatternTime& time) {
+    const bool has_angle = time.pattern == Pattern::Zigzag || time.pattern == Pattern::OneWay;
+    if (!has_angle) return toString(time.pattern);
+    return toString(time.pattern) + " at " + std::to_string(std::lround(time.angle_deg)) + " deg";
+}
 
-    void write() {
-        for (int i = 0; i < static_cast<int>(set_.components.size()); ++i) {
-            const bool has_passes =
-                std::any_of(set_.passes.begin(), set_.passes.end(),
-                            [&](const toolpath::Pass& pass) { return pass.component == i; });
-            if (!has_passes) continue;
-            const toolpath::LayerScript layer =
-                scriptLayer(task_, set_, i, last_, radius_mm_, path_.step_over_mm, rates_, tol_);
-            if (layer.steps.empty()) continue;
-            if (!writeLoneRing(layer)) writeLayers(layer);
-            last_ = writer_.at();
-        }
-        if (!path_.moves.empty()) writer_.retract();
+std::string patternWords(const std::vector<RegionPatterns>& regions) {
+    std::vector<std::string> seen;
+    for (const RegionPatterns& region : regions) {
+        const std::string word = patternWord(region.weighed.front());
+        if (std::find(seen.begin(), seen.end(), word) == seen.end()) seen.push_back(word);
     }
+    std::string words;
+    for (const std::string& word : seen)
+        words += (words.empty() ? "" : " + ") + word;
+    return words;
+}
 
-  private:
-    double levelOf(int layer) const {
-        return layer == path_.layers ? task_.floor_z_mm : task_.top_z_mm - layer * path_.step_down_mm;
+/// The regions' cuts one after another, in the order with the shortest ways between them.
+void writeRegions(const ClearingTask& task, const RingFamily& family, const toolpath::LayerTask& layer,
+                  double angle_rad, const Machine& machine, Toolpath& path) {
+    using namespace toolpath;
+    const Toolpath frame = path;
+    const PassMaker passes(task, family, layer.tol);
+    const RegionCutter cutter(layer, passes, frame, angle_rad, machine);
+    std::vector<RegionCut> cuts;
+    std::vector<RegionPatterns> weighed;
+    std::vector<Stop> stops;
+    for (std::size_t i = 0; i < family.components().size(); ++i) {
+        const RingFamily::Component& component = family.components()[i];
+        RegionPatterns patterns;
+        if (!passes.concerns(component)) continue;
+        std::optional<RegionCut> cut = cutter.choose(component, task.entries[i], patterns);
+        if (!cut) continue;
+        stops.push_back({cut->blocks.front().begin, cut->blocks.back().end});
+        cuts.push_back(std::move(*cut));
+        weighed.push_back(std::move(patterns));
     }
-
-    toolpath::LayerHeights heights(int from_layer, int to_layer) const {
-        return {levelOf(from_layer), levelOf(to_layer), task_.top_z_mm, task_.retract_z_mm, angle_rad_};
+    if (cuts.empty()) return;
+    MoveWriter writer(path);
+    for (const std::size_t i : visitOrder(stops)) {
+        const bool over_top =
+            !path.regions.empty() && layer.standing.isClear(writer.at(), cuts[i].blocks.front().begin);
+        cutter.write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
+        path.regions.push_back(std::move(weighed[i]));
     }
-
-    void writeLayers(const toolpath::LayerScript& layer) {
-        for (int i = 1; i <= path_.layers; ++i) {
-            writer_.writeLayer(layer.steps, i == 1 ? layer.first_over : layer.next_over, heights(i - 1, i));
-        }
-    }
-
-    /// A lone ring is cut on the way down, one depth of cut a turn at most, and levelled on the floor.
-    bool writeLoneRing(const toolpath::LayerScript& layer) {
-        const auto* ramp =
-            layer.steps.size() == 1 ? std::get_if<toolpath::RampAlong>(&layer.steps[0]) : nullptr;
-        if (ramp == nullptr || !ramp->closed) return false;
-        const double turn_mm = length(ramp->curve);
-        if (turn_mm > rates_.descent_mm + kLeastLevelMm) {
-            std::vector<toolpath::LayerHeights> layers;
-            for (int i = 1; i <= path_.layers; ++i)
-                layers.push_back(heights(i - 1, i));
-            writer_.writeRing(ramp->curve, rates_.descent_mm, layers);
-            return true;
-        }
-        // A turn at the ramp angle goes no deeper than one depth of cut.
-        const double depth_mm = task_.top_z_mm - task_.floor_z_mm + toolpath::kDescentStartMm;
-        const double slope = std::min(std::tan(angle_rad_), path_.step_down_mm / turn_mm);
-        writer_.writeLayer({toolpath::rampAlong(ramp->curve, true, depth_mm / slope)},
-                           toolpath::Over::Retract, heights(0, path_.layers));
-        return true;
-    }
-
-    const ClearingTask& task_;
-    const toolpath::PassSet& set_;
-    double radius_mm_;
-    double angle_rad_;
-    const Tolerances& tol_;
-    Toolpath& path_;
-    toolpath::MoveWriter writer_;
-    toolpath::LinkRates rates_;
-    std::optional<Vec2> last_;
-};
+    writer.retract();
+    path.pattern = patternWords(path.regions);
+}
 
 }  // namespace
 
@@ -145,9 +116,18 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
         task.rings ? task.rings : makeRings(task, tool, cutting, tol);
     STEPMILL_CHECK(rings->radiusMm() == tool.radius_mm() && rings->stepOverMm() == path.step_over_mm,
                    "rings of another tool or step-over");
-    const PassSet set = contourParallel(task, *rings, tol);
-    if (set.passes.empty()) return path;
-    ComponentWriter(task, set, tool.radius_mm(), rampAngle(cutting), machine, tol, path).write();
+    STEPMILL_CHECK(task.entries.size() == rings->components().size(),
+                   "a clearing task has one entry per component of its free centres");
+    const double angle = rampAngle(cutting);
+    const LinkRates rates{(path.step_down_mm + kDescentStartMm) / std::tan(angle),
+                          path.feed_mm_per_min,
+                          path.plunge_feed_mm_per_min,
+                          machine.rapid_mm_per_min,
+                          path.step_down_mm + kApproachMm,
+                          kApproachMm};
+    const Standing standing(task, tool.radius_mm(), tol);
+    const LayerTask layer{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};
+    writeRegions(task, *rings, layer, angle, machine, path);
     path.totals = measure(path, machine);
     return path;
 }

@@ -46,9 +46,9 @@ void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vecto
     for (const LayerHeights& heights : layers) {
         heights_ = heights;
         along(ramp, MoveKind::Ramp, heights.floor_mm);
-        along(rest, MoveKind::Feed, heights.floor_mm);
+        along(rest, levelKind(), heights.floor_mm);
     }
-    along(ramp, MoveKind::Feed, heights_.floor_mm);
+    along(ramp, levelKind(), heights_.floor_mm);
 }
 
 void MoveWriter::write(const ComeDown& step) {
@@ -65,7 +65,7 @@ void MoveWriter::write(const RampDown& step) {
     for (int i = 1; i <= legs; ++i)
         add(MoveKind::Ramp,
             at3(i % 2 == 1 ? step.to : step.from, from_z + (heights_.floor_mm - from_z) * i / legs));
-    if (step.level) add(MoveKind::Feed, at3(step.from, heights_.floor_mm));
+    if (step.level) add(levelKind(), at3(step.from, heights_.floor_mm));
 }
 
 void MoveWriter::write(const PlungeDown& step) {
@@ -94,15 +94,22 @@ void MoveWriter::write(const RampAlong& step) {
         }
     }
     at_.z() = path_.moves.back().to.z() = heights_.floor_mm;
-    if (step.level) along(step.curve, MoveKind::Feed, heights_.floor_mm);
+    if (step.level) along(step.curve, levelKind(), heights_.floor_mm);
 }
 
 void MoveWriter::write(const Link& step) {
-    add(MoveKind::Feed, at3(step.to, heights_.floor_mm), std::nullopt, step.in_air);
+    add(step.wide ? MoveKind::Slot : MoveKind::Feed, at3(step.to, heights_.floor_mm), std::nullopt,
+        step.in_air);
 }
 
 void MoveWriter::write(const Cut& step) {
-    along(step.path, MoveKind::Feed, heights_.floor_mm);
+    if (step.wide.empty()) return along(step.path, MoveKind::Feed, heights_.floor_mm);
+    Vec2 from = step.path.start;
+    for (std::size_t i = 0; i < step.path.segments.size(); ++i) {
+        const Segment& segment = step.path.segments[i];
+        along(Path{from, {segment}}, step.wide[i] ? MoveKind::Slot : MoveKind::Feed, heights_.floor_mm);
+        from = segment.to;
+    }
 }
 
 double MoveWriter::crossingZ(Over over) const {

@@ -49,6 +49,8 @@ class MoveWriter {
     void descendTo(const Vec2& at, Over over);
     double crossingZ(Over over) const;
     void along(const Path& path, MoveKind kind, double to_z_mm);
+    /// The level leg after a ramp: full width for what the slope has left.
+    MoveKind levelKind() const { return path_.slot_feed_mm_per_min > 0 ? MoveKind::Slot : MoveKind::Feed; }
     void add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc = std::nullopt,
              bool in_air = false);
 

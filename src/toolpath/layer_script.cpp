@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -31,55 +32,52 @@ struct Joint {
     int pass = 0;
     double distance_mm = 0;
     NearestPoint at;
+    bool backwards = false;
 };
 
 class LayerPlanner {
   public:
-    LayerPlanner(const ClearingTask& task, const PassSet& set, int component, double radius_mm,
-                 double step_over_mm, const LinkRates& rates, const Tolerances& tol)
-        : task_(task),
-          set_(set),
-          region_(set.components[static_cast<std::size_t>(component)]),
-          entry_(task.entries[static_cast<std::size_t>(component)]),
-          radius_mm_(radius_mm),
-          step_over_mm_(step_over_mm),
-          rates_(rates),
-          tol_(tol),
-          obstruction_(edgesOf(task.obstruction)),
-          passes_ground_(task, radius_mm),
-          swept_(task, radius_mm),
-          was_cut_(set.passes.size(), false),
-          looked_at_(set.passes.size(), false) {
-        for (const Edge& edge : edgesOf(region_)) {
-            const Vec2 middle = pointAt(edge.from, edge.segment, 0.5);
-            const bool open = cutsNothing(task.target, radius_mm, middle, tol);
-            (open ? open_sides_ : walls_).push_back(edge);
-        }
-        for (const Pass& pass : set.passes) {
-            done_.push_back(pass.component != component);
-            if (!done_.back()) ++left_;
-        }
+    LayerPlanner(const LayerTask& task, const RingFamily::Component& component, const Entry& entry,
+                 const std::vector<Pass>& passes)
+        : task_(task.clearing),
+          standing_(task.standing),
+          component_(component),
+          passes_(passes),
+          entry_(entry),
+          radius_mm_(task.radius_mm),
+          step_over_mm_(task.step_over_mm),
+          rates_(task.rates),
+          tol_(task.tol),
+          passes_ground_(task.clearing, task.radius_mm),
+          swept_(task.clearing, task.radius_mm),
+          done_(passes.size(), false),
+          was_cut_(passes.size(), false),
+          spot_of_(passes.size(), 0),
+          looked_at_(passes.size(), false),
+          left_(static_cast<int>(passes.size())) {
         dropNeedless();
         passes_ground_ = groundOfPasses(-1);
     }
 
-    LayerScript plan(const std::optional<Vec2>& from) {
+    LayerScript plan() {
         for (dropCleared(); left_ > 0; dropCleared())
             if (!linkOn()) goTo();
         if (script_.empty()) return {};
         // The layers after the first begin where this one ends.
         STEPMILL_CHECK(!descents_.empty() && descents_.front().step == 0, "a layer begins from above");
         LayerScript script;
-        if (from && isClearOfObstruction(*from, descents_.front().to)) script.first_over = Over::Top;
-        script.next_over = overWay(at_, descents_.front().to);
+        script.apart = blocksApart();
+        script.whole.begin = descents_.front().to;
+        script.whole.end = at_;
+        script.whole.next_over = overWay(at_, script.whole.begin, swept_);
         for (const Descent& descent : descents_)
-            setOver(script_[descent.step], overWay(descent.from, descent.to));
-        script.steps = std::move(script_);
+            setOver(script_[descent.step], overWay(descent.from, descent.to, swept_));
+        script.whole.steps = std::move(script_);
         return script;
     }
 
   private:
-    const Pass& pass(int i) const { return set_.passes[static_cast<std::size_t>(i)]; }
+    const Pass& pass(int i) const { return passes_[static_cast<std::size_t>(i)]; }
     bool isDone(int i) const { return done_[static_cast<std::size_t>(i)]; }
     bool isReady(int i) const {
         return std::all_of(pass(i).after.begin(), pass(i).after.end(), [&](int j) { return isDone(j); });
@@ -87,37 +85,36 @@ class LayerPlanner {
 
     Joint jointWith(int i, const Vec2& from) const {
         const Path& path = pass(i).path;
-        const NearestPoint at = pass(i).closed ? nearestOn(path, from)
-                                               : NearestPoint{(from - path.start).norm(), 0, 0, path.start};
-        return {i, at.distance_mm, at};
+        if (pass(i).closed) {
+            const NearestPoint at = nearestOn(path, from);
+            return {i, at.distance_mm, at, false};
+        }
+        const bool backwards = pass(i).reversible && (from - path.end()).norm() < (from - path.start).norm();
+        const Vec2& point = backwards ? path.end() : path.start;
+        const double distance = (from - point).norm();
+        return {i, distance, {distance, 0, 0, point}, backwards};
+    }
+
+    bool startsInAir(const Joint& joint) const {
+        return joint.backwards ? pass(joint.pass).ends_in_air : pass(joint.pass).starts_in_air;
     }
 
     /// Passes not yet cut, nearest to `from` first.
     std::vector<Joint> waiting(const Vec2& from, bool ready) const {
         std::vector<Joint> joints;
-        for (int i = 0; i < static_cast<int>(set_.passes.size()); ++i)
+        for (int i = 0; i < static_cast<int>(passes_.size()); ++i)
             if (!isDone(i) && isReady(i) == ready) joints.push_back(jointWith(i, from));
         std::stable_sort(joints.begin(), joints.end(),
                          [](const Joint& a, const Joint& b) { return a.distance_mm < b.distance_mm; });
         return joints;
     }
 
-    /// May the axis go straight from a to b, both known to be free centres? Keeps the guard from walls;
-    /// over open sides, where no guard is needed, the ends may lie on the boundary.
-    bool isFree(const Vec2& a, const Vec2& b) const {
-        if ((a - b).norm() < kGridMm) return true;
-        const Edge way = makeEdge(a, {b, {}});
-        if (anyNearer(walls_, way, tol_.guard_mm - 2 * kGridMm)) return false;
-        for (const Edge& side : open_sides_)
-            for (const Vec2& p : meetingPoints(way, side))
-                if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol_)) return false;
-        return open_sides_.empty() || contains(region_, (a + b) / 2);
-    }
+    bool isFree(const Vec2& a, const Vec2& b) const { return isFreeWay(component_, a, b, tol_); }
 
     /// What the passes still to be cut will sweep, but for one.
     SweptGround groundOfPasses(int without) const {
         SweptGround ground(task_, radius_mm_);
-        for (int i = 0; i < static_cast<int>(set_.passes.size()); ++i) {
+        for (int i = 0; i < static_cast<int>(passes_.size()); ++i) {
             if (isDone(i) || i == without) continue;
             for (const Edge& edge : edgesOf(pass(i).path))
                 ground.add(edge);
@@ -139,8 +136,8 @@ class LayerPlanner {
     /// Innermost rings whose ground the next ones out take as well: these are then the ones that cut full
     /// width, as the innermost always does.
     void dropNeedless() {
-        for (int i = 0; i < static_cast<int>(set_.passes.size()); ++i) {
-            const bool innermost = pass(i).closed && pass(i).after.empty() && !pass(i).neighbours.empty() &&
+        for (int i = 0; i < static_cast<int>(passes_.size()); ++i) {
+            const bool innermost = pass(i).closed && !pass(i).neighbours.empty() &&
                                    std::all_of(pass(i).neighbours.begin(), pass(i).neighbours.end(),
                                                [&](int j) { return pass(j).level < pass(i).level; });
             if (!isDone(i) && innermost && isClearAlong(groundOfPasses(i), pass(i).path)) settle(i);
@@ -150,10 +147,10 @@ class LayerPlanner {
     /// Passes whose turn it is over ground that is proven clear by now: an open side's, when the next one in
     /// has reached the edge before.
     void dropCleared() {
-        for (std::size_t i = 0; i < set_.passes.size(); ++i) {
+        for (std::size_t i = 0; i < passes_.size(); ++i) {
             if (done_[i] || looked_at_[i] || !isReady(static_cast<int>(i))) continue;
             looked_at_[i] = true;
-            if (isClearAlong(swept_, set_.passes[i].path)) settle(static_cast<int>(i));
+            if (isClearAlong(swept_, passes_[i].path)) settle(static_cast<int>(i));
         }
     }
 
@@ -175,6 +172,7 @@ class LayerPlanner {
         if (!isFree(at_, joint.at.point)) return false;
         const bool cleared = swept_.isClear(at_, joint.at.point);
         if (!neighbour && !cleared) return false;
+        if (!neighbour) descents_.back().needs_others = true;
         link(joint.at.point, cleared);
         cut(joint);
         return true;
@@ -212,8 +210,9 @@ class LayerPlanner {
 
     bool comeDownInAir(const Joint& joint) {
         const Pass& next = pass(joint.pass);
-        if (next.starts_in_air || swept_.isClear(joint.at.point, joint.at.point)) {
-            descend(ComeDown{joint.at.point}, joint.at.point);
+        const bool in_air = startsInAir(joint);
+        if (in_air || swept_.isClear(joint.at.point, joint.at.point)) {
+            descend(ComeDown{joint.at.point}, joint.at.point, !in_air);
             cut(joint);
             return true;
         }
@@ -245,7 +244,7 @@ class LayerPlanner {
         const Joint from_entry = jointWith(joint.pass, entry.at);
         // An open edge's entry may lie outside the component, clear of everything.
         const auto is_free = [&](const Vec2& a, const Vec2& b) {
-            return open ? isClearOfObstruction(a, b) : isFree(a, b);
+            return open ? standing_.isClear(a, b) : isFree(a, b);
         };
         if (!is_free(entry.at, from_entry.at.point)) return false;
         if (!goDown(entry, from_entry.at.point)) return false;
@@ -263,6 +262,9 @@ class LayerPlanner {
     /// A ring saves the way from a helix or ramp; from an open edge the way to it may be longer than a ramp.
     bool rampIsBetter(const Entry& entry, const Joint& joint) const {
         const Path& path = pass(joint.pass).path;
+        if (pass(joint.pass).reversible && entry.kind != EntryKind::Plunge &&
+            entry.kind != EntryKind::OpenEdge)
+            return isAsWideAsEntry(Path{path.start, {path.segments.front()}});
         if (!pass(joint.pass).closed || entry.kind == EntryKind::Plunge) return false;
         if (entry.kind != EntryKind::OpenEdge) return isAsWideAsEntry(path);
         return jointWith(joint.pass, entry.at).distance_mm > rates_.descent_mm &&
@@ -298,7 +300,7 @@ class LayerPlanner {
     }
 
     bool goDownHelix(const Vec2& towards) {
-        const double room = distanceToBoundary(region_, entry_.at);
+        const double room = distanceToBoundary(component_.region, entry_.at);
         const double radius = snapToGrid(std::min(entry_.helix_radius_mm, room - tol_.guard_mm - kGridMm));
         if (radius < kLeastEntryMm) return false;
         const Vec2 away = towards - entry_.at;
@@ -316,7 +318,7 @@ class LayerPlanner {
     bool goDownRamp() {
         const Edge ramp = makeEdge(entry_.at, {entry_.ramp_to, {}});
         if ((entry_.ramp_to - entry_.at).norm() < kLeastEntryMm) return false;
-        if (anyNearer(walls_, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
+        if (anyNearer(component_.walls, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
         descend(RampDown{entry_.at, entry_.ramp_to, needsLevel({ramp})}, entry_.at);
         return true;
     }
@@ -353,25 +355,86 @@ class LayerPlanner {
         std::size_t step;
         Vec2 from;
         Vec2 to;
+        /// It, or a link after it, counts on ground that was cleared before.
+        bool needs_others;
     };
 
-    void descend(const ScriptStep& step, const Vec2& to) {
-        descents_.push_back({script_.size(), at_, to});
+    void descend(const ScriptStep& step, const Vec2& to, bool needs_others = true) {
+        descents_.push_back({script_.size(), at_, to, needs_others});
         script_.push_back(step);
         at_ = to;
     }
 
-    /// Then it is clear at every height.
-    bool isClearOfObstruction(const Vec2& from, const Vec2& to) const {
-        const Edge way = makeEdge(from, {to, {}});
-        return !anyNearer(obstruction_, way, radius_mm_ + tol_.guard_mm / 2) &&
-               !contains(task_.obstruction, to);
+    /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
+    Over overWay(const Vec2& from, const Vec2& to, const SweptGround& ground) const {
+        if (!standing_.isClear(from, to)) return Over::Retract;
+        return ground.isClear(from, to) ? Over::Layer : Over::Top;
     }
 
-    /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
-    Over overWay(const Vec2& from, const Vec2& to) const {
-        if (!isClearOfObstruction(from, to)) return Over::Retract;
-        return swept_.isClear(from, to) ? Over::Layer : Over::Top;
+    // Blocks --------------------------------------------------------------------------------------------
+
+    /// Steps from one descent to the next one form a spot. Spots belong together where one counts on ground
+    /// that the other clears, or has to wait for it.
+    std::vector<LayerBlock> blocksApart() const {
+        const std::vector<std::size_t> block_of = blocksOfSpots();
+        const std::size_t count = 1 + *std::max_element(block_of.begin(), block_of.end());
+        std::vector<LayerBlock> blocks;
+        for (std::size_t block = 0; count > 1 && block < count; ++block)
+            blocks.push_back(makeBlock(block, block_of));
+        return blocks;
+    }
+
+    /// Numbered in the order of their first spots.
+    std::vector<std::size_t> blocksOfSpots() const {
+        std::vector<std::size_t> block_of(descents_.size());
+        std::iota(block_of.begin(), block_of.end(), std::size_t{0});
+        const auto join = [&](std::size_t a, std::size_t b) {
+            const auto [into, from] = std::minmax(block_of[a], block_of[b]);
+            std::replace(block_of.begin(), block_of.end(), std::size_t{from}, std::size_t{into});
+        };
+        for (std::size_t spot = 0; spot < descents_.size(); ++spot) {
+            if (!descents_[spot].needs_others) continue;
+            for (std::size_t before = 0; before < spot; ++before)
+                join(before, spot);
+        }
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            for (const int j : passes_[i].after)
+                if (was_cut_[i] && was_cut_[static_cast<std::size_t>(j)])
+                    join(spot_of_[i], spot_of_[static_cast<std::size_t>(j)]);
+        std::vector<std::size_t> names = block_of;
+        std::sort(names.begin(), names.end());
+        names.erase(std::unique(names.begin(), names.end()), names.end());
+        for (std::size_t& block : block_of)
+            block =
+                static_cast<std::size_t>(std::lower_bound(names.begin(), names.end(), block) - names.begin());
+        return block_of;
+    }
+
+    LayerBlock makeBlock(std::size_t block, const std::vector<std::size_t>& block_of) const {
+        LayerBlock made;
+        SweptGround ground(task_, radius_mm_);
+        for (std::size_t i = 0; i < passes_.size(); ++i)
+            if (was_cut_[i] && block_of[spot_of_[i]] == block)
+                for (const Edge& edge : edgesOf(passes_[i].path))
+                    ground.add(edge);
+        bool first = true;
+        for (std::size_t spot = 0; spot < descents_.size(); ++spot) {
+            if (block_of[spot] != block) continue;
+            const Descent& descent = descents_[spot];
+            const bool last_spot = spot + 1 == descents_.size();
+            const std::size_t next = last_spot ? script_.size() : descents_[spot + 1].step;
+            const std::size_t at = made.steps.size();
+            made.steps.insert(made.steps.end(), script_.begin() + static_cast<std::ptrdiff_t>(descent.step),
+                              script_.begin() + static_cast<std::ptrdiff_t>(next));
+            if (first)
+                made.begin = descent.to;
+            else
+                setOver(made.steps[at], overWay(made.end, descent.to, ground));
+            first = false;
+            made.end = last_spot ? at_ : descents_[spot + 1].from;
+        }
+        made.next_over = overWay(made.end, made.begin, ground);
+        return made;
     }
 
     // Script ---------------------------------------------------------------------------------------------
@@ -385,6 +448,7 @@ class LayerPlanner {
 
     Path rotated(const Joint& joint) const {
         const Pass& next = pass(joint.pass);
+        if (joint.backwards) return reversed(next.path);
         return next.closed ? startingAt(next.path, joint.at.edge, joint.at.share) : next.path;
     }
 
@@ -399,28 +463,27 @@ class LayerPlanner {
             swept_.add(edge);
         settle(i);
         was_cut_[static_cast<std::size_t>(i)] = true;
+        spot_of_[static_cast<std::size_t>(i)] = descents_.size() - 1;
         last_ = i;
         at_ = path.end();
     }
 
     const ClearingTask& task_;
-    const PassSet& set_;
-    const Region& region_;
+    const Standing& standing_;
+    const RingFamily::Component& component_;
+    const std::vector<Pass>& passes_;
     const Entry& entry_;
     double radius_mm_;
     double step_over_mm_;
     const LinkRates& rates_;
     const Tolerances& tol_;
-    std::vector<Edge> obstruction_;
     SweptGround passes_ground_;  ///< what the passes will have swept
     SweptGround swept_;          ///< what has been swept so far
-    /// Boundary of the component, walled and open.
-    std::vector<Edge> walls_;
-    std::vector<Edge> open_sides_;
-    std::vector<bool> done_;  ///< cut, found needless, or another component's
+    std::vector<bool> done_;     ///< cut, or found needless
     std::vector<bool> was_cut_;
-    std::vector<bool> looked_at_;  ///< by dropCleared()
-    int left_ = 0;                 ///< passes not yet cut
+    std::vector<std::size_t> spot_of_;  ///< number of the descent before it
+    std::vector<bool> looked_at_;       ///< by dropCleared()
+    int left_;                          ///< passes not yet cut
     bool entered_ = false;
     std::vector<ScriptStep> script_;
     std::vector<Descent> descents_;
@@ -430,12 +493,18 @@ class LayerPlanner {
 
 }  // namespace
 
-LayerScript scriptLayer(const ClearingTask& task, const PassSet& set, int component,
-                        const std::optional<Vec2>& from, double radius_mm, double step_over_mm,
-                        const LinkRates& rates, const Tolerances& tol) {
-    STEPMILL_CHECK(task.entries.size() == set.components.size(),
-                   "a clearing task has one entry per component of its free centres");
-    return LayerPlanner(task, set, component, radius_mm, step_over_mm, rates, tol).plan(from);
+Standing::Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol)
+    : obstruction_(task.obstruction),
+      edges_(edgesOf(task.obstruction)),
+      distance_mm_(radius_mm + tol.guard_mm / 2) {}
+
+bool Standing::isClear(const Vec2& from, const Vec2& to) const {
+    return !anyNearer(edges_, makeEdge(from, {to, {}}), distance_mm_) && !contains(obstruction_, to);
+}
+
+LayerScript scriptLayer(const LayerTask& task, const RingFamily::Component& component, const Entry& entry,
+                        const std::vector<Pass>& passes) {
+    return LayerPlanner(task, component, entry, passes).plan();
 }
 
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {

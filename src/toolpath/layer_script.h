@@ -50,10 +50,12 @@ struct RampAlong {
 struct Link {
     Vec2 to;
     bool in_air;
+    bool wide = false;  ///< cuts wider than the step-over somewhere
 };
 /// A pass, from where the cutter stands.
 struct Cut {
     Path path;
+    std::vector<bool> wide{};  ///< of each segment: it cuts wider than the step-over; empty: none does
 };
 using ScriptStep = std::variant<ComeDown, RampDown, PlungeDown, RampAlong, Link, Cut>;
 
@@ -67,19 +69,53 @@ struct LinkRates {
     double approach_mm;  ///< the last of the way down is fed
 };
 
-/// A layer of one component of the free centres.
-struct LayerScript {
+/// Steps of a layer that are cut over all depths before the next ones.
+struct LayerBlock {
     std::vector<ScriptStep> steps;
-    /// How to go over to the first step: from elsewhere, or from where the layer before ended.
-    Over first_over = Over::Retract;
+    Vec2 begin = Vec2::Zero();  ///< where it comes down first
+    Vec2 end = Vec2::Zero();
+    /// How to go over to the first step from where the layer before ended.
     Over next_over = Over::Retract;
 };
 
+/// A layer of one component of the free centres.
+struct LayerScript {
+    LayerBlock whole;
+    /// The same passes in blocks of which none needs what another clears: rest material in several places.
+    /// Empty where there are not several.
+    std::vector<LayerBlock> apart;
+
+    bool empty() const { return whole.steps.empty(); }
+};
+
+/// What must stay, asked for ways over it.
+class Standing {
+  public:
+    Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol);
+
+    /// Is the straight way clear at every height over the floor?
+    bool isClear(const Vec2& from, const Vec2& to) const;
+
+  private:
+    const Region& obstruction_;
+    std::vector<Edge> edges_;
+    double distance_mm_;
+};
+
+/// What the layers of one task have in common.
+struct LayerTask {
+    const ClearingTask& clearing;
+    const Standing& standing;
+    double radius_mm;
+    double step_over_mm;
+    LinkRates rates;
+    const Tolerances& tol;
+};
+
 /// Puts the component's passes in order (each after those it waits for, else nearest first) and finds the way
-/// to each. `from`: where the component before ended.
-LayerScript scriptLayer(const ClearingTask& task, const PassSet& set, int component,
-                        const std::optional<Vec2>& from, double radius_mm, double step_over_mm,
-                        const LinkRates& rates, const Tolerances& tol);
+/// to each.
+LayerScript scriptLayer(const LayerTask& task, const RingFamily::Component& component, const Entry& entry,
+                        const std::vector<Pass>& passes);
 
 /// Down along a curve of that many mm of ramp, so that it ends at the curve's start.
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm);

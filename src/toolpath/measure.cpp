@@ -17,6 +17,24 @@ double lengthOf(const Vec3& from, const Move& move) {
 
 }  // namespace
 
+std::string toString(Pattern pattern) {
+    switch (pattern) {
+        case Pattern::Best:
+            return "best";
+        case Pattern::ContourInsideOut:
+            return "contour-parallel";
+        case Pattern::ContourOutsideIn:
+            return "contour-parallel from outside in";
+        case Pattern::StockOffset:
+            return "stock-offset";
+        case Pattern::Zigzag:
+            return "zigzag";
+        case Pattern::OneWay:
+            return "one-way";
+    }
+    return "contour-parallel";
+}
+
 PathTotals& PathTotals::operator+=(const PathTotals& other) {
     cut_length_mm += other.cut_length_mm;
     feed_air_length_mm += other.feed_air_length_mm;
@@ -33,6 +51,8 @@ double Toolpath::feedOf(MoveKind kind) const {
             return 0;
         case MoveKind::Feed:
             return feed_mm_per_min;
+        case MoveKind::Slot:
+            return slot_feed_mm_per_min;
         case MoveKind::Ramp:
             return ramp_feed_mm_per_min;
         case MoveKind::Plunge:
@@ -74,7 +94,8 @@ std::vector<Path> topView(const Toolpath& path) {
     Vec3 from = path.start;
     bool goes_on = false;
     for (const Move& move : path.moves) {
-        const bool shown = move.kind == MoveKind::Feed && from.z() == deepest && move.to.z() == deepest;
+        const bool shown = (move.kind == MoveKind::Feed || move.kind == MoveKind::Slot) &&
+                           from.z() == deepest && move.to.z() == deepest;
         if (shown && !goes_on) chains.push_back({from.head<2>(), {}});
         if (shown) chains.back().segments.push_back({move.to.head<2>(), move.arc});
         goes_on = shown;

@@ -1,41 +1,34 @@
-// The passes of one layer: rings clipped to what is left to cut.
+// The passes of one layer: curves of a pattern clipped to what is left to cut.
 
 #include "toolpath/passes.h"
 
 #include <algorithm>
 
-#include "toolpath/curve.h"
-#include "toolpath/ring_family.h"
+#include "toolpath/parallel_lines.h"
 
 namespace stepmill::toolpath {
 
-namespace {
-
-class PassMaker {
+class PassMaker::Clipper {
   public:
-    PassMaker(const ClearingTask& task, const RingFamily& family, const Tolerances& tol)
-        : task_(task),
-          family_(family),
-          tol_(tol),
-          on_mm_(onBoundaryMm(tol)),
-          cleared_edges_(edgesOf(task.cleared_centres)) {
-        const double rest = area(task.free_centres) - area(task.cleared_centres) - area(task.centres);
-        limited_ = rest > tol.area_mm2 + tol.sliver_mm * perimeter(task.free_centres);
-        if (limited_) centre_edges_ = edgesOf(task.centres);
-    }
+    Clipper(const PassMaker& maker, const RingFamily::Component& component,
+            const RingFamily::Variant& variant)
+        : maker_(maker),
+          task_(maker.task_),
+          tol_(maker.tol_),
+          component_(component),
+          variant_(variant),
+          on_mm_(onBoundaryMm(maker.tol_)) {}
 
-    PassSet make() {
-        const Box2 wanted = boundingBox(task_.centres);
-        for (const RingFamily::Component& component : family_.components()) {
-            set_.components.push_back(component.region);
-            if (!boundingBox(component.region).overlaps(wanted)) continue;
-            const std::size_t first = set_.passes.size();
-            for (const RingFamily::Ring& ring : component.rings)
-                clip(ring, component);
-            if (limited_) addLimits(component);
-            orderByLevel(first);
-        }
-        return std::move(set_);
+    std::vector<Pass> make() {
+        for (const RingFamily::Ring& line : variant_.lines)
+            clip(line);
+        if (variant_.pattern == Pattern::Zigzag) join();
+        lines_ = passes_.size();
+        for (const RingFamily::Ring& ring : variant_.rings)
+            clip(ring);
+        if (maker_.limited_) addLimits();
+        order();
+        return std::move(passes_);
     }
 
   private:
@@ -46,29 +39,29 @@ class PassMaker {
         return !task_.cleared_centres.empty() && isIn(task_.cleared_centres, p);
     }
     bool cutsNothing(const Vec2& p) const {
-        return toolpath::cutsNothing(task_.target, family_.radiusMm(), p, tol_);
+        return toolpath::cutsNothing(task_.target, maker_.family_.radiusMm(), p, tol_);
     }
 
-    void clip(const RingFamily::Ring& ring, const RingFamily::Component& component) {
-        std::vector<Edge> cutters = cleared_edges_;
-        cutters.insert(cutters.end(), centre_edges_.begin(), centre_edges_.end());
-        if (component.follows_walls)
-            cutters.insert(cutters.end(), component.boundary.begin(), component.boundary.end());
+    void clip(const RingFamily::Ring& ring) {
+        std::vector<Edge> cutters = maker_.cleared_edges_;
+        cutters.insert(cutters.end(), maker_.centre_edges_.begin(), maker_.centre_edges_.end());
+        if (variant_.leaves_component)
+            cutters.insert(cutters.end(), component_.boundary.begin(), component_.boundary.end());
         keep(ring, cutters, [&](const Vec2& p) {
-            if (component.follows_walls && !isIn(component.region, p)) return false;
+            if (variant_.leaves_component && !isIn(component_.region, p)) return false;
             if (ring.level == 0 && cutsNothing(p)) return false;
-            return !isCleared(p) && (!limited_ || isIn(task_.centres, p));
+            return !isCleared(p) && (!maker_.limited_ || isIn(task_.centres, p));
         });
     }
 
     /// Boundary of a limited task inside the free centres: neither wall nor cleared ground, so no other
     /// pass makes sure that what lies beside it gets cut.
-    void addLimits(const RingFamily::Component& component) {
-        std::vector<Edge> cutters = cleared_edges_;
-        cutters.insert(cutters.end(), component.boundary.begin(), component.boundary.end());
+    void addLimits() {
+        std::vector<Edge> cutters = maker_.cleared_edges_;
+        cutters.insert(cutters.end(), component_.boundary.begin(), component_.boundary.end());
         for (const Loop& loop : task_.centres.loops)
             keep({loop, 0, false}, cutters, [&](const Vec2& p) {
-                return contains(component.region, p) && distanceToBoundary(component.region, p) > on_mm_ &&
+                return contains(component_.region, p) && distanceToBoundary(component_.region, p) > on_mm_ &&
                        !isCleared(p) && !cutsNothing(p);
             });
     }
@@ -79,7 +72,7 @@ class PassMaker {
         std::vector<Path> pieces;
         bool whole = true;
         bool last_kept = false;
-        for (const Edge& edge : edgesOf(ring.loop)) {
+        for (const Edge& edge : edgesOf(ring.path)) {
             const std::vector<double> shares = sharesOf(edge, cutters);
             for (std::size_t i = 1; i < shares.size(); ++i) {
                 const std::optional<Edge> part = cutOut(edge, shares[i - 1], shares[i]);
@@ -91,9 +84,9 @@ class PassMaker {
                 last_kept = kept;
             }
         }
-        if (whole && !pieces.empty()) return addPass(ring.loop, true, ring);
+        if (whole && !pieces.empty()) return addPass(ring.path, ring.path.closed(), ring);
         // The loop's start is only a name: join what it has cut in two.
-        if (pieces.size() > 1 && last_kept && pieces.front().start == ring.loop.start) {
+        if (ring.path.closed() && pieces.size() > 1 && last_kept && pieces.front().start == ring.path.start) {
             Path& last = pieces.back();
             last.segments.insert(last.segments.end(), pieces.front().segments.begin(),
                                  pieces.front().segments.end());
@@ -116,47 +109,88 @@ class PassMaker {
         Pass pass;
         pass.path = path;
         pass.closed = closed;
-        pass.component = static_cast<int>(set_.components.size()) - 1;
         pass.level = ring.level;
         pass.starts_in_air = !closed && (isCleared(path.start) || cutsNothing(path.start));
-        set_.passes.push_back(std::move(pass));
+        passes_.push_back(std::move(pass));
         outside_in_.push_back(ring.outside_in);
         edges_.push_back(edgesOf(path));
     }
 
-    /// Links passes of neighbouring levels and says which of them comes first.
-    void orderByLevel(std::size_t first) {
-        std::vector<Pass>& passes = set_.passes;
-        for (std::size_t i = first; i < passes.size(); ++i)
-            for (std::size_t j = first; j < passes.size(); ++j) {
-                if (passes[j].level != passes[i].level + 1) continue;
-                if (!adjacent(edges_[i], edges_[j], family_.stepOverMm())) continue;
-                passes[i].neighbours.push_back(static_cast<int>(j));
-                passes[j].neighbours.push_back(static_cast<int>(i));
-                if (outside_in_[i])
-                    passes[j].after.push_back(static_cast<int>(i));
-                else
-                    passes[i].after.push_back(static_cast<int>(j));
-            }
+    /// Lines as they came from clipping become groups that are cut in one go, from either end.
+    void join() {
+        std::vector<RingFamily::Ring> pieces;
+        for (Pass& pass : passes_)
+            pieces.push_back({std::move(pass.path), pass.level, true});
+        passes_.clear();
+        outside_in_.clear();
+        edges_.clear();
+        for (const Path& path : joinedLines(component_, variant_, pieces, tol_)) {
+            addPass(path, false, {path, 1, true});
+            Pass& pass = passes_.back();
+            pass.reversible = true;
+            pass.ends_in_air = isCleared(path.end()) || cutsNothing(path.end());
+        }
     }
 
+    void link(std::size_t first, std::size_t then) {
+        passes_[first].neighbours.push_back(static_cast<int>(then));
+        passes_[then].neighbours.push_back(static_cast<int>(first));
+        passes_[then].after.push_back(static_cast<int>(first));
+    }
+
+    bool sideBySide(std::size_t i, std::size_t j) const {
+        return adjacent(edges_[i], edges_[j], maker_.family_.stepOverMm());
+    }
+
+    /// Links passes of neighbouring levels and says which of them comes first.
+    void order() {
+        for (std::size_t i = lines_; i < passes_.size(); ++i)
+            for (std::size_t j = lines_; j < passes_.size(); ++j) {
+                if (passes_[j].level != passes_[i].level + 1 || !sideBySide(i, j)) continue;
+                if (outside_in_[i])
+                    link(i, j);
+                else
+                    link(j, i);
+            }
+        // Rows one after another, walls after all.
+        for (std::size_t i = 0; i < lines_; ++i) {
+            for (std::size_t j = 0; j < lines_; ++j)
+                if (passes_[j].level == passes_[i].level + 1 && sideBySide(i, j)) link(i, j);
+            for (std::size_t j = lines_; j < passes_.size(); ++j)
+                if (sideBySide(i, j)) link(i, j);
+        }
+    }
+
+    const PassMaker& maker_;
     const ClearingTask& task_;
-    const RingFamily& family_;
     const Tolerances& tol_;
+    const RingFamily::Component& component_;
+    const RingFamily::Variant& variant_;
     double on_mm_;
-    std::vector<Edge> cleared_edges_;
-    std::vector<Edge> centre_edges_;
-    /// The task's centres are less than free centres without cleared ones.
-    bool limited_ = false;
-    PassSet set_;
+    std::vector<Pass> passes_;
+    std::size_t lines_ = 0;  ///< of the passes, the first so many
     std::vector<bool> outside_in_;
     std::vector<std::vector<Edge>> edges_;
 };
 
-}  // namespace
+PassMaker::PassMaker(const ClearingTask& task, const RingFamily& family, const Tolerances& tol)
+    : task_(task),
+      family_(family),
+      tol_(tol),
+      cleared_edges_(edgesOf(task.cleared_centres)),
+      wanted_(boundingBox(task.centres)) {
+    const double rest = area(task.free_centres) - area(task.cleared_centres) - area(task.centres);
+    limited_ = rest > tol.area_mm2 + tol.sliver_mm * perimeter(task.free_centres);
+    if (limited_) centre_edges_ = edgesOf(task.centres);
+}
 
-PassSet contourParallel(const ClearingTask& task, const RingFamily& family, const Tolerances& tol) {
-    return PassMaker(task, family, tol).make();
+bool PassMaker::concerns(const RingFamily::Component& component) const {
+    return boundingBox(component.region).overlaps(wanted_);
+}
+
+std::vector<Pass> PassMaker::make(const RingFamily::Component& component,
+                                  const RingFamily::Variant& variant) const {
+    return Clipper(*this, component, variant).make();
 }
 
 }  // namespace stepmill::toolpath

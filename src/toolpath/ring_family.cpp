@@ -5,8 +5,11 @@
 #include <algorithm>
 
 #include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "toolpath/parallel_lines.h"
 #include "toolpath/passes.h"
+#include "toolpath/stock_offset.h"
 
 namespace stepmill {
 
@@ -44,6 +47,16 @@ bool adjacent(const std::vector<Edge>& a, const std::vector<Edge>& b, double ste
     return std::any_of(b.begin(), b.end(), [&](const Edge& edge) { return anyNearer(a, edge, reach); });
 }
 
+bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2& b, const Tolerances& tol) {
+    if ((a - b).norm() < kGridMm) return true;
+    const Edge way = makeEdge(a, {b, {}});
+    if (anyNearer(component.walls, way, tol.guard_mm - 2 * kGridMm)) return false;
+    for (const Edge& side : component.open_sides)
+        for (const Vec2& p : meetingPoints(way, side))
+            if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol)) return false;
+    return component.open_sides.empty() || contains(component.region, (a + b) / 2);
+}
+
 double usedStepOver(const CuttingData& cutting, double radius_mm) {
     return cutting.step_over_mm > 0 ? std::min(cutting.step_over_mm, radius_mm) : radius_mm;
 }
@@ -70,21 +83,18 @@ class FamilyMaker {
         : task_(task), radius_mm_(radius_mm), step_over_mm_(step_over_mm), tol_(tol) {}
 
     RingFamily::Component make(const Region& region) const {
-        RingFamily::Component component{region, edgesOf(region), {}, false};
-        std::vector<Inset> insets = insetsOf(region);
-        component.follows_walls = std::any_of(insets.begin(), insets.end(), [](const Inset& inset) {
-            return inset.openness == Openness::Mixed;
-        });
-        if (component.follows_walls) {
-            addWallCurves(component);
-            return component;
-        }
-        markOutsideIn(insets);
-        for (const Inset& inset : insets) {
-            if (inset.openness == Openness::Open) continue;
-            component.rings.push_back(
-                {inset.outside_in ? reversed(inset.loop) : inset.loop, inset.level, inset.outside_in});
-        }
+        RingFamily::Component component;
+        component.region = region;
+        component.boundary = edgesOf(region);
+        for (const Edge& edge : component.boundary)
+            (isOpen(edge) ? component.open_sides : component.walls).push_back(edge);
+        const std::vector<Inset> insets = insetsOf(region);
+        for (const Inset& inset : insets)
+            if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
+        addContours(component, insets);
+        if (auto variant = stockOffset(component, step_over_mm_, tol_))
+            component.variants.push_back(*variant);
+        addLines(component);
         return component;
     }
 
@@ -100,12 +110,61 @@ class FamilyMaker {
         return insets;
     }
 
+    bool isOpen(const Edge& edge) const {
+        return cutsNothing(task_.target, radius_mm_, pointAt(edge.from, edge.segment, 0.5), tol_);
+    }
+
     Openness openness(const Loop& loop) const {
         std::size_t open = 0;
         for (const Edge& edge : edgesOf(loop))
-            if (cutsNothing(task_.target, radius_mm_, pointAt(edge.from, edge.segment, 0.5), tol_)) ++open;
+            if (isOpen(edge)) ++open;
         if (open == 0) return Openness::Walled;
         return open == loop.segments.size() ? Openness::Open : Openness::Mixed;
+    }
+
+    void addContours(RingFamily::Component& component, std::vector<Inset> insets) const {
+        RingFamily::Variant contour;
+        contour.leaves_component = std::any_of(insets.begin(), insets.end(), [](const Inset& inset) {
+            return inset.openness == Openness::Mixed;
+        });
+        if (contour.leaves_component) {
+            addWallCurves(component, contour);
+            component.variants.push_back(std::move(contour));
+            return;
+        }
+        markOutsideIn(insets);
+        bool all_outside_in = true;
+        RingFamily::Variant walls_first;
+        walls_first.pattern = Pattern::ContourOutsideIn;
+        for (const Inset& inset : insets) {
+            if (inset.openness == Openness::Open) continue;
+            all_outside_in = all_outside_in && inset.outside_in;
+            contour.rings.push_back(
+                {inset.outside_in ? reversed(inset.loop) : inset.loop, inset.level, inset.outside_in});
+            // Along the wall the cutter is in full width; there the wall decides what is climb milling.
+            walls_first.rings.push_back(
+                {inset.level > 0 ? reversed(inset.loop) : inset.loop, inset.level, true});
+        }
+        component.variants.push_back(std::move(contour));
+        if (!all_outside_in) component.variants.push_back(std::move(walls_first));
+    }
+
+    void addLines(RingFamily::Component& component) const {
+        std::vector<RingFamily::Ring> wall_rings;
+        const RingFamily::Variant& contour = component.variants.front();
+        for (const RingFamily::Ring& ring : contour.rings)
+            if (ring.level == 0) wall_rings.push_back({ring.path, 0, false});
+        component.line_ground = component.guarded;
+        // A disc on a line need not go beyond an open side farther than clears the target's edge.
+        if (!component.open_sides.empty())
+            component.line_ground =
+                intersect(component.guarded, offset(task_.target, step_over_mm_ / 2, tol_), tol_);
+        RingFamily::Variant lines = zigzag(component, wall_rings, step_over_mm_);
+        if (lines.lines.empty()) return;
+        lines.leaves_component = contour.leaves_component;
+        RingFamily::Variant one_way = oneWay(lines);
+        component.variants.push_back(std::move(lines));
+        component.variants.push_back(std::move(one_way));
     }
 
     /// Open sides first and walls last: a ring is cut from outside in if every ring it follows from
@@ -124,15 +183,15 @@ class FamilyMaker {
 
     /// Curves at r, r + step-over, ... from the walls: where walls and open sides share a boundary these
     /// cut from the open side towards the wall, one step-over at a time.
-    void addWallCurves(RingFamily::Component& component) const {
+    void addWallCurves(const RingFamily::Component& component, RingFamily::Variant& contour) const {
         const ClearanceDiagram walls(wallsAround(component.region), tol_);
         for (int level = 0;; ++level) {
             const Region grown = walls.offset(radius_mm_ + tol_.guard_mm + level * step_over_mm_);
-            const std::size_t before = component.rings.size();
+            const std::size_t before = contour.rings.size();
             for (const Loop& loop : grown.loops)
-                if (reaches(component, loop)) component.rings.push_back({reversed(loop), level, false});
+                if (reaches(component, loop)) contour.rings.push_back({reversed(loop), level, false});
             // Distances from the walls have no gaps in a component, so the first level beyond it is the last.
-            if (component.rings.size() == before) return;
+            if (contour.rings.size() == before) return;
         }
     }
 

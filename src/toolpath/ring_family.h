@@ -7,21 +7,38 @@
 
 namespace stepmill {
 
-/// The rings of every component of one tool's free centres, before clipping to what is left to cut.
+/// The curves of every component of one tool's free centres, pattern by pattern, before clipping to what is
+/// left to cut.
 class RingFamily {
   public:
-    /// A closed curve in climb direction.
+    /// A curve of a pattern: closed and in climb direction, or a stretch of one, or a line.
     struct Ring {
-        Loop loop;
-        int level = 0;            ///< step-overs from the boundary the family starts at
+        Path path;
+        int level = 0;            ///< step-overs from the boundary the pattern starts at; lines: row number
         bool outside_in = false;  ///< comes before the rings of the next level, not after them
+    };
+    /// One way to go over a component.
+    struct Variant {
+        Pattern pattern = Pattern::ContourInsideOut;
+        double angle_rad = 0;  ///< of lines
+        std::vector<Ring> rings;
+        /// Rings leave the component; what lies outside is cut off.
+        bool leaves_component = false;
+        /// Rows of a line pattern, by level; its rings run along the walls after them.
+        std::vector<Ring> lines;
+        double line_spacing_mm = 0;
     };
     struct Component {
         Region region;
+        /// Free centres with the guard to all boundaries.
+        Region guarded;
+        /// Of these, what lines have to run through: half a step-over around the target.
+        Region line_ground;
         std::vector<toolpath::Edge> boundary;
-        std::vector<Ring> rings;
-        /// Rings follow the walls alone and leave the component over its open sides.
-        bool follows_walls = false;
+        std::vector<toolpath::Edge> walls;       ///< of the boundary, where a disc touches what must stay
+        std::vector<toolpath::Edge> open_sides;  ///< of the boundary, where it only touches the target
+        /// Contour-parallel from inside out first; no two give the same path.
+        std::vector<Variant> variants;
     };
 
     /// \pre 0 < step_over_mm <= radius_mm
@@ -47,6 +64,10 @@ bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const To
 
 /// Do curves of neighbouring levels run side by side somewhere?
 bool adjacent(const std::vector<Edge>& a, const std::vector<Edge>& b, double step_over_mm);
+
+/// May the axis go straight from a to b, both known to be free centres of the component? Keeps the guard
+/// from walls; over open sides, where no guard is needed, the ends may lie on the boundary.
+bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2& b, const Tolerances& tol);
 
 }  // namespace toolpath
 

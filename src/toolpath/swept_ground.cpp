@@ -9,42 +9,75 @@
 
 namespace stepmill::toolpath {
 
+SweptGround::SweptGround(const ClearingTask& task, double radius_mm)
+    : boundaries_(std::make_shared<const Boundaries>(
+          Boundaries{edgesOf(task.target), edgesOf(task.cleared_centres)})),
+      task_(&task),
+      radius_mm_(radius_mm) {}
+
 bool SweptGround::isClear(const Edge& way) const {
     const Box2 box = way.box.grown(radius_mm_);
-    Edges near;
+    const Box2 around = box.grown(radius_mm_);
+    Near near;
     for (const Edge& edge : swept_)
-        if (edge.box.grown(radius_mm_).overlaps(box)) near.push_back(&edge);
-    return isClear(way, {(box.min + box.max) / 2, box.size().maxCoeff() / 2}, near);
+        if (edge.box.grown(radius_mm_).overlaps(box)) near.swept.push_back(&edge);
+    // The square is as wide as the box is long.
+    const double half = box.size().maxCoeff() / 2;
+    const Vec2 centre = (box.min + box.max) / 2;
+    const Box2 square = Box2{centre - Vec2(half, half), centre + Vec2(half, half)};
+    for (const Edge& edge : boundaries_->target)
+        if (edge.box.overlaps(square)) near.target.push_back(&edge);
+    for (const Edge& edge : boundaries_->cleared)
+        if (edge.box.overlaps(square.grown(radius_mm_)) || edge.box.overlaps(around))
+            near.cleared.push_back(&edge);
+    near.off_cleared = task_->cleared_centres.empty();
+    return isClear(way, {centre, half}, near);
 }
 
-bool SweptGround::isClear(const Edge& way, const Square& square, const Edges& near) const {
+bool SweptGround::isClear(const Edge& way, const Square& square, const Near& near) const {
     const Vec2& p = square.centre;
     const double reach = square.half_mm * std::numbers::sqrt2;
     const double inner = radius_mm_ * (1 - kCuspShare);
     const double off_way = distanceTo(p, way.from, way.segment);
     if (off_way - reach >= inner) return true;
+    Near within;
     double nearest = std::numeric_limits<double>::infinity();
-    Edges still_near;
-    for (const Edge* edge : near) {
+    for (const Edge* edge : near.swept) {
         const double distance = distanceTo(p, edge->from, edge->segment);
         if (distance + reach <= radius_mm_) return true;
         nearest = std::min(nearest, distance);
-        if (distance - reach < radius_mm_) still_near.push_back(edge);
+        if (distance - reach < radius_mm_) within.swept.push_back(edge);
     }
-    if (!task_->cleared_centres.empty()) {
-        const double distance = distanceToRegion(task_->cleared_centres, p);
+    // Squares that no boundary meets lie on one side of it whole: asked once, known for all their parts.
+    bool cleared_meets = false;
+    for (const Edge* edge : near.cleared) {
+        const double distance = distanceTo(p, edge->from, edge->segment);
         if (distance + reach <= radius_mm_) return true;
         nearest = std::min(nearest, distance);
+        cleared_meets = cleared_meets || distance <= reach;
+        if (distance - reach < radius_mm_) within.cleared.push_back(edge);
     }
-    const double off_target = distanceToRegion(task_->target, p);
-    if (off_target >= reach) return true;
-    if (off_way < inner && off_target == 0 && nearest > radius_mm_) return false;
+    within.off_cleared = near.off_cleared;
+    if (!within.off_cleared && !cleared_meets) {
+        if (contains(task_->cleared_centres, p)) return true;
+        within.off_cleared = true;
+    }
+    for (const Edge* edge : near.target)
+        if (distanceTo(p, edge->from, edge->segment) <= reach) within.target.push_back(edge);
+    within.in_target = near.in_target;
+    if (!within.in_target && within.target.empty()) {
+        if (!contains(task_->target, p)) return true;
+        within.in_target = true;
+    }
+    if (off_way < inner && nearest > radius_mm_ && (within.in_target || contains(task_->target, p)) &&
+        (within.off_cleared || !contains(task_->cleared_centres, p)))
+        return false;
     // Covers that end within half a cusp of the way's rim are no covers.
     if (reach < radius_mm_ * kCuspShare / 2) return false;
     const double half = square.half_mm / 2;
     for (const double x : {-half, half})
         for (const double y : {-half, half})
-            if (!isClear(way, {p + Vec2(x, y), half}, still_near)) return false;
+            if (!isClear(way, {p + Vec2(x, y), half}, within)) return false;
     return true;
 }
 

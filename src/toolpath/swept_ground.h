@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "stepmill/toolpath/toolpath.h"
@@ -18,7 +19,7 @@ inline constexpr double kCuspShare = 0.01;
 class SweptGround {
   public:
     /// Keeps `task`.
-    SweptGround(const ClearingTask& task, double radius_mm) : task_(&task), radius_mm_(radius_mm) {}
+    SweptGround(const ClearingTask& task, double radius_mm);
 
     void add(const Edge& edge) { swept_.push_back(edge); }
 
@@ -33,8 +34,23 @@ class SweptGround {
         Vec2 centre;
         double half_mm;
     };
-    bool isClear(const Edge& way, const Square& square, const Edges& near) const;
+    /// What matters to a square.
+    struct Near {
+        Edges swept;
+        Edges target;   ///< boundary edges that may meet the square
+        Edges cleared;  ///< of the cleared centres, the same, and those whose discs may
+        /// Known to lie inside the target or outside the cleared centres, as squares it was cut from do.
+        bool in_target = false;
+        bool off_cleared = false;
+    };
+    bool isClear(const Edge& way, const Square& square, const Near& near) const;
 
+    /// Boundaries of the target and the cleared centres; copies share them.
+    struct Boundaries {
+        std::vector<Edge> target;
+        std::vector<Edge> cleared;
+    };
+    std::shared_ptr<const Boundaries> boundaries_;
     const ClearingTask* task_;
     double radius_mm_;
     std::vector<Edge> swept_;

@@ -29,7 +29,8 @@ struct CuttingData {
     double step_down_mm = 0;  ///< Doc, axial engagement
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
-    double ramp_angle_deg = 0;  ///< steepest descent along a helix or ramp
+    double slot_feed_mm_per_min = 0;  ///< in cuts wider than the step-over; not given: the feed
+    double ramp_angle_deg = 0;        ///< steepest descent along a helix or ramp
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of a drilled hole

@@ -36,6 +36,9 @@ struct Operation {
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
+    /// Area cleared / step-over x layers: how long the path would be if all its passes lay evenly side by
+    /// side and nothing else had to be cut; 0 for drills [mm].
+    double even_length_mm = 0;
 };
 
 struct PlannedFeature {

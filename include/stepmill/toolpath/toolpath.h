@@ -16,6 +16,7 @@ namespace stepmill {
 enum class MoveKind {
     Rapid,  ///< G0, straight
     Feed,   ///< at the cutting feed
+    Slot,   ///< level, cutting wider than the step-over: at the slot feed
     Ramp,   ///< descending through material along a ramp, helix or pass, at the ramp feed
     Plunge  ///< straight down, at the plunge feed
 };
@@ -27,6 +28,30 @@ struct Move {
     Vec3 to = Vec3::Zero();
     std::optional<Arc> arc;
     bool in_air = false;  ///< a feed move known to meet no material
+};
+
+/// How a region is gone over. See docs/algorithms/contour-parallel.md and docs/algorithms/parallel-lines.md.
+enum class Pattern {
+    Best,              ///< whichever of those below takes the least time in the region
+    ContourInsideOut,  ///< rings of the boundary; closed pockets from inside out
+    ContourOutsideIn,  ///< the same rings, walls first
+    StockOffset,       ///< rings of the outer boundary alone, islands when a ring meets them [Li2001, 4.2]
+    Zigzag,            ///< parallel lines to and fro, then along the walls [Li2001, 4.1]
+    OneWay             ///< the same lines, all in climb direction
+};
+std::string toString(Pattern pattern);
+
+/// What one pattern takes in one region of the free centres, over all depths of cut.
+struct PatternTime {
+    Pattern pattern = Pattern::ContourInsideOut;
+    double angle_deg = 0;   ///< of parallel lines to the x axis, in [0, 180)
+    double time_s = 0;      ///< without the way to the region
+    bool at_least = false;  ///< no path was made: its passes alone take longer than the best path
+};
+
+/// The patterns weighed for one region, the one it is cut with first, the others by time.
+struct RegionPatterns {
+    std::vector<PatternTime> weighed;
 };
 
 /// Lengths and times of a path [mm, s].
@@ -58,7 +83,9 @@ struct PathProof {
 struct Toolpath {
     Vec3 start = Vec3::Zero();
     std::vector<Move> moves;
-    std::string pattern;      ///< "contour-parallel", "drill"
+    std::string pattern;  ///< "contour-parallel", "zigzag at 30 deg", "drill"; several: joined by " + "
+    /// Regions in the order they are cut; empty for drills.
+    std::vector<RegionPatterns> regions;
     int layers = 0;           ///< depths of cut, evenly divided
     double step_over_mm = 0;  ///< as used
     double step_down_mm = 0;  ///< depth / layers
@@ -66,6 +93,7 @@ struct Toolpath {
     double plunge_feed_mm_per_min = 0;
     /// rampFeed() of the two feeds above and the ramp angle; 0 where the path has no ramps.
     double ramp_feed_mm_per_min = 0;
+    double slot_feed_mm_per_min = 0;  ///< where a cut is wider than the step-over; 0 without such moves
     PathTotals totals;
 
     /// Of a move of that kind; 0 for rapids, whose rate is the machine's.
@@ -86,7 +114,8 @@ struct ClearingTask {
     Region obstruction;          ///< O, for the proof
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    double retract_z_mm = 0;  ///< rapids across what must stay go here
+    double retract_z_mm = 0;          ///< rapids across what must stay go here
+    Pattern pattern = Pattern::Best;  ///< a region that cannot have it gets contour-parallel
     /// makeRings() of a task with the same free centres, target, obstruction, tool and cutting data; null:
     /// clearArea() makes its own.
     std::shared_ptr<const RingFamily> rings;
@@ -97,12 +126,12 @@ struct ClearingTask {
 std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const ToolAssembly& tool,
                                             const CuttingData& cutting, const Tolerances& tol);
 
-/// Contour-parallel clearing at every depth of cut: rings of the centre region at the step-over, entered
-/// from an open edge, cleared ground, helix, ramp or plunge, linked at depth where the straight way is
-/// free, else just over the last layer's floor, over the feature's top or over the retract height: the
-/// lowest of these that the straight way is proven to be clear at. Climb milling; arcs stay arcs. The
-/// step-over is limited to the cutter radius, so that rings leave nothing between them. Empty (no moves) when
-/// there is nothing to clear.
+/// Clearing at every depth of cut, each region of the free centres with the pattern that takes least time
+/// there: rings of the centre region at the step-over or parallel lines, entered from an open edge, cleared
+/// ground, helix, ramp or plunge, linked at depth where the straight way is free, else just over the last
+/// layer's floor, over the feature's top or over the retract height: the lowest of these that the straight
+/// way is proven to be clear at. Climb milling; arcs stay arcs. The step-over is limited to the cutter
+/// radius, so that rings leave nothing between them. Empty (no moves) when there is nothing to clear.
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
                    const Machine& machine, const Tolerances& tol);
 

@@ -152,7 +152,8 @@ TEST(ClearArea, MachinesAStepNarrowerThanTheCutterFromOutside) {
 TEST(ClearArea, CutsAStepFromTheOpenSideTowardsTheWallOneStepOverAtATime) {
     const Region step = makeRectangle({0, 0}, {60, 10});
     const Region open = makeRectangle({-40, 0}, {100, 50});
-    const ClearingTask task = fullTask(step, blockAround(step, open, kTol), 5, kTol);
+    ClearingTask task = fullTask(step, blockAround(step, open, kTol), 5, kTol);
+    task.pattern = Pattern::ContourInsideOut;
     const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 10), kMachine, kTol);
     expectSound(path, task, 5);
     double last_y = 100;
@@ -204,6 +205,7 @@ TEST(ClearArea, HasTheLengthOfItsRingsInASquarePocket) {
     ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
     task.entries.front() = {EntryKind::Plunge, Vec2(25, 25), 0, Vec2::Zero()};
     task.floor_z_mm = -2;
+    task.pattern = Pattern::ContourInsideOut;
     const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
     double rings = 0;
     for (const double side : {40.0, 32.0, 24.0, 16.0, 8.0})

@@ -1,0 +1,163 @@
+// One region over all depths of cut, by the pattern that takes the least time.
+
+#include "toolpath/region_cut.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/core/units.h"
+#include "toolpath/engagement.h"
+#include "toolpath/visit_order.h"
+
+namespace stepmill::toolpath {
+
+namespace {
+
+/// Less of a ring than this is not worth a move of its own [mm].
+constexpr double kLeastLevelMm = 0.01;
+/// A pattern is taken for another only where it saves more than rounding.
+constexpr double kSavedShare = 1e-6;
+
+double degrees(double angle_rad) {
+    return angle_rad * 180 / kPi;
+}
+
+/// Could planning the layer leave this pass out? Innermost rings may lie in the next ones' ground.
+bool mayBeNeedless(const std::vector<Pass>& passes, const Pass& pass) {
+    return pass.closed && std::all_of(pass.neighbours.begin(), pass.neighbours.end(), [&](int j) {
+               return passes[static_cast<std::size_t>(j)].level < pass.level;
+           });
+}
+
+/// None needs what another clears, so any order will do.
+std::vector<LayerBlock> inShortOrder(std::vector<LayerBlock> blocks) {
+    std::vector<Stop> stops;
+    for (const LayerBlock& block : blocks)
+        stops.push_back({block.begin, block.end});
+    std::vector<LayerBlock> ordered;
+    for (const std::size_t i : visitOrder(stops))
+        ordered.push_back(std::move(blocks[i]));
+    return ordered;
+}
+
+}  // namespace
+
+RegionCutter::RegionCutter(const LayerTask& task, const PassMaker& passes, const Toolpath& frame,
+                           double ramp_angle_rad, const Machine& machine)
+    : task_(task), passes_(passes), frame_(frame), ramp_angle_rad_(ramp_angle_rad), machine_(machine) {}
+
+std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& component, const Entry& entry,
+                                              RegionPatterns& weighed) const {
+    std::optional<RegionCut> best;
+    const Pattern wanted = task_.clearing.pattern;
+    for (std::size_t i = 0; i < component.variants.size(); ++i) {
+        const RingFamily::Variant& variant = component.variants[i];
+        // The first is made whatever is asked for: a region may not have the pattern.
+        if (i > 0 && wanted != Pattern::Best && variant.pattern != wanted) continue;
+        const std::vector<Pass> passes = passes_.make(component, variant);
+        if (passes.empty()) continue;
+        if (best && wanted == Pattern::Best) {
+            const double least = leastTime(passes);
+            if (least >= best->time.time_s) {
+                weighed.weighed.push_back({variant.pattern, degrees(variant.angle_rad), least, true});
+                continue;
+            }
+        }
+        RegionCut made = cut(component, entry, variant, passes);
+        if (made.blocks.empty()) continue;
+        weighed.weighed.push_back(made.time);
+        const bool better =
+            !best || wanted == variant.pattern || made.time.time_s < best->time.time_s * (1 - kSavedShare);
+        if (better) best = std::move(made);
+    }
+    if (!best) return best;
+    if (wanted != Pattern::Best) weighed.weighed = {best->time};
+    std::stable_sort(weighed.weighed.begin(), weighed.weighed.end(),
+                     [&](const PatternTime& a, const PatternTime& b) {
+                         const bool a_taken = a.pattern == best->time.pattern;
+                         const bool b_taken = b.pattern == best->time.pattern;
+                         if (a_taken != b_taken) return a_taken;
+                         return a.time_s < b.time_s;
+                     });
+    return best;
+}
+
+RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry& entry,
+                            const RingFamily::Variant& variant, const std::vector<Pass>& passes) const {
+    RegionCut made;
+    LayerScript script = scriptLayer(task_, component, entry, passes);
+    if (script.empty()) return made;
+    script.apart = inShortOrder(std::move(script.apart));
+    if (frame_.slot_feed_mm_per_min > 0) {
+        Engagement whole(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        markWideCuts(script.whole.steps, whole);
+        Engagement apart(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        for (LayerBlock& block : script.apart)
+            markWideCuts(block.steps, apart);
+    }
+    made.blocks = {std::move(script.whole)};
+    made.time = {variant.pattern, degrees(variant.angle_rad), timeOf(made), false};
+    if (frame_.layers == 1 || script.apart.empty()) return made;
+    RegionCut apart{std::move(script.apart), made.time};
+    apart.time.time_s = timeOf(apart);
+    return apart.time.time_s < made.time.time_s ? apart : made;
+}
+
+double RegionCutter::timeOf(const RegionCut& cut) const {
+    Toolpath trial = frame_;
+    MoveWriter writer(trial);
+    write(cut, Over::Retract, writer);
+    writer.retract();
+    return measure(trial, machine_).time_s();
+}
+
+/// Of the passes alone, but for those that may lie in others' ground.
+double RegionCutter::leastTime(const std::vector<Pass>& passes) const {
+    double length_mm = 0;
+    for (const Pass& pass : passes)
+        if (!mayBeNeedless(passes, pass)) length_mm += length(pass.path);
+    return length_mm * frame_.layers / frame_.feed_mm_per_min * kSecondsPerMinute;
+}
+
+double RegionCutter::levelOf(int layer) const {
+    const ClearingTask& clearing = task_.clearing;
+    return layer == frame_.layers ? clearing.floor_z_mm : clearing.top_z_mm - layer * frame_.step_down_mm;
+}
+
+LayerHeights RegionCutter::heights(int from_layer, int to_layer) const {
+    return {levelOf(from_layer), levelOf(to_layer), task_.clearing.top_z_mm, task_.clearing.retract_z_mm,
+            ramp_angle_rad_};
+}
+
+void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writer) const {
+    if (cut.blocks.size() == 1 && writeLoneRing(cut.blocks.front(), writer)) return;
+    Over over = first_over;
+    for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
+        const LayerBlock& block = cut.blocks[k];
+        if (k > 0) over = task_.standing.isClear(writer.at(), block.begin) ? Over::Top : Over::Retract;
+        for (int i = 1; i <= frame_.layers; ++i)
+            writer.writeLayer(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
+    }
+}
+
+/// A lone ring is cut on the way down, one depth of cut a turn at most, and levelled on the floor.
+bool RegionCutter::writeLoneRing(const LayerBlock& layer, MoveWriter& writer) const {
+    const auto* ramp = layer.steps.size() == 1 ? std::get_if<RampAlong>(&layer.steps[0]) : nullptr;
+    if (ramp == nullptr || !ramp->closed) return false;
+    const double turn_mm = length(ramp->curve);
+    if (turn_mm > task_.rates.descent_mm + kLeastLevelMm) {
+        std::vector<LayerHeights> layers;
+        for (int i = 1; i <= frame_.layers; ++i)
+            layers.push_back(heights(i - 1, i));
+        writer.writeRing(ramp->curve, task_.rates.descent_mm, layers);
+        return true;
+    }
+    // A turn at the ramp angle goes no deeper than one depth of cut.
+    const double depth_mm = task_.clearing.top_z_mm - task_.clearing.floor_z_mm + kDescentStartMm;
+    const double slope = std::min(std::tan(ramp_angle_rad_), frame_.step_down_mm / turn_mm);
+    writer.writeLayer({rampAlong(ramp->curve, true, depth_mm / slope)}, Over::Retract,
+                      heights(0, frame_.layers));
+    return true;
+}
+
+}  // namespace stepmill::toolpath

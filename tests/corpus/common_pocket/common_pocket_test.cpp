@@ -1,0 +1,78 @@
+// The whole plan of the pocket that other systems' figures are known for, with its three cutters.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "support/run_program.h"
+
+namespace stepmill::test {
+namespace {
+
+using Json = nlohmann::json;
+
+/// FreeCAD 0.20's Pocket with the cutters that clear the pocket alone.
+const std::map<std::string, double> kElsewhere_s{{"D12", 103.0}, {"D6", 257.3}};
+/// With 20 mm, which leave 164 mm2 of the floor.
+constexpr double kElsewhereLargest_s = 46.8;
+constexpr double kShorter = 0.1;
+
+Json planOfThePocket(const std::string& folder) {
+    const std::string source = STEPMILL_SOURCE_DIR;
+    const ProgramRun run =
+        runProgram({stepmillBinary(), "plan", source + "/step_parts/rounded_pocket.step", "--tools",
+                    source + "/samples/common_pocket_tools.json", "--machine",
+                    source + "/samples/common_pocket_machine.json", "-o", folder + "/plan"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    std::ifstream file(folder + "/plan/plan.json");
+    return Json::parse(file);
+}
+
+TEST(CommonPocketPlan, HasEveryCutterATenthShorterAndTheirSequenceBelowThoseThatFinish) {
+    const TemporaryFolder folder;
+    const Json plan = planOfThePocket(folder.path());
+    ASSERT_EQ(plan.at("features").size(), 1U);
+    const Json& feature = plan.at("features").front();
+    const double whole_s = feature.at("time_s");
+    std::map<std::string, double> alone_s;
+    for (const Json& edge : feature.at("dag").at("edges"))
+        if (edge.at("from") == "source") alone_s[edge.at("to")] = edge.at("time_s");
+    ASSERT_EQ(alone_s.size(), 3U);
+    EXPECT_LE(alone_s.at("D20"), (1 - kShorter) * kElsewhereLargest_s);
+    for (const auto& [tool, elsewhere_s] : kElsewhere_s) {
+        EXPECT_LE(alone_s.at(tool), (1 - kShorter) * elsewhere_s) << tool;
+        EXPECT_LT(whole_s, alone_s.at(tool)) << tool;
+    }
+    EXPECT_TRUE(feature.at("residual").empty());
+}
+
+TEST(CommonPocketPlan, TellsOfEveryPatternWeighed) {
+    const TemporaryFolder folder;
+    const Json plan = planOfThePocket(folder.path());
+    for (const Json& operation : plan.at("operations")) {
+        EXPECT_GT(operation.at("even_length_mm"), 0);
+        ASSERT_FALSE(operation.at("regions").empty());
+        for (const Json& region : operation.at("regions"))
+            for (const Json& other : region)
+                EXPECT_LE(region.front().at("time_s").get<double>(),
+                          other.at("time_s").get<double>() * (1 + 1e-5));
+    }
+}
+
+/// Below 5 % of the time of every operation that has the pocket to itself.
+TEST(CommonPocketPlan, IsHardlyEverInAir) {
+    const TemporaryFolder folder;
+    const Json plan = planOfThePocket(folder.path());
+    for (const Json& operation : plan.at("operations")) {
+        if (operation.at("role") != "rough") continue;
+        const double air_s = operation.at("air_length_mm").get<double>() / 5000 * 60 +
+                             operation.at("feed_air_length_mm").get<double>() / 300 * 60;
+        EXPECT_LT(air_s, 0.05 * operation.at("time_s").get<double>());
+    }
+}
+
+}  // namespace
+}  // namespace stepmill::test
