@@ -106,7 +106,13 @@ class HeightMap {
     static std::pair<int, double> stepsOf(const Vec3& from, const Move& move, double longest_mm) {
         const Segment flat{move.to.head<2>(), move.arc};
         const double length_mm = std::hypot(length(Vec2(from.head<2>()), flat), move.to.z() - from.z());
-        return {std::max(1, static_cast<int>(std::ceil(length_mm / longest_mm))), length_mm};
+        int steps = std::max(1, static_cast<int>(std::ceil(length_mm / longest_mm)));
+        // A small circle turns much in one step: the disc must be looked at all round.
+        if (move.arc) {
+            const double turn_rad = length(Vec2(from.head<2>()), flat) / move.arc->radius_mm;
+            steps *= std::max(1, static_cast<int>(std::ceil(turn_rad / (steps * kLongestTurnRad))));
+        }
+        return {steps, length_mm};
     }
 
     static Vec3 along(const Vec3& from, const Move& move, double share) {
@@ -164,6 +170,7 @@ class HeightMap {
     double stepMm(double radius_mm) const { return std::sqrt(0.8 * raster_.cellMm() * radius_mm); }
 
     static constexpr double kFlushMm = 1e-6;
+    static constexpr double kLongestTurnRad = 0.4;
 
     Raster raster_;
     std::vector<double> heights_;
