@@ -69,7 +69,7 @@ void checkFloor(const ReadOperation& operation, double lowest_mm, const Toleranc
     }
 }
 
-/// Straight feeds at heights where everything above the stock's top is free.
+/// Tools come and go over the stock's top.
 void checkEnds(const ReadOperation& operation, bool last_before_change, const Findings& findings) {
     if (operation.after_tool_change && operation.start.z() < kStockTopMm)
         findings.add(
