@@ -22,9 +22,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kStockTopMm = 0;
 /// Heights closer than this are one: half a last decimal, in inches or mm [mm].
 constexpr double kSameHeightMm = 3e-4;
-/// Skins thinner than this many slivers count as cut: passes may stop one sliver before the end of a strip,
-/// and strips of centres as narrow as one get none.
-constexpr double kThinSlivers = 2;
 /// A drill may be this much narrower than the hole that it makes (drillCheck) [mm].
 constexpr double kDrillUndersizeMm = 0.02;
 /// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
@@ -72,7 +69,7 @@ void checkFloor(const ReadOperation& operation, double lowest_mm, const Toleranc
     }
 }
 
-/// Straight feeds at heights where everything above the stock's top is free.
+/// Tools come and go over the stock's top.
 void checkEnds(const ReadOperation& operation, bool last_before_change, const Findings& findings) {
     if (operation.after_tool_change && operation.start.z() < kStockTopMm)
         findings.add(
@@ -139,7 +136,7 @@ class OwnMaterial {
     void takeOff(std::size_t index, double z_mm) {
         const Vec3 start = cut_until_ == 0 ? operation_.start : operation_.moves[cut_until_ - 1].fed.move.to;
         const std::vector<Path> ways = waysBelow(operation_, cut_until_, index, z_mm, start);
-        const double radius_mm = planned_.tool.radius_mm() + kThinSlivers * tol_.sliver_mm;
+        const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
         if (!ways.empty()) {
             standing_ = subtract(standing_, sweptRegion(ways, radius_mm, tol_), tol_);
             edges_ = toolpath::edgesOf(standing_);
@@ -263,7 +260,7 @@ void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned
 
 Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol) {
     const ToolAssembly& tool = planned.tool;
-    double radius_mm = tool.radius_mm() + kThinSlivers * tol.sliver_mm;
+    double radius_mm = tool.radius_mm() + tol.sliver_mm;
     if (tool.isDrill()) radius_mm += kDrillUndersizeMm / 2;
     return sweptRegion(
         waysBelow(operation, 0, operation.moves.size(), planned.z_floor_mm + kSameHeightMm, operation.start),

@@ -22,7 +22,7 @@ struct Findings {
 };
 
 /// Cutter against obstruction and floor, rapids against what stands, at its start, over its moves and at its
-/// end. `ends_low_allowed`: the next operation goes on with the same tool.
+/// end. `last_before_change`: the tool changes or the program ends after it, so it must end over the stock.
 void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                 bool last_before_change, const Tolerances& tol, const Findings& findings);
 

@@ -20,6 +20,14 @@ using verify::FeatureState;
 
 /// Numbers in plan.json have six decimals.
 constexpr double kWrittenDecimals = 1e-6;
+/// Skins thinner than this many slivers count as cut: strips of centres as narrow as one get no pass, and
+/// that may be so on both sides.
+constexpr double kThinSlivers = 2;
+
+/// Of a long strip, its width.
+double meanWidthMm(const Region& strip) {
+    return 2 * area(strip) / perimeter(strip);
+}
 
 /// Features and what is done, while a setup's program runs.
 class SetupProver {
@@ -127,15 +135,17 @@ class SetupProver {
         std::vector<Region> named;
         const double depth_mm = state.feature.top_z_mm - planned.z_floor_mm;
         for (const Residual& residual : record_.features.at(planned.feature_id).sequence.residual) {
-            // Both numbers are rounded in the file.
-            const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm);
+            // Area, height and volume are rounded in the file.
+            const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm + 2 * residual.area_mm2);
             if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
                 named.push_back(residual.region);
         }
         const bool all_named = state.standing.empty() || named.empty();
         std::vector<Region> pieces =
             components(all_named ? state.standing : subtract(state.standing, unite(named, tol_), tol_));
-        std::erase_if(pieces, [&](const Region& piece) { return area(piece) <= tol_.area_mm2; });
+        std::erase_if(pieces, [&](const Region& piece) {
+            return area(piece) <= tol_.area_mm2 || meanWidthMm(piece) <= kThinSlivers * tol_.sliver_mm;
+        });
         std::stable_sort(pieces.begin(), pieces.end(),
                          [](const Region& one, const Region& other) { return area(one) > area(other); });
         return pieces;

@@ -91,8 +91,9 @@ TEST(MachineErrors, TellANegativeTravel) {
 
 TEST(MachineErrors, TellAnUnknownDialect) {
     json machine = goodMachine();
-    machine["dialect"] = "fanuc";
-    EXPECT_EQ(messageOf(machine), "mill.json#/dialect: expected \"linuxcnc\", found \"fanuc\"");
+    machine["dialect"] = "klartext";
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/dialect: expected one of \"linuxcnc\", \"fanuc\", \"grbl\", found \"klartext\"");
 }
 
 TEST(MachineErrors, TellAFileThatIsNotThere) {

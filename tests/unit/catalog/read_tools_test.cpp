@@ -128,11 +128,22 @@ TEST(ReadTools, ReportsUnknownFieldsWhereverTheyStand) {
     json library = goodLibrary();
     library["colour"] = "red";
     library["tools"][1]["coating/type"] = "TiAlN";
-    library["tools"][0]["cutting"][1]["coolant"] = {{"kind", "mist"}};
+    library["tools"][0]["cutting"][1]["air"] = {{"kind", "blast"}};
     library["tools"][0]["holder"][0]["name"] = "ER25";
-    const std::vector<std::string> expected{"#/colour", "#/tools/0/cutting/1/coolant",
+    const std::vector<std::string> expected{"#/colour", "#/tools/0/cutting/1/air",
                                             "#/tools/0/holder/0/name", "#/tools/1/coating~1type"};
     EXPECT_EQ(read(library).unknown_fields, expected);
+}
+
+TEST(ReadTools, TakesCoolantAndDwellOrTheirDefaults) {
+    json library = goodLibrary();
+    library["tools"][0]["cutting"][1]["coolant"] = "mist";
+    library["tools"][0]["cutting"][1]["dwell_s"] = 0.5;
+    const ToolLibrary tools = read(library);
+    EXPECT_EQ(tools.tools[0].cutting[0].coolant, Coolant::Flood);
+    EXPECT_EQ(tools.tools[0].cutting[0].dwell_s, 0);
+    EXPECT_EQ(tools.tools[0].cutting[1].coolant, Coolant::Mist);
+    EXPECT_EQ(tools.tools[0].cutting[1].dwell_s, 0.5);
 }
 
 TEST(ReadTools, NamesFileAndDigestOfTheFile) {
