@@ -46,9 +46,11 @@ json minimalPlan() {
         "residual": [{"region": {"loops": []}, "area_mm2": 0.5, "volume_mm3": 2.5, "reason": "corner radius"}]}],
     "operations": [{
         "id": "S1.O1", "setup": "S1", "feature": "S1.F1", "tool": "EM8", "role": "rough",
-        "pattern": "contour-parallel", "layers": 1, "z_top_mm": 0, "z_floor_mm": -5, "step_over_mm": 3.6,
+        "pattern": "contour-parallel",
+        "regions": [[{"pattern": "contour-parallel", "angle_deg": 0, "time_s": 54, "at_least": false}]],
+        "layers": 1, "z_top_mm": 0, "z_floor_mm": -5, "step_over_mm": 3.6,
         "step_down_mm": 5, "feed_mm_per_min": 1900, "plunge_feed_mm_per_min": 570, "speed_rpm": 11950,
-        "cut_length_mm": 200, "feed_air_length_mm": 5, "air_length_mm": 30, "time_s": 55}],
+        "even_length_mm": 90, "cut_length_mm": 200, "feed_air_length_mm": 5, "air_length_mm": 30, "time_s": 55}],
     "totals": {"time_s": 60, "cutting_s": 50, "air_s": 5, "tool_change_s": 5, "tool_changes": 1, "cost": 1.3,
                "lower_bound_s": 45},
     "volume_balance": {"stock_minus_part_mm3": 1570.8, "planned_mm3": 1568.3, "residual_mm3": 2.5,
