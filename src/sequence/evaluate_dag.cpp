@@ -247,27 +247,11 @@ DagResult evaluateDag(const DagTask& task) {
     return result;
 }
 
-SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
-    if (tool.drill()) return nullptr;
-    return makeRings(clearingTask(task, tool, {}, nullptr), *tool.tool, tool.cutting,
-                     task.ground.tolerances());
-}
+namespace {
 
-SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
-    const Feature& feature = task.ground.feature();
-    if (n.drill()) return drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
-    SequenceStep step;
-    step.tool_id = n.tool->id;
-    step.speed_rpm = n.cutting.speed_rpm;
-    step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
-    if (step.area.centres.empty()) return step;
-    step.path = clearArea(clearingTask(task, n, step.area, rings), *n.tool, n.cutting, task.machine,
-                          task.ground.tolerances());
-    return step;
-}
-
+/// The clearing job of edge (m, n): what n sweeps after m.
 ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
-                          const SharedRings& rings) {
+                          Pattern pattern, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     ClearingTask clearing;
     clearing.free_centres = n.own().free_centres;
@@ -279,19 +263,48 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;
+    clearing.pattern = pattern;
     clearing.rings = rings;
     return clearing;
 }
 
-SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
+SequenceStep stepBy(Pattern pattern, const DagTask& task, const Candidate* m, const Candidate& n,
+                    const SharedRings& rings) {
+    SequenceStep step;
+    step.tool_id = n.tool->id;
+    step.speed_rpm = n.cutting.speed_rpm;
+    step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
+    if (step.area.centres.empty()) return step;
+    step.path = clearArea(clearingTask(task, n, step.area, pattern, rings), *n.tool, n.cutting, task.machine,
+                          task.ground.tolerances());
+    return step;
+}
+
+SequenceStep drilledBy(const DagTask& task, const Candidate& n) {
+    return drillStep(task.ground.feature(), *n.tool, n.cutting, task.retract_z_mm, task.machine);
+}
+
+}  // namespace
+
+SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
+    if (tool.drill()) return nullptr;
+    return makeRings(clearingTask(task, tool, {}, kWeighedPattern, nullptr), *tool.tool, tool.cutting,
+                     task.ground.tolerances());
+}
+
+SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
+    return n.drill() ? drilledBy(task, n) : stepBy(kWeighedPattern, task, m, n, rings);
+}
+
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n) {
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
-    SequenceStep step = makePath(task, m, n, rings);
-    if (!n.drill()) {
-        const bool facing = feature.feature_class == FeatureClass::Face;
-        step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
-        step.proof = prove(step.path, clearingTask(task, n, step.area, rings), n.tool->radius_mm(), tol);
-    }
+    if (n.drill()) return drilledBy(task, n);
+    SequenceStep step = stepBy(Pattern::Best, task, m, n, nullptr);
+    const bool facing = feature.feature_class == FeatureClass::Face;
+    step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
+    step.proof = prove(step.path, clearingTask(task, n, step.area, Pattern::Best, nullptr),
+                       n.tool->radius_mm(), tol);
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,
                     fmt::format("the path of tool {} would cut {:.4f} mm into what must stay", n.tool->id,

@@ -297,7 +297,7 @@ SequenceStep LumpSolver::step(int way, std::size_t place) const {
     const std::vector<int>& tools = ways_[way].tools;
     const Candidate* before = place == 0 ? nullptr : &tools_[nodeOf(tools[place - 1])];
     const std::size_t node = nodeOf(tools[place]);
-    SequenceStep step = makeStep(task(), before, tools_[node], rings_[node]);
+    SequenceStep step = makeStep(task(), before, tools_[node]);
     // The lump knows no obstacles of its own; the feature does.
     step.least_stick_out_mm = leastStickOutMm(settings_.ground, *tools_[node].tool, tools_[node].own());
     return step;

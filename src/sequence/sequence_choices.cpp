@@ -202,7 +202,7 @@ void SequenceChoices::take(std::size_t index, ToolSequence& sequence) const {
     tbb::parallel_for(std::size_t{0}, path.size(), [&](std::size_t i) {
         const Candidate& tool = tools[path[i]];
         const Candidate* before = i == 0 ? nullptr : &tools[path[i - 1]];
-        steps[i].push_back(makeStep(on, before, tool, dag.rings[path[i]]));
+        steps[i].push_back(makeStep(on, before, tool));
         steps[i].back().least_stick_out_mm = leastStickOut(on, tool);
         const int next = i + 1 < path.size() ? path[i + 1] : static_cast<int>(tools.size());
         const WeighedEdge& edge = *edgeBetween(i == 0 ? kSource : path[i - 1], path[i]);

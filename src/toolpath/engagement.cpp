@@ -17,7 +17,7 @@ constexpr int kRimPoints = 40;
 /// Points along the path, as a share of the radius.
 constexpr double kStepShare = 0.2;
 
-/// Halves of 40 equal strips across the cutter: their middles, in radii, with the place ahead on the rim.
+/// The rim ahead of the middles of equal strips across the cutter, in radii.
 std::array<Vec2, kRimPoints> makeRim() {
     std::array<Vec2, kRimPoints> rim;
     for (int i = 0; i < kRimPoints; ++i) {

@@ -92,13 +92,18 @@ class FamilyMaker {
         for (const Inset& inset : insets)
             if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
         addContours(component, insets);
-        if (auto variant = stockOffset(component, step_over_mm_, tol_))
-            component.variants.push_back(*variant);
-        addLines(component);
+        if (isWanted(Pattern::StockOffset))
+            if (auto variant = stockOffset(component, step_over_mm_, tol_))
+                component.variants.push_back(*variant);
+        if (isWanted(Pattern::Zigzag) || isWanted(Pattern::OneWay)) addLines(component);
         return component;
     }
 
   private:
+    bool isWanted(Pattern pattern) const {
+        return task_.pattern == Pattern::Best || task_.pattern == pattern;
+    }
+
     std::vector<Inset> insetsOf(const Region& region) const {
         std::vector<Inset> insets;
         int level = 0;
@@ -146,7 +151,8 @@ class FamilyMaker {
                 {inset.level > 0 ? reversed(inset.loop) : inset.loop, inset.level, true});
         }
         component.variants.push_back(std::move(contour));
-        if (!all_outside_in) component.variants.push_back(std::move(walls_first));
+        if (!all_outside_in && isWanted(Pattern::ContourOutsideIn))
+            component.variants.push_back(std::move(walls_first));
     }
 
     void addLines(RingFamily::Component& component) const {

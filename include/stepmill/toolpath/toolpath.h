@@ -116,13 +116,13 @@ struct ClearingTask {
     double floor_z_mm = 0;
     double retract_z_mm = 0;          ///< rapids across what must stay go here
     Pattern pattern = Pattern::Best;  ///< a region that cannot have it gets contour-parallel
-    /// makeRings() of a task with the same free centres, target, obstruction, tool and cutting data; null:
-    /// clearArea() makes its own.
+    /// makeRings() of a task with the same free centres, target, obstruction, pattern, tool and cutting data;
+    /// null: clearArea() makes its own.
     std::shared_ptr<const RingFamily> rings;
 };
 
 /// Builds what clearArea() can share between the tasks of one tool in one feature. Looks at the task's
-/// free centres, target and obstruction only.
+/// free centres, target, obstruction and pattern only.
 std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const ToolAssembly& tool,
                                             const CuttingData& cutting, const Tolerances& tol);
 

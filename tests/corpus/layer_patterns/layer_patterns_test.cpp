@@ -40,8 +40,8 @@ LayerTimes timesOf(ClearingTask task, const ToolAssembly& tool, const Machine& m
         return clearArea(task, tool, cutting, machine, kTol).totals.time_s();
     };
     // Without islands the paper's stock-offset is contour-parallel from outside in.
-    const double offset = std::min({time(Pattern::StockOffset), time(Pattern::ContourOutsideIn),
-                                    time(Pattern::ContourInsideOut)});
+    const double offset = std::min(
+        {time(Pattern::StockOffset), time(Pattern::ContourOutsideIn), time(Pattern::ContourInsideOut)});
     return {std::min(time(Pattern::Zigzag), time(Pattern::OneWay)), offset, time(Pattern::Best)};
 }
 
