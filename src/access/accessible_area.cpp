@@ -219,7 +219,8 @@ double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const 
 double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
     return leastStickOutMm(tool, [&](const ToolAssembly& shorter) {
         const std::vector<Blocker> blockers = access::blockers(ground.feature(), shorter);
-        return !touchesAtEntry(ground, blockers, area) &&
+        return !access::meetsOwnMaterial(ground, shorter, area.free_centres) &&
+               !touchesAtEntry(ground, blockers, area) &&
                std::none_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
                    return access::losesCentres(ground, blocker, area.free_centres);
                });

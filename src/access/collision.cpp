@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
+#include "access/slivers.h"
+#include "access/swept.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill::access {
 namespace {
@@ -28,6 +33,13 @@ std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool) {
     consider(tool.shank);
     std::for_each(tool.holder.begin(), tool.holder.end(), consider);
     return found;
+}
+
+double freeReachMm(const ToolAssembly& tool) {
+    double reach_mm = tool.stick_out_mm;
+    for (const HolderCylinder& cylinder : cylindersOf(tool))
+        reach_mm = std::min(reach_mm, cylinder.bottom_mm);
+    return reach_mm;
 }
 
 std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool) {
@@ -61,6 +73,36 @@ Feature withoutHolder(const FeatureGround& ground, const std::vector<Blocker>& b
     feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
     feature.obstacles.clear();
     return feature;
+}
+
+bool meetsOwnMaterial(const FeatureGround& ground, const ToolAssembly& tool, const Region& centres) {
+    const Tolerances& tol = ground.tolerances();
+    double reach_mm = 0;
+    for (const HolderCylinder& cylinder : cylindersOf(tool))
+        if (cylinder.bottom_mm < ground.feature().depth_mm() - kHeightRoundingMm)
+            reach_mm = std::max(reach_mm, cylinder.diameter_mm / 2);
+    if (reach_mm <= 0) return false;
+    for (const Region& component : components(centres)) {
+        const Region left = withoutSliverComponents(
+            subtract(ground.feature().target, swept(component, tool.radius_mm(), tol), tol), tol);
+        if (!left.empty() && area(intersect(left, offset(component, reach_mm, tol), tol)) > tol.area_mm2)
+            return true;
+    }
+    return false;
+}
+
+std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const ToolAssembly& tool,
+                                            const AccessibleArea& area) {
+    const double depth_mm = ground.feature().depth_mm();
+    const double reach_mm = freeReachMm(tool);
+    if (reach_mm >= depth_mm || tool.isDrill() || area.free_centres.empty()) return std::nullopt;
+    const bool collides = area.excluded && area.excluded->reason == ExclusionReason::HolderCollision;
+    if (area.excluded && !collides) return std::nullopt;
+    if (!collides && !meetsOwnMaterial(ground, tool, area.free_centres)) return std::nullopt;
+    return Exclusion{ExclusionReason::TooShort,
+                     fmt::format("leaves material of the feature that shank or holder would touch {:.4g} mm "
+                                 "deep; they stay above {:.4g} mm",
+                                 depth_mm, reach_mm)};
 }
 
 bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres) {

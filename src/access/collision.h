@@ -16,6 +16,10 @@ struct Blocker {
 /// Shank and holder as far as they are wider than the cutter, and so not covered by it.
 std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool);
 
+/// How deep the tool may go before its shank or holder, as far as they are wider than the cutter, is below
+/// the top of what it cuts [mm].
+double freeReachMm(const ToolAssembly& tool);
+
 /// Those of cylindersOf() with standing material at their bottom's height. The obstacles are shadows, so what
 /// stands at the bottom's height counts for the whole cylinder.
 std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool);
@@ -29,6 +33,17 @@ Region collisionFreeCentres(const FeatureGround& ground, const std::vector<Block
 /// a cylinder of radius R stays off an obstacle exactly when a disc of radius r stays off the obstacle grown
 /// by R - r. Target and obstruction change, the obstacles are gone.
 Feature withoutHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers, double radius_mm);
+
+/// Does shank or holder meet material of the feature itself? Where the floor is deeper than they stay above,
+/// nothing that the tool leaves of the target, or cuts only later from another component of its centres, may
+/// stand within their reach.
+bool meetsOwnMaterial(const FeatureGround& ground, const ToolAssembly& tool, const Region& centres);
+
+/// Turns a tool down that would meet what it leaves of the feature itself. [DSouza2006] takes the stock as it
+/// is right after the feature; but what shank and holder keep the cutter from stands in their own way as soon
+/// as they are below the feature's top. \param area  accessibleArea() of the tool
+std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const ToolAssembly& tool,
+                                            const AccessibleArea& area);
 
 /// Must the axis leave some of `centres` to keep a cylinder off an obstacle?
 bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres);

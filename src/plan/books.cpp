@@ -99,6 +99,13 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     // what the solid lost.
     const SettledAir air = settleAir(account.air, books.planned_mm3, account.stock.removed_mm3);
     books.planned_mm3 -= air.in_prisms_mm3;
+    if (!planned.setup.stock.isRaw()) {
+        // Residuals of features that hold air are area times height: what of them was air is not left.
+        const double air_left_mm3 =
+            std::clamp(account.stock.removed_mm3 - books.planned_mm3, 0.0, residual_mm3);
+        books.planned_mm3 += air_left_mm3;
+        lessen(residual, air_left_mm3);
+    }
     unreachable[kLeaningWall] += air.back_mm3;
     lessen(residual, air.left_mm3);
     lessen(unreachable, air.left_mm3 - residual_mm3);

@@ -164,9 +164,11 @@ class FeaturePlanner {
             ToolSequence sequence;
             sequence.feature_id = planned.feature.id;
             sequence.floor_z_mm = planned.feature.floor_z_mm;
+            SequenceOptions options = request_.options.sequence;
+            options.clear_of_own_material = true;
             if (!reduced.feature.target.empty())
-                sequence = sequenceTools(reduced.feature, request_.library, request_.machine,
-                                         request_.options.sequence, request_.tol);
+                sequence =
+                    sequenceTools(reduced.feature, request_.library, request_.machine, options, request_.tol);
             if (reduced.below) sequence.residual.push_back(*reduced.below);
             return sequence;
         });
@@ -241,7 +243,8 @@ PlannedStage planStage(const Stage& found, const Request& request, double start_
     stage.setup.setup = found.setup;
     stage.setup.clamping = found.clamping;
     stage.setup.unplanned = found.found.unplanned;
-    FeaturePlanner planner(std::vector<Feature>(found.found.features), request, start_share, end_share);
+    FeaturePlanner planner(inBands(found.found.features, request.library, request.options.sequence.material),
+                           request, start_share, end_share);
     stage.setup.features = planner.plan(stage.warnings);
     stage.setup.sharing =
         shareTools(stage.setup.features, request.machine, request.options.sequence.objective);

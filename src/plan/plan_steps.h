@@ -21,6 +21,13 @@ struct ReducedFeature {
 ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
                               const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol);
 
+/// Features deeper than the widest mill reaches, parted into bands of equal depth one below the other, each a
+/// feature of its own ("S1.F3.1" and so on) that waits for the one above: a tool then cuts no deeper beside
+/// its own work than shank and holder stay above it, and each band takes the tools that reach it. Holes stay
+/// whole, for drills. Features keep their order.
+std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
+                             const std::string& material);
+
 /// How many partial orders the look-ahead keeps after each tool change.
 inline constexpr std::size_t kBeamWidth = 16;
 

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "access/collision.h"
 #include "sequence/edge_work.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -63,6 +64,10 @@ void LumpSolver::sortHelpers() {
     for (int i = 0; i < static_cast<int>(settings_.helpers.size()); ++i) {
         const AccessibleArea& reach = *settings_.helpers[i].reach;
         if (reach.tool_id == held_off_id_) continue;
+        // Other lumps and the rest of this one stand beside it up to the feature's top.
+        if (settings_.options.clear_of_own_material &&
+            access::freeReachMm(*settings_.helpers[i].tool) < settings_.ground.feature().depth_mm())
+            continue;
         (covers(reach.coverable, lump_, tol_.sliver_mm, tol_) ? whole_ : partial_).push_back(i);
     }
 }

@@ -1,5 +1,6 @@
 #include <tbb/parallel_for.h>
 
+#include "access/collision.h"
 #include "sequence/candidate.h"
 #include "sequence/drilling.h"
 #include "sequence/evaluate_dag.h"
@@ -20,6 +21,9 @@ std::vector<AccessibleArea> areasOfAllTools(const FeatureGround& ground, const T
     std::vector<AccessibleArea> areas(tools.size());
     tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
         areas[i] = accessibleArea(ground, *tools[i], options.material);
+        if (options.clear_of_own_material)
+            if (auto trouble = access::ownMaterialTrouble(ground, *tools[i], areas[i]))
+                areas[i].excluded = std::move(trouble);
         if (!tools[i]->isDrill() || tools[i]->cuttingFor(options.material) == nullptr) return;
         const DrillCheck check = drillCheck(ground.feature(), *tools[i], ground.tolerances());
         if (check.fits) {

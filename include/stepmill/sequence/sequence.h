@@ -30,6 +30,9 @@ struct SequenceOptions {
     SurrogateRule surrogates = SurrogateRule::Sequence;
     /// What the sequence is chosen by; its own paths are always real.
     CostModel cost_model = CostModel::Path;
+    /// Turn down tools whose shank or holder would meet what they leave of the feature itself. [DSouza2006]
+    /// looks at the stock right after the feature and does not; a plan must.
+    bool clear_of_own_material = false;
 };
 
 /// What a surrogate does on an edge of the tool DAG.

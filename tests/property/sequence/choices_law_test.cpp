@@ -33,10 +33,12 @@ TEST(ChoicesLaw, EveryChoiceIsWhatItSaysAndLeavesTheSame) {
             const ToolSequence made = withChoice(sequence, i);
             const double weight = by_time ? made.time_s : made.cost;
             EXPECT_EQ(visitsOf(made), choices[i].tools) << "seed " << seed;
-            EXPECT_NEAR(weight, choices[i].paths + change * static_cast<double>(choices[i].tools.size()),
-                        1e-6 * weight)
-                << "seed " << seed;
-            EXPECT_GE(weight, (by_time ? sequence.time_s : sequence.cost) * (1 - 1e-9)) << "seed " << seed;
+            // Steps are made with the quickest patterns, choices weighed with one.
+            const auto weighed = [&](const SequenceChoice& choice) {
+                return choice.paths + change * static_cast<double>(choice.tools.size());
+            };
+            EXPECT_LE(weight, weighed(choices[i]) * (1 + 1e-6)) << "seed " << seed;
+            EXPECT_GE(weighed(choices[i]), weighed(choices[0]) * (1 - 1e-9)) << "seed " << seed;
             std::vector<Region> done;
             for (const SequenceStep& step : made.steps)
                 done.push_back(step.area.area);

@@ -20,11 +20,12 @@ json minimalPlan() {
     "stock": {"kind": "box", "bbox_mm": [[0, 0, 0], [40, 40, 10]], "volume_mm3": 16000},
     "machine": {"name": "Mill", "rapid_mm_per_min": 30000, "tool_change_s": 5, "hourly_rate": 80},
     "material": "aluminium",
-    "tool_library": {"file": "tools.json"},
+    "tool_library": {"file": "tools.json"}, "cost_model": "paths",
     "setups": [{"id": "S1", "axis": [0, 0, 1], "transform": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -10, 0, 0, 0, 1],
                 "program": "S1.ngc", "features": ["S1.F1"], "operations": ["S1.O1"], "time_s": 60}],
     "tools": [{"id": "EM8", "number": 8, "type": "flat", "description": "", "diameter_mm": 8, "corner_radius_mm": 0,
-               "flute_length_mm": 20, "stick_out_mm": 30, "shank": {"diameter_mm": 8, "bottom_mm": 20, "top_mm": 30},
+               "flute_length_mm": 20, "stick_out_mm": 30, "stick_out_range_mm": null,
+               "shank": {"diameter_mm": 8, "bottom_mm": 20, "top_mm": 30},
                "holder": [{"diameter_mm": 28, "bottom_mm": 30, "top_mm": 60}]}],
     "features": [{
         "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [], "top_z_mm": 0, "floor_z_mm": -5,
@@ -163,7 +164,7 @@ TEST(PlanSchema, RefusesADigestThatIsNone) {
 
 TEST(PlanSchema, RefusesAFeatureIdWithoutItsSetup) {
     EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"),
-              Lines{"#/setups/0/features/0: expected a text like ^S[0-9]+\\.F[0-9]+$, found \"F1\""});
+              Lines{"#/setups/0/features/0: expected a text like ^S[0-9]+\\.F[0-9]+(\\.[0-9]+)?$, found \"F1\""});
 }
 
 TEST(PlanSchema, TakesAnySurfaceKindButOnlyCounts) {

@@ -179,7 +179,7 @@ TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
     ASSERT_EQ(edge->surrogates.size(), 1U);
     EXPECT_EQ(edge->surrogates[0].tool, "EM6");
     EXPECT_NEAR(edge->surrogates[0].area_mm2, sequence.tools[0].blocked_lumps[0].area_mm2, 1e-9);
-    EXPECT_NEAR(edge->time_s, sequence.time_s, 1e-9);
+    EXPECT_LE(sequence.time_s, edge->time_s) << "of the quickest patterns";
     const double changes_s = 2 * makeMachine().tool_change_s;
     EXPECT_NEAR(edge->time_s, edge->totals.time_s() + edge->surrogates[0].time_s + changes_s, 1e-9);
 }
@@ -199,7 +199,7 @@ TEST(SequenceTools, ASurrogateThatComesNextAnywayIsChangedToOnce) {
     const DagEdge* second = findEdge(sequence, "stubby EM10", "EM6");
     ASSERT_NE(first, nullptr);
     ASSERT_NE(second, nullptr);
-    EXPECT_NEAR(first->time_s + second->time_s, sequence.time_s, 1e-9);
+    EXPECT_LE(sequence.time_s, first->time_s + second->time_s) << "of the quickest patterns";
 }
 
 TEST(SequenceTools, OneSurrogatePerLumpWhereThatIsAskedFor) {

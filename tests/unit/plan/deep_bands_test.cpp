@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "plan/plan_steps.h"
+
+namespace stepmill {
+namespace {
+
+constexpr const char* kMaterial = "aluminium";
+
+ToolAssembly mill(const std::string& id, double diameter_mm, double holder_from_mm) {
+    ToolAssembly tool;
+    tool.id = id;
+    tool.diameter_mm = diameter_mm;
+    tool.stick_out_mm = holder_from_mm;
+    tool.holder = {{diameter_mm + 20, holder_from_mm, holder_from_mm + 40}};
+    CuttingData data;
+    data.material = kMaterial;
+    tool.cutting.push_back(data);
+    return tool;
+}
+
+Feature feature(const std::string& id, FeatureClass feature_class, double depth_mm,
+                std::vector<std::string> parents = {}) {
+    Feature made;
+    made.id = id;
+    made.feature_class = feature_class;
+    made.floor_z_mm = -depth_mm;
+    made.volume_mm3 = 10 * depth_mm;
+    made.through = true;
+    made.parents = std::move(parents);
+    return made;
+}
+
+/// The widest mill stays above 40 mm; a narrower one reaches farther.
+ToolLibrary library() {
+    ToolLibrary tools;
+    tools.tools = {mill("EM20", 20, 40), mill("EM6L", 6, 90)};
+    return tools;
+}
+
+TEST(DeepBands, AFeatureDeeperThanTheWidestMillReachesIsParted) {
+    const std::vector<Feature> bands =
+        inBands({feature("S1.F1", FeatureClass::ThroughPocket, 100),
+                 feature("S1.F2", FeatureClass::ClosedPocket, 30, {"S1.F1"})},
+                library(), kMaterial);
+    ASSERT_EQ(bands.size(), 4U);
+    EXPECT_EQ(bands[0].id, "S1.F1.1");
+    EXPECT_DOUBLE_EQ(bands[0].top_z_mm, 0);
+    EXPECT_FALSE(bands[0].through);
+    EXPECT_TRUE(bands[0].parents.empty());
+    for (int i = 1; i < 3; ++i) {
+        EXPECT_DOUBLE_EQ(bands[i].top_z_mm, bands[i - 1].floor_z_mm);
+        EXPECT_EQ(bands[i].parents, std::vector<std::string>{bands[i - 1].id});
+        EXPECT_NEAR(bands[i].volume_mm3, 1000.0 / 3, 1e-9);
+    }
+    EXPECT_DOUBLE_EQ(bands[2].floor_z_mm, -100);
+    EXPECT_TRUE(bands[2].through);
+    EXPECT_EQ(bands[3].id, "S1.F2") << "not deep";
+    EXPECT_EQ(bands[3].parents, std::vector<std::string>{"S1.F1.3"}) << "waits for the lowest band";
+}
+
+TEST(DeepBands, HolesStayWholeAndSoDoesAllWithoutMills) {
+    const std::vector<Feature> features = {feature("S1.F1", FeatureClass::HoleThrough, 100)};
+    EXPECT_EQ(inBands(features, library(), kMaterial).size(), 1U);
+    EXPECT_EQ(inBands({feature("S1.F1", FeatureClass::ClosedPocket, 100)}, {}, kMaterial).size(), 1U);
+}
+
+}  // namespace
+}  // namespace stepmill
