@@ -301,6 +301,12 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
     const Tolerances& tol = task.ground.tolerances();
     if (n.drill()) return drilledBy(task, n);
     SequenceStep step = stepBy(Pattern::Best, task, m, n, nullptr);
+    // Regions choose for themselves; what lies between them may cost more than they save.
+    SequenceStep weighed = stepBy(kWeighedPattern, task, m, n, nullptr);
+    const auto weight = [&](const SequenceStep& one) {
+        return weightOf(edgeCost(one.path.totals, *n.tool, task.machine), task.options.objective);
+    };
+    if (weight(weighed) < weight(step)) step = std::move(weighed);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
     step.proof = prove(step.path, clearingTask(task, n, step.area, Pattern::Best, nullptr),
