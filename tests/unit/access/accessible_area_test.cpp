@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "access/collision.h"
 #include "grounds.h"
 #include "stepmill/core/units.h"
 
@@ -267,6 +268,22 @@ TEST(HolderCollision, CountsAShankWiderThanTheCutter) {
     EXPECT_EQ(access(ground, tool).excluded.value().reason, ExclusionReason::HolderCollision);
     tool.shank.diameter_mm = 4;
     EXPECT_FALSE(access(ground, tool).excluded);
+}
+
+TEST(OwnMaterial, MeetsTheHolderOnlyBelowTheTopAndWhereSomethingIsLeft) {
+    const auto trouble = [](const Region& target, double depth_mm, double holder_from_mm) {
+        Feature pocket = closedPocket(target, depth_mm);
+        pocket.obstacles.clear();  // walls that the holder would meet are another matter
+        const FeatureGround ground(pocket, kTol);
+        const ToolAssembly tool = withHolder(endMill(10), 30, holder_from_mm);
+        return access::ownMaterialTrouble(ground, tool, access(ground, tool));
+    };
+    const Region sharp = rect(0, 0, 60, 40);
+    const Region round = makeRoundedRectangle({0, 0}, {60, 40}, 5);
+    ASSERT_TRUE(trouble(sharp, 30, 25)) << "corners stand in the holder's way";
+    EXPECT_EQ(trouble(sharp, 30, 25)->reason, ExclusionReason::TooShort);
+    EXPECT_FALSE(trouble(sharp, 30, 30)) << "the holder stays above";
+    EXPECT_FALSE(trouble(round, 30, 25)) << "nothing is left";
 }
 
 TEST(HolderCollision, SeesMaterialThatWidensUpwards) {
