@@ -13,13 +13,13 @@ namespace stepmill {
 /// A feature's evaluated tool DAG with all it was made from, to take other ways through it later.
 class SequenceChoices {
   public:
-    /// \param options, machine, library  must outlive this
+    /// \param machine, library  must outlive this
     SequenceChoices(FeatureGround ground, const SequenceOptions& options, const Machine& machine,
                     const ToolLibrary& library, double retract_z_mm);
 
     // What the DAG is made from, filled in step by step.
     const FeatureGround ground;
-    const SequenceOptions& options;
+    const SequenceOptions options;
     const Machine& machine;
     const ToolLibrary& library;
     const double retract_z_mm;

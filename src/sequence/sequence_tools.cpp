@@ -152,7 +152,9 @@ ToolSequence sequenceTo(const Feature& feature, const Job& job, bool may_end_hig
         return usableTools(feature, made->areas, job.library, job.options, job.machine, job.tol);
     };
     const std::vector<AccessibleArea> unlimited = made->areas;
-    Admission admission = admitHelped(ground, job, retract_z, mostCovered(usable()), unlimited);
+    // The finder outlives this call with the choices: it must look at their copy of the options.
+    const Job kept{job.library, job.machine, made->options, job.tol};
+    Admission admission = admitHelped(ground, kept, retract_z, mostCovered(usable()), unlimited);
     made->areas = std::move(admission.areas);
     made->finder = std::move(admission.finder);
     admitLimited(ground, job.library, mostCovered(usable()), made->areas);
