@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 
 namespace stepmill::test {
@@ -85,6 +86,18 @@ TemporaryFolder::~TemporaryFolder() {
 
 std::vector<std::string> sharedParts(const std::string& folder) {
     return stepFiles(fs::path(STEPMILL_SOURCE_DIR).parent_path() / "shared" / "parts" / folder);
+}
+
+std::vector<std::string> planningTargets() {
+    const std::set<std::string> wanted = {
+        "aagnet_partC",         "aagnet_test",          "box-with-carving",         "boxblend_03",
+        "gehause_rohteil",      "hole_model",           "isolated-heuristics-test", "isolated_blends_test_09",
+        "nist_ctc_01_asme1_rd", "nist_ftc_09_asme1_rd", "nist_d2mi_827-9999-904",   "simple_block_workpiece"};
+    std::vector<std::string> found;
+    for (const char* folder : {"machined", "nist"})
+        for (const std::string& part : sharedParts(folder))
+            if (wanted.count(fs::path(part).stem().string()) > 0) found.push_back(part);
+    return found;
 }
 
 std::vector<std::string> sampleParts() {

@@ -36,5 +36,8 @@ class TemporaryFolder {
 /// when the folder is missing.
 std::vector<std::string> sharedParts(const std::string& folder);
 std::vector<std::string> sampleParts();
+/// Of the folders "machined" and "nist" the parts that get a plan in seconds, each shape once; empty when
+/// these are missing.
+std::vector<std::string> planningTargets();
 
 }  // namespace stepmill::test

@@ -175,12 +175,8 @@ TEST(SecondReaderCorpus, UnderstandsEverySamplePartAsWeDo) {
     readAll(sampleParts());
 }
 
-TEST(SecondReaderCorpus, UnderstandsEveryMachinedPartAsWeDo) {
-    readAll(sharedParts("machined"));
-}
-
-TEST(SecondReaderCorpus, UnderstandsEveryNistPartAsWeDo) {
-    readAll(sharedParts("nist"));
+TEST(SecondReaderCorpus, UnderstandsEveryPlanningTargetAsWeDo) {
+    readAll(planningTargets());
 }
 
 }  // namespace

@@ -51,11 +51,8 @@ void proveAll(const std::vector<std::string>& parts) {
 TEST(VerifyPlans, EverySamplePartIsProven) {
     proveAll(sampleParts());
 }
-TEST(VerifyPlans, EveryMachinedPartIsProven) {
-    proveAll(sharedParts("machined"));
-}
-TEST(VerifyPlans, EveryNistPartIsProven) {
-    proveAll(sharedParts("nist"));
+TEST(VerifyPlans, EveryPlanningTargetIsProven) {
+    proveAll(planningTargets());
 }
 
 TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
