@@ -13,7 +13,7 @@ constexpr int kInchDecimals = 5;
 /// An arc's two radii may differ by this much in the program [mm]; controllers refuse arcs much worse.
 constexpr double kRadiusAgreementMm = 1e-3;
 /// Controllers refuse arcs of next to no radius; their ends are as good as one point [mm].
-constexpr double kLeastRadiusMm = 1e-3;
+constexpr double kLeastRadiusMm = 4e-4;
 /// Arcs that leave their chord by less than half the last metric decimal are lines.
 constexpr double kStraightMm = 0.5e-4;
 /// Longer arcs are written as two: a full circle's end is its start, and close ends are ambiguous once
