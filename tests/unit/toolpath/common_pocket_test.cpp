@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <limits>
-
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
 
@@ -18,14 +15,11 @@ const Machine kMachine = machineWithRapid(5000);
 
 struct Rival {
     double diameter_mm;
-    double time_s;        ///< FreeCAD 0.20's Pocket at these cutting data; plunges straight
-    double generation_s;  ///< and what it takes to make that path
+    double time_s;  ///< FreeCAD 0.20's Pocket at these cutting data; plunges straight
 };
 
 /// Shorter than elsewhere by this share at a ramp angle of 5 degrees; at 3 degrees no longer.
 constexpr double kShorter = 0.1;
-/// Made that many times faster.
-constexpr double kFaster = 5;
 
 class CommonPocket : public testing::TestWithParam<Rival> {
   protected:
@@ -57,18 +51,6 @@ TEST_P(CommonPocket, TakesNoLongerThanElsewhereWithAFlatterRamp) {
     EXPECT_LE(path(3).totals.time_s(), GetParam().time_s);
 }
 
-TEST_P(CommonPocket, IsPlannedFiveTimesFasterThanElsewhere) {
-    double least_s = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        path();
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-        least_s = std::min(least_s, taken.count());
-    }
-    RecordProperty("generation_s", std::to_string(least_s));
-    EXPECT_LE(least_s, GetParam().generation_s / kFaster);
-}
-
 TEST_P(CommonPocket, IsClearedWithoutAGouge) {
     const double r = GetParam().diameter_mm / 2;
     const Toolpath made = path();
@@ -87,8 +69,7 @@ TEST_P(CommonPocket, FeedsHardlyAnywhereInAir) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cutters, CommonPocket,
-                         testing::Values(Rival{20, 46.8, 0.07}, Rival{12, 103.0, 0.07},
-                                         Rival{6, 257.3, 0.13}));
+                         testing::Values(Rival{20, 46.8}, Rival{12, 103.0}, Rival{6, 257.3}));
 
 }  // namespace
 }  // namespace stepmill
