@@ -145,8 +145,8 @@ class Grouper {
     }
 
     /// The components together with the groups above them, if the part leaves their common ground free.
+    /// \pre there is a group above
     std::optional<FeatureGroup> join(const Cluster& cluster) const {
-        if (cluster.above.empty()) return std::nullopt;
         const int layer = forest_.components[cluster.components.front()].layer;
         const Layer& floor = layers_.layers[layer];
         // In stock that does not change a smaller component has a floor beside it.
@@ -176,10 +176,8 @@ class Grouper {
 
     bool holdsMuchAir(const FeatureGroup& group) const {
         double volume_mm3 = 0;
-        for (const int member : group.components) {
-            const RemovalComponent& component = forest_.components[member];
-            volume_mm3 += component.area_mm2 * layers_.layers[component.layer].height_mm();
-        }
+        for (const int member : group.components)
+            volume_mm3 += volumeMm3(forest_.components[member], layers_);
         const double height_mm = topLayer(group).top_z_mm - bottomLayer(group).bottom_z_mm;
         return volume_mm3 < (1 - kMostAirShare) * area(group.target) * height_mm;
     }

@@ -184,7 +184,7 @@ std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& l
     for (int i = 0; i < count; ++i) {
         const RemovalComponent& component = forest.components[i];
         if (kind[i] == wanted && component.stock_share >= kSkinShare)
-            volumes[lumps.of(i)] += component.area_mm2 * layers.layers[component.layer].height_mm();
+            volumes[lumps.of(i)] += volumeMm3(component, layers);
     }
     return volumes;
 }

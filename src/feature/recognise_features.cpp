@@ -61,10 +61,8 @@ class Recogniser {
         made.obstacles = standing_.obstacles(last.layer, removed_.back());
         made.through = nothingBelow(made.target, last.layer);
         made.area_mm2 = area(made.target);
-        for (const int index : group.components) {
-            const RemovalComponent& component = forest_.components[index];
-            made.volume_mm3 += component.area_mm2 * layers_.layers[component.layer].height_mm();
-        }
+        for (const int index : group.components)
+            made.volume_mm3 += feature::volumeMm3(forest_.components[index], layers_);
         describeBoundary(made);
         return made;
     }

@@ -81,6 +81,10 @@ void linkToParents(RemovalForest& forest, int child, const std::vector<int>& abo
 
 }  // namespace
 
+double volumeMm3(const RemovalComponent& component, const LayerStack& layers) {
+    return component.area_mm2 * layers.layers[component.layer].height_mm();
+}
+
 RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol) {
     RemovalForest forest;
     for (std::size_t i = 0; i < layers.layers.size(); ++i) {

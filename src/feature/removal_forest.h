@@ -29,6 +29,8 @@ struct RemovalForest {
     std::vector<double> sliver_area_mm2;  ///< per layer: dropped, nowhere as wide as tol.sliver_mm
 };
 
+double volumeMm3(const RemovalComponent& component, const LayerStack& layers);
+
 RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol);
 
 /// Unlinks components marked `left` from those that are not.

@@ -27,10 +27,11 @@ struct CutStretch {
     const Layer* layer = nullptr;
     double top_z_mm = 0;
     double bottom_z_mm = 0;
-    std::vector<Region> gone;
+    Region gone;  ///< of the layer's stock
 };
 
-std::vector<CutStretch> stretches(const LayerStack& layers, const std::vector<Prism>& removed) {
+std::vector<CutStretch> stretches(const LayerStack& layers, const std::vector<Prism>& removed,
+                                  const Tolerances& tol) {
     std::set<double> heights;
     for (const Prism& prism : removed)
         heights.insert({prism.top_z_mm, prism.bottom_z_mm});
@@ -46,8 +47,10 @@ std::vector<CutStretch> stretches(const LayerStack& layers, const std::vector<Pr
         if (at == 0) break;
         stretch.layer = &layers.layers[at - 1];
         if (stretch.layer->bottom_z_mm > middle) continue;
+        std::vector<Region> gone;
         for (const Prism& prism : removed)
-            if (prism.bottom_z_mm < middle && middle < prism.top_z_mm) stretch.gone.push_back(prism.region);
+            if (prism.bottom_z_mm < middle && middle < prism.top_z_mm) gone.push_back(prism.region);
+        if (!gone.empty()) stretch.gone = intersect(unite(gone, tol), stretch.layer->stock, tol);
         found.push_back(std::move(stretch));
     }
     return found;
@@ -93,7 +96,7 @@ Box3 boxOfRest(const std::vector<CutStretch>& stretches, const Tolerances& tol) 
     Box3 box;
     for (const CutStretch& stretch : stretches) {
         const Region& stock = stretch.layer->stock;
-        const Region left = stretch.gone.empty() ? stock : subtract(stock, unite(stretch.gone, tol), tol);
+        const Region left = stretch.gone.empty() ? stock : subtract(stock, stretch.gone, tol);
         for (const Region& piece : components(left)) {
             const Box2 extent = boundingBox(piece);
             if (area(piece) <= kFilmMm * perimeter(piece) / 2) continue;
@@ -129,15 +132,14 @@ StockAfter stockAfter(const Setup& setup, const LayerStack& layers, const std::v
     if (volumeOf(removed) < kNothingMm3) return after;
     const layers::StockAir air(setup, 0, tol);
     const RawAir raw_air(setup, tol);
-    const std::vector<CutStretch> cut = stretches(layers, removed);
+    const std::vector<CutStretch> cut = stretches(layers, removed, tol);
     for (const CutStretch& stretch : cut) {
         if (stretch.gone.empty()) continue;
         const double height = stretch.top_z_mm - stretch.bottom_z_mm;
-        const Region gone = intersect(unite(stretch.gone, tol), stretch.layer->stock, tol);
-        after.prisms_mm3 += area(gone) * height;
+        after.prisms_mm3 += area(stretch.gone) * height;
         if (stretch.layer->stock_air_mm3 <= 0) continue;
-        after.removed_mm3 -= air.volumeIn(gone, stretch.bottom_z_mm, stretch.top_z_mm, kStretches) +
-                             raw_air.volumeIn(gone, stretch.bottom_z_mm, stretch.top_z_mm);
+        after.removed_mm3 -= air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm, kStretches) +
+                             raw_air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm);
     }
     after.removed_mm3 += after.prisms_mm3;
     after.stock.volume_mm3 -= after.removed_mm3;

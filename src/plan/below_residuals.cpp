@@ -75,6 +75,21 @@ std::string namesOf(const std::vector<const PlannedFeature*>& parents) {
 
 }  // namespace
 
+std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const PlannedById& planned) {
+    std::vector<const PlannedFeature*> parents;
+    for (const std::string& id : feature.parents)
+        parents.push_back(&planned(id));
+    return parents;
+}
+
+std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const PlannedById& planned) {
+    std::vector<const PlannedFeature*> found = parentsOf(feature, planned);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        for (const PlannedFeature* parent : parentsOf(found[i]->feature, planned))
+            if (std::find(found.begin(), found.end(), parent) == found.end()) found.push_back(parent);
+    return found;
+}
+
 ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
                               const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol) {
     ReducedFeature reduced{feature, std::nullopt};

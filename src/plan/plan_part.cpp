@@ -138,29 +138,15 @@ class FeaturePlanner {
         request_.report(id, start_share_ + (end_share_ - start_share_) * done);
     }
 
-    std::vector<const PlannedFeature*> parentsOf(const Feature& feature) const {
-        std::vector<const PlannedFeature*> parents;
-        for (const std::string& id : feature.parents)
-            parents.push_back(&planned_[number_.at(id)]);
-        return parents;
-    }
-
-    std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature) const {
-        std::vector<const PlannedFeature*> found = parentsOf(feature);
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            for (const PlannedFeature* parent : parentsOf(found[i]->feature)) {
-                if (std::find(found.begin(), found.end(), parent) == found.end()) found.push_back(parent);
-            }
-        }
-        return found;
-    }
-
     void planOne(std::size_t index) {
         PlannedFeature& planned = planned_[index];
         std::string& failure = failures_[index];
         planned.sequence = sequenceOrResidual(planned.feature, failure, [&] {
-            const ReducedFeature reduced = belowResiduals(planned.feature, parentsOf(planned.feature),
-                                                          ancestorsOf(planned.feature), request_.tol);
+            const PlannedById by_id = [&](const std::string& id) -> const PlannedFeature& {
+                return planned_[number_.at(id)];
+            };
+            const ReducedFeature reduced = belowResiduals(planned.feature, parentsOf(planned.feature, by_id),
+                                                          ancestorsOf(planned.feature, by_id), request_.tol);
             ToolSequence sequence;
             sequence.feature_id = planned.feature.id;
             sequence.floor_z_mm = planned.feature.floor_z_mm;

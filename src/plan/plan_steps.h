@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "stepmill/layers/layer_stack.h"
@@ -13,6 +15,14 @@ struct ReducedFeature {
     Feature feature;                ///< with an empty target when nothing of it is free
     std::optional<Residual> below;  ///< what of the feature lies below material that stays
 };
+
+/// The planned feature of an id.
+using PlannedById = std::function<const PlannedFeature&(const std::string& id)>;
+
+/// The features that a feature waits for directly, ...
+std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const PlannedById& planned);
+/// ... and with those that these wait for: nearest first, each once.
+std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const PlannedById& planned);
 
 /// Takes what the features above left out of a feature's target and adds it to what cutter and holder must
 /// keep clear of, so that no tool meets material that was believed gone.

@@ -7,9 +7,6 @@
 namespace stepmill {
 namespace {
 
-/// A drill this much narrower than its hole still makes it: the ring it leaves is within any drilled
-/// hole's tolerance [mm].
-constexpr double kUndersizeMm = 0.02;
 /// How far the full diameter of a drill leaves a through hole at the far side [mm].
 constexpr double kBreakThroughMm = 0.5;
 /// Half the point angle of a general-purpose (118 degree) drill.
@@ -64,7 +61,7 @@ DrillCheck drillCheck(const Feature& feature, const ToolAssembly& drill, const T
     if (!drill.isDrill() || !isHole(feature)) return result;
     const double hole_mm = 2 * holeRadiusMm(feature);
     const bool matches =
-        drill.diameter_mm <= hole_mm + 2 * tol.gouge_mm && drill.diameter_mm >= hole_mm - kUndersizeMm;
+        drill.diameter_mm <= hole_mm + 2 * tol.gouge_mm && drill.diameter_mm >= hole_mm - kDrillUndersizeMm;
     if (!matches) return result;
     const double needed = feature.top_z_mm - drillTipZ(feature, drill);
     const double reach =

@@ -8,6 +8,10 @@
 
 namespace stepmill {
 
+/// A drill this much narrower than its hole still makes it: the ring it leaves is within any drilled
+/// hole's tolerance [mm].
+inline constexpr double kDrillUndersizeMm = 0.02;
+
 /// Can this drill make this hole, and if not, why not?
 struct DrillCheck {
     bool fits = false;

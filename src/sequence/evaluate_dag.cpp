@@ -268,16 +268,20 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     return clearing;
 }
 
-SequenceStep stepBy(Pattern pattern, const DagTask& task, const Candidate* m, const Candidate& n,
-                    const SharedRings& rings) {
+/// The step without its path.
+SequenceStep stepOf(const DagTask& task, const Candidate* m, const Candidate& n) {
     SequenceStep step;
     step.tool_id = n.tool->id;
     step.speed_rpm = n.cutting.speed_rpm;
     step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
-    if (step.area.centres.empty()) return step;
-    step.path = clearArea(clearingTask(task, n, step.area, pattern, rings), *n.tool, n.cutting, task.machine,
-                          task.ground.tolerances());
     return step;
+}
+
+Toolpath pathBy(Pattern pattern, const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
+                const SharedRings& rings) {
+    if (decomposed.centres.empty()) return {};
+    return clearArea(clearingTask(task, n, decomposed, pattern, rings), *n.tool, n.cutting, task.machine,
+                     task.ground.tolerances());
 }
 
 SequenceStep drilledBy(const DagTask& task, const Candidate& n) {
@@ -293,24 +297,28 @@ SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
 }
 
 SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
-    return n.drill() ? drilledBy(task, n) : stepBy(kWeighedPattern, task, m, n, rings);
+    if (n.drill()) return drilledBy(task, n);
+    SequenceStep step = stepOf(task, m, n);
+    step.path = pathBy(kWeighedPattern, task, n, step.area, rings);
+    return step;
 }
 
 SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n) {
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
     if (n.drill()) return drilledBy(task, n);
-    SequenceStep step = stepBy(Pattern::Best, task, m, n, nullptr);
+    SequenceStep step = stepOf(task, m, n);
+    step.path = pathBy(Pattern::Best, task, n, step.area, nullptr);
     // Regions choose for themselves; what lies between them may cost more than they save.
-    SequenceStep weighed = stepBy(kWeighedPattern, task, m, n, nullptr);
-    const auto weight = [&](const SequenceStep& one) {
-        return weightOf(edgeCost(one.path.totals, *n.tool, task.machine), task.options.objective);
+    Toolpath weighed = pathBy(kWeighedPattern, task, n, step.area, nullptr);
+    const auto weight = [&](const Toolpath& path) {
+        return weightOf(edgeCost(path.totals, *n.tool, task.machine), task.options.objective);
     };
-    if (weight(weighed) < weight(step)) step = std::move(weighed);
+    if (weight(weighed) < weight(step.path)) step.path = std::move(weighed);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
-    step.proof = prove(step.path, clearingTask(task, n, step.area, Pattern::Best, nullptr),
-                       n.tool->radius_mm(), tol);
+    step.proof =
+        prove(step.path, clearingTask(task, n, step.area, Pattern::Best, nullptr), n.tool->radius_mm(), tol);
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,
                     fmt::format("the path of tool {} would cut {:.4f} mm into what must stay", n.tool->id,

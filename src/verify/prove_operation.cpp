@@ -22,8 +22,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kStockTopMm = 0;
 /// Heights closer than this are one: half a last decimal, in inches or mm [mm].
 constexpr double kSameHeightMm = 3e-4;
-/// A drill may be this much narrower than the hole that it makes (drillCheck) [mm].
-constexpr double kDrillUndersizeMm = 0.02;
 /// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
 constexpr double kFeedRounding = 1e-3;
 
@@ -111,12 +109,13 @@ class OwnMaterial {
   public:
     OwnMaterial(const ReadOperation& operation, const RecordedOperation& planned, const Region& standing,
                 const Tolerances& tol)
-        : operation_(operation), planned_(planned), standing_(standing), tol_(tol) {
+        : operation_(operation), planned_(planned), whole_(standing), standing_(standing), tol_(tol) {
         edges_ = toolpath::edgesOf(standing_);
     }
 
     /// Least distance from the edge to what stands at `z_mm` when move `index` begins, less the radius.
     double clearance(const toolpath::Edge& way, double radius_mm, double z_mm, std::size_t index) {
+        if (z_mm < cut_at_mm_) restart();
         double found = distance(way, radius_mm) - radius_mm;
         if (found >= 0 || index <= cut_until_) return found;
         takeOff(index, z_mm);
@@ -133,6 +132,14 @@ class OwnMaterial {
         return least;
     }
 
+    /// What was cut no lower than some height still stands below it.
+    void restart() {
+        standing_ = whole_;
+        edges_ = toolpath::edgesOf(standing_);
+        cut_until_ = 0;
+        cut_at_mm_ = -kInfinite;
+    }
+
     void takeOff(std::size_t index, double z_mm) {
         const Vec3 start = cut_until_ == 0 ? operation_.start : operation_.moves[cut_until_ - 1].fed.move.to;
         const std::vector<Path> ways = waysBelow(operation_, cut_until_, index, z_mm, start);
@@ -140,16 +147,19 @@ class OwnMaterial {
         if (!ways.empty()) {
             standing_ = subtract(standing_, sweptRegion(ways, radius_mm, tol_), tol_);
             edges_ = toolpath::edgesOf(standing_);
+            cut_at_mm_ = std::max(cut_at_mm_, z_mm);
         }
         cut_until_ = index;
     }
 
     const ReadOperation& operation_;
     const RecordedOperation& planned_;
+    const Region& whole_;
     Region standing_;
     const Tolerances& tol_;
     std::vector<toolpath::Edge> edges_;
     std::size_t cut_until_ = 0;
+    double cut_at_mm_ = -kInfinite;  ///< highest height that something was taken off for
 };
 
 }  // namespace

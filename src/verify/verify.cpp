@@ -82,28 +82,14 @@ class SetupProver {
         return found->second;
     }
 
-    std::vector<const PlannedFeature*> parentsOf(const PlannedFeature& planned) const {
-        std::vector<const PlannedFeature*> parents;
-        for (const std::string& id : planned.feature.parents)
-            parents.push_back(&record_.features.at(id));
-        return parents;
-    }
-
-    std::vector<const PlannedFeature*> ancestorsOf(const PlannedFeature& planned) const {
-        std::vector<const PlannedFeature*> found = parentsOf(planned);
-        for (std::size_t i = 0; i < found.size(); ++i)
-            for (const PlannedFeature* parent : parentsOf(*found[i]))
-                if (std::find(found.begin(), found.end(), parent) == found.end()) found.push_back(parent);
-        return found;
-    }
-
     FeatureState& stateOf(const std::string& id) {
         const auto found = states_.find(id);
         if (found != states_.end()) return found->second;
         const PlannedFeature& planned = record_.features.at(id);
         FeatureState state;
-        state.feature =
-            belowResiduals(planned.feature, parentsOf(planned), ancestorsOf(planned), tol_).feature;
+        state.feature = belowResiduals(planned.feature, parentsOf(planned.feature, by_id_),
+                                       ancestorsOf(planned.feature, by_id_), tol_)
+                            .feature;
         state.standing = state.feature.target;
         return states_.emplace(id, std::move(state)).first->second;
     }
@@ -112,7 +98,8 @@ class SetupProver {
     void checkOrder(const ReadOperation& operation, const RecordedOperation& planned,
                     const verify::Findings& findings) {
         std::set<std::string> before;
-        for (const PlannedFeature* ancestor : ancestorsOf(record_.features.at(planned.feature_id)))
+        for (const PlannedFeature* ancestor :
+             ancestorsOf(record_.features.at(planned.feature_id).feature, by_id_))
             before.insert(ancestor->feature.id);
         for (const std::string& id : setup_.operation_ids) {
             const RecordedOperation& other = record_.operations.at(id);
@@ -176,6 +163,9 @@ class SetupProver {
     }
 
     const PlanRecord& record_;
+    const PlannedById by_id_ = [this](const std::string& id) -> const PlannedFeature& {
+        return record_.features.at(id);
+    };
     const RecordedSetup& setup_;
     std::string file_;
     const Tolerances& tol_;
