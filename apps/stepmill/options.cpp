@@ -122,6 +122,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
                                   : options.cost_model == "lim" ? CostModel::Lim
                                                                 : CostModel::Path;
     request.sequence.retract_mm = machine.safe_height_mm;
+    if (!options.fixtures_file.empty()) request.fixtures = readFixtures(options.fixtures_file);
     return request;
 }
 

@@ -14,9 +14,10 @@ namespace stepmill {
 /// The options of the commands on a part, as typed.
 struct PlanOptions {
     std::string part_file;
-    std::string out_dir;       ///< empty: "<part>-plan" in the current folder
-    std::string tools_file;    ///< empty: the built-in shop library
-    std::string machine_file;  ///< empty: the built-in machining centre
+    std::string out_dir;        ///< empty: "<part>-plan" in the current folder
+    std::string fixtures_file;  ///< empty: suggested vises
+    std::string tools_file;     ///< empty: the built-in shop library
+    std::string machine_file;   ///< empty: the built-in machining centre
     std::string material = "aluminium";
     std::string stock = "box";           ///< "box" or a STEP file
     std::string stock_margin = "0,0,0";  ///< side,top,bottom

@@ -80,6 +80,8 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     plan->add_option("--tools", options->tools_file,
                      "tool library (JSON); default: a metric shop of 24 tools");
     plan->add_option("--machine", options->machine_file, "machine (JSON); default: a machining centre");
+    plan->add_option("--fixtures", options->fixtures_file,
+                     "what holds the part in each setup (JSON); default: the jaws of the suggested vise");
     plan->add_option("--material", options->material, "material the cutting data are for")
         ->capture_default_str();
     plan->add_option("--objective", options->objective, "what the tool sequence makes least")
@@ -103,7 +105,8 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step --setup +z --setup -z\n"
         "  stepmill plan bracket.step --no-setup -z --no-setup -x\n"
         "  stepmill plan bracket.step -o job42 --setup +z --stock-margin 2,1,0 --material steel\n"
-        "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost");
+        "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
+        "  stepmill plan bracket.step --fixtures clamps.json");
     plan->callback([options, &exit_code] { exit_code = runPlan(*options); });
 }
 

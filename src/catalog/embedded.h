@@ -10,6 +10,7 @@ extern const std::string_view kMachineSchema;
 extern const std::string_view kPlanSchema;
 extern const std::string_view kInspectSchema;
 extern const std::string_view kRankSchema;
+extern const std::string_view kFixturesSchema;
 extern const std::string_view kDefaultTools;
 extern const std::string_view kDefaultMachine;
 

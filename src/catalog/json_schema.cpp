@@ -92,6 +92,8 @@ std::string_view schemaText(SchemaName name) {
             return embedded::kInspectSchema;
         case SchemaName::Rank:
             return embedded::kRankSchema;
+        case SchemaName::Fixtures:
+            return embedded::kFixturesSchema;
     }
     return {};
 }
@@ -119,6 +121,21 @@ std::vector<CatalogFinding> checkSchema(const json& schema, const json& value) {
         findings.insert(findings.end(), causes.begin(), causes.end());
     }
     return findings;
+}
+
+ParsedJson checkedJson(std::string_view text, const json& schema) {
+    ParsedJson parsed = parseJson(text);
+    if (parsed.findings.empty()) parsed.findings = checkSchema(schema, parsed.value);
+    return parsed;
+}
+
+void throwFirstError(const std::vector<CatalogFinding>& findings, const std::string& file_name) {
+    const auto is_error = [](const CatalogFinding& finding) { return !finding.doubt; };
+    const auto first = std::find_if(findings.begin(), findings.end(), is_error);
+    if (first == findings.end()) return;
+    const auto count = std::count_if(findings.begin(), findings.end(), is_error);
+    const std::string others = count == 1 ? "" : " (and " + std::to_string(count - 1) + " more in this file)";
+    throw Error(ErrorCode::InvalidCatalog, file_name + first->pointer, first->text + others);
 }
 
 std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_text) {

@@ -21,22 +21,6 @@ using nlohmann::json;
 constexpr const char* kDefaultToolsName = "shop_metric_tools.json";
 constexpr const char* kDefaultMachineName = "machine_vmc.json";
 
-/// A file's value with all that was found in it; the value may be used when no finding is an error.
-ParsedJson checkedJson(std::string_view text, const json& schema) {
-    ParsedJson parsed = parseJson(text);
-    if (parsed.findings.empty()) parsed.findings = checkSchema(schema, parsed.value);
-    return parsed;
-}
-
-void throwFirstError(const std::vector<CatalogFinding>& findings, const std::string& file_name) {
-    const auto is_error = [](const CatalogFinding& finding) { return !finding.doubt; };
-    const auto first = std::find_if(findings.begin(), findings.end(), is_error);
-    if (first == findings.end()) return;
-    const auto count = std::count_if(findings.begin(), findings.end(), is_error);
-    const std::string others = count == 1 ? "" : " (and " + std::to_string(count - 1) + " more in this file)";
-    throw Error(ErrorCode::InvalidCatalog, file_name + first->pointer, first->text + others);
-}
-
 /// Tools in JSON to tools in millimetres. \pre the JSON keeps the schema and the library's rules
 class ToolReader {
   public:

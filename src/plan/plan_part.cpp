@@ -105,9 +105,9 @@ std::vector<std::vector<std::size_t>> generations(const std::vector<Feature>& fe
 /// Plans features generation by generation: one has to know what those above it leave.
 class FeaturePlanner {
   public:
-    FeaturePlanner(std::vector<Feature>&& features, const Request& request, double start_share,
-                   double end_share)
-        : request_(request), start_share_(start_share), end_share_(end_share) {
+    FeaturePlanner(std::vector<Feature>&& features, const Setup& setup, const Request& request,
+                   double start_share, double end_share)
+        : setup_(setup), request_(request), start_share_(start_share), end_share_(end_share) {
         generations_ = generations(features);
         planned_.resize(features.size());
         failures_.resize(features.size());
@@ -145,21 +145,29 @@ class FeaturePlanner {
             const PlannedById by_id = [&](const std::string& id) -> const PlannedFeature& {
                 return planned_[number_.at(id)];
             };
-            const ReducedFeature reduced = belowResiduals(planned.feature, parentsOf(planned.feature, by_id),
-                                                          ancestorsOf(planned.feature, by_id), request_.tol);
+            const ReducedFeature free =
+                reduced(planned.feature, parentsOf(planned.feature, by_id),
+                        ancestorsOf(planned.feature, by_id), setup_.fixtures, request_.tol);
             ToolSequence sequence;
             sequence.feature_id = planned.feature.id;
             sequence.floor_z_mm = planned.feature.floor_z_mm;
-            SequenceOptions options = request_.options.sequence;
-            options.clear_of_own_material = true;
-            if (!reduced.feature.target.empty())
-                sequence =
-                    sequenceTools(reduced.feature, request_.library, request_.machine, options, request_.tol);
-            if (reduced.below) sequence.residual.push_back(*reduced.below);
+            if (!free.feature.target.empty())
+                sequence = sequenceTools(free.feature, request_.library, request_.machine, sequenceOptions(),
+                                         request_.tol);
+            sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
             return sequence;
         });
     }
 
+    SequenceOptions sequenceOptions() const {
+        SequenceOptions options = request_.options.sequence;
+        options.clear_of_own_material = true;
+        const double fixture_mm = highestFixtureMm(setup_.fixtures);
+        if (fixture_mm > 0) options.retract_mm = fixture_mm + request_.machine.safe_height_mm;
+        return options;
+    }
+
+    const Setup& setup_;
     const Request& request_;
     double start_share_;
     double end_share_;
@@ -170,6 +178,18 @@ class FeaturePlanner {
     std::mutex progress_mutex_;
     std::size_t started_ = 0;
 };
+
+/// Setups that the fixture file names and the plan does not have.
+void warnOfUnusedFixtures(Plan& plan, const FixtureFile& given) {
+    for (const auto& [id, fixtures] : given.setups) {
+        const bool used = std::any_of(plan.setups.begin(), plan.setups.end(),
+                                      [&](const PlannedSetup& setup) { return setup.setup.id == id; });
+        if (!used)
+            plan.warnings.push_back(
+                {"fixtures-unused", id,
+                 fmt::format("{} has fixtures for it; the plan has no such setup", given.file)});
+    }
+}
 
 /// What the cutting data say beyond feeds and speeds.
 void takeShopData(Operation& operation, const ToolLibrary& library, const std::string& material) {
@@ -222,15 +242,16 @@ struct PlannedStage {
     std::vector<Warning> warnings;
 };
 
-PlannedStage planStage(const Stage& found, const Request& request, double start_share, double end_share) {
+PlannedStage planStage(Stage found, const Request& request, double start_share, double end_share) {
     PlannedStage stage;
-    stage.layers = found.layers;
+    setFixtures(found, request.options.fixtures, request.tol);
     stage.air = airOf(found);
+    stage.layers = std::move(found.layers);
     stage.setup.setup = found.setup;
     stage.setup.clamping = found.clamping;
     stage.setup.unplanned = found.found.unplanned;
     FeaturePlanner planner(inBands(found.found.features, request.library, request.options.sequence.material),
-                           request, start_share, end_share);
+                           found.setup, request, start_share, end_share);
     stage.setup.features = planner.plan(stage.warnings);
     stage.setup.sharing =
         shareTools(stage.setup.features, request.machine, request.options.sequence.objective);
@@ -324,6 +345,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
         warnOfInput(plan, stage.layers);
         plan.setups.push_back(std::move(stage.setup));
     }
+    warnOfUnusedFixtures(plan, request.fixtures);
     setStickOuts(plan);
     addUpTotals(plan);
     const double removable_mm3 = plan.stock.volume_mm3 - part.volume_mm3;

@@ -10,10 +10,10 @@
 
 namespace stepmill {
 
-/// A feature as it can be planned below others that left material standing.
+/// A feature as it can be planned below others that left material standing and beside fixtures.
 struct ReducedFeature {
     Feature feature;                ///< with an empty target when nothing of it is free
-    std::optional<Residual> below;  ///< what of the feature lies below material that stays
+    std::vector<Residual> blocked;  ///< what of the feature lies below material that stays, or fixtures
 };
 
 /// The planned feature of an id.
@@ -24,12 +24,21 @@ std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const Plann
 /// ... and with those that these wait for: nearest first, each once.
 std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const PlannedById& planned);
 
-/// Takes what the features above left out of a feature's target and adds it to what cutter and holder must
-/// keep clear of, so that no tool meets material that was believed gone.
+/// Takes what the features above left, and the fixtures that reach above its floor, out of a feature's target
+/// and adds them to what cutter and holder must keep clear of: no tool meets material that was believed gone,
+/// nor what holds the part.
 /// \param parents    the feature's own parents, planned
 /// \param ancestors  all features it waits for, planned
-ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
-                              const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol);
+ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
+                       const std::vector<const PlannedFeature*>& ancestors,
+                       const std::vector<Fixture>& fixtures, const Tolerances& tol);
+
+/// The setup's fixtures as the file says, grown, instead of the vise; nothing changes where the file does not
+/// name the setup. \throws Error(Usage) for a fixture that stands in the stock.
+void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol);
+
+/// Height of the highest over the stock's top; 0 where none stands over it [mm].
+double highestFixtureMm(const std::vector<Fixture>& fixtures);
 
 /// Features deeper than the widest mill reaches, parted into bands of equal depth one below the other, each a
 /// feature of its own ("S1.F3.1" and so on) that waits for the one above: a tool then cuts no deeper beside

@@ -70,6 +70,7 @@ Stage makeStage(Setup setup, const SliceOptions& slicing, const Tolerances& tol)
     stage.found = recogniseFeatures(stage.layers, tol);
     stage.clamping = suggestClamping(stockSlabs(stage.layers), uprightSlabs(stage.layers),
                                      featurePrisms(stage.found), tol);
+    stage.setup.fixtures = stage.clamping.jaws;
     stage.air_mm3 = netOfAir(stage.found, stage.layers);
     return stage;
 }

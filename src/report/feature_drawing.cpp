@@ -10,6 +10,8 @@ namespace {
 
 /// How much of the surroundings a feature's picture shows, as a share of its longer side.
 constexpr double kSurroundings = 0.12;
+/// How much of the fixtures beside it the setup's picture shows, in the same way.
+constexpr double kFixturesShown = 0.1;
 constexpr int kTints = 8;
 
 Box2 frameOf(const Feature& feature) {
@@ -59,12 +61,12 @@ std::string unmachinedDrawing(const PlannedFeature& planned) {
 }
 
 std::string setupDrawing(const PlannedSetup& setup) {
-    Box2 frame;
     const Box3& stock = setup.setup.stock_bbox_mm;
-    frame.add(stock.min().head<2>());
-    frame.add(stock.max().head<2>());
-    SvgDrawing svg(frame);
-    svg.region(makeRectangle(frame.min, frame.max), "obstruction");
+    const Box2 top{stock.min().head<2>(), stock.max().head<2>()};
+    SvgDrawing svg(setup.setup.fixtures.empty() ? top : top.grown(kFixturesShown * top.size().maxCoeff()));
+    svg.region(makeRectangle(top.min, top.max), "obstruction");
+    for (const Fixture& fixture : setup.setup.fixtures)
+        svg.region(fixture.section, "fixture");
     int tint = 0;
     for (const PlannedFeature& planned : setup.features)
         svg.region(planned.feature.target, fmt::format("tint tint{}", tint++ % kTints));

@@ -36,7 +36,7 @@ figcaption { font-size:12px; color:var(--soft); padding-top:5px; }
 svg { width:100%; height:290px; display:block; } .wide svg { height:380px; }
 svg path, svg circle { vector-effect:non-scaling-stroke; fill:none; }
 .visible { stroke:#1d2733; stroke-width:1.1; } .hidden { stroke:#9aa7b4; stroke-width:.6; stroke-dasharray:3 2.5; }
-svg .obstruction { fill:#c3ccd5; stroke:#8f9ba7; stroke-width:.5; } svg .target { fill:#fdf6df; }
+svg .obstruction { fill:#c3ccd5; stroke:#8f9ba7; stroke-width:.5; } svg .target { fill:#fdf6df; } svg .fixture { fill:#e3d3e8; stroke:#8a6b95; stroke-width:.5; }
 svg .swept { fill:#8ec9e3; fill-opacity:.55; } .wall { stroke:#1d2733; stroke-width:1.6; }
 .open-edge { stroke:#2e8b57; stroke-width:1.6; stroke-dasharray:6 3; } .cut { stroke:#0b4f75; stroke-width:.8; }
 svg .residual { fill:#d93025; stroke:#b3261e; stroke-width:.6; }
@@ -212,8 +212,8 @@ std::string operationsTable(const PlannedSetup& setup) {
                 cell(path.step_over_mm, 2) + cell(path.feed_mm_per_min, 0) +
                 cell(path.plunge_feed_mm_per_min, 0) + cell(operation.speed_rpm, 0) +
                 cell(toString(operation.coolant)) + cell(operation.even_length_mm / 1000, 2) +
-                cell(path.totals.cut_length_mm / 1000, 2) +
-                cell(path.totals.feed_air_length_mm / 1000, 2) + cell(path.totals.air_length_mm / 1000, 2) +
+                cell(path.totals.cut_length_mm / 1000, 2) + cell(path.totals.feed_air_length_mm / 1000, 2) +
+                cell(path.totals.air_length_mm / 1000, 2) +
                 (path.pattern == "drill"
                      ? numberCell("-")
                      : numberCell(fmt::format("{:.2f}", 1000 * operation.proof.least_clearance_mm))) +
@@ -368,8 +368,7 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol) {
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
         html += viewsSection(plan, setup) + setupSection(setup, dialectOf(plan.machine)) +
-                sharingWords(plan, setup.sharing) +
-                toolsTable(plan, setup) + operationsTable(setup);
+                sharingWords(plan, setup.sharing) + toolsTable(plan, setup) + operationsTable(setup);
         html +=
             "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"
             "<i style=\"background:#fdf6df\"></i>target<i style=\"background:#8ec9e3\"></i>swept by this tool"

@@ -263,6 +263,13 @@ Json clampingJson(const Clamping& clamping) {
     return json;
 }
 
+Json fixtureJson(const Fixture& fixture) {
+    return {{"name", fixture.name},
+            {"bottom_z_mm", number(fixture.bottom_z_mm)},
+            {"top_z_mm", number(fixture.top_z_mm)},
+            {"section", regionToJson(fixture.section)}};
+}
+
 Json setupJson(const PlannedSetup& setup, Dialect dialect) {
     return {{"id", setup.setup.id},
             {"axis", point(setup.setup.axis)},
@@ -277,6 +284,7 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect) {
             {"indexed", setup.setup.indexed},
             {"stock", arrivingStockJson(setup.setup)},
             {"clamping", clampingJson(setup.clamping)},
+            {"fixtures", listOf(setup.setup.fixtures, fixtureJson)},
             {"volume_balance", balanceJson(setup.balance)}};
 }
 

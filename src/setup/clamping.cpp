@@ -10,10 +10,12 @@ namespace stepmill {
 
 namespace {
 
-/// Jaws are about that high [mm].
-constexpr double kJawMm = 40;
-/// Cutters keep this far above the jaws [mm].
-constexpr double kOverJawsMm = 1;
+/// Jaws of an ordinary vise for machining centres [mm].
+constexpr double kJawHeightMm = 40;
+constexpr double kJawWidthMm = 150;
+constexpr double kJawThicknessMm = 40;
+/// Cutting and the stock's top stay this far above the jaws: by what these are grown [mm].
+constexpr double kOverJawsMm = kFixtureGrowth * kJawHeightMm;
 /// Less depth or length than this holds nothing [mm].
 constexpr double kLeastDepthMm = 3;
 constexpr double kLeastLengthMm = 5;
@@ -70,13 +72,37 @@ std::vector<Interval> sidesOn(const Region& region, const Vec2& normal, double o
     return found;
 }
 
-/// Length on which both sides have material. Stretches of one side do not overlap.
-double facingLength(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-    double length = 0;
-    for (const Interval& one : a)
-        for (const Interval& other : b)
-            length += std::max(0.0, std::min(one.to, other.to) - std::max(one.from, other.from));
-    return length;
+/// What two jaws hold: how long, and from where to where along them.
+struct Hold {
+    double length_mm = 0;
+    Interval span{1e300, -1e300};
+};
+
+/// Where both sides have material. Stretches of one side do not overlap.
+Hold facing(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    Hold hold;
+    for (const Interval& one : a) {
+        for (const Interval& other : b) {
+            const Interval both{std::max(one.from, other.from), std::min(one.to, other.to)};
+            if (both.to <= both.from) continue;
+            hold.length_mm += both.to - both.from;
+            hold.span = {std::min(hold.span.from, both.from), std::max(hold.span.to, both.to)};
+        }
+    }
+    return hold;
+}
+
+/// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it.
+Fixture jaw(const std::string& name, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm) {
+    const Vec2 along(-out.y(), out.x());
+    const double half_mm = (1 + kFixtureGrowth) * kJawWidthMm / 2;
+    const double far_mm = offset_mm + (1 + kFixtureGrowth) * kJawThicknessMm;
+    const Vec2 from = (middle_mm - half_mm) * along;
+    const Vec2 to = (middle_mm + half_mm) * along;
+    return {
+        name,
+        makePolygon({from + offset_mm * out, from + far_mm * out, to + far_mm * out, to + offset_mm * out}),
+        top_z_mm - kJawHeightMm, top_z_mm + kFixtureGrowth * kJawHeightMm};
 }
 
 /// Adds the directions across straight sides that are not known yet.
@@ -170,9 +196,10 @@ class ViseFinder {
         return lowest;
     }
 
-    /// Length that faces the other jaw at every height of the grip.
-    double heldLength(const Vec2& across, const Grip& grip, double to_mm) const {
-        double length = 1e300;
+    /// What faces the other jaw at every height of the grip.
+    Hold held(const Vec2& across, const Grip& grip, double to_mm) const {
+        Hold least;
+        least.length_mm = 1e300;
         for (std::size_t i = 0; i < arriving_.size(); ++i) {
             const Prism& slab = arriving_[i];
             const double low = slab.bottom_z_mm - bottom_mm_;
@@ -182,32 +209,38 @@ class ViseFinder {
             std::vector<Interval> opposite = sidesOn(slab.region, -across, grip.left_mm);
             for (Interval& interval : opposite)
                 interval = {-interval.to, -interval.from};
-            length = std::min(length, facingLength(sidesOn(slab.region, across, grip.right_mm), opposite));
+            const Hold hold = facing(sidesOn(slab.region, across, grip.right_mm), opposite);
+            if (hold.length_mm < least.length_mm) least = hold;
         }
-        return length < 1e300 ? length : 0;
+        return least.length_mm < 1e300 ? least : Hold{};
     }
 
     void consider(const Vec2& across, const Grip& grip, Clamping& best) {
         const double cut = std::min(lowestCut(across, grip.right_mm), lowestCut(-across, grip.left_mm));
-        const double to = std::min({grip.to_mm, grip.from_mm + kJawMm, cut - kOverJawsMm});
+        const double top = arriving_.front().top_z_mm - bottom_mm_;
+        const double to =
+            std::min({grip.to_mm, grip.from_mm + kJawHeightMm, std::min(cut, top) - kOverJawsMm});
         const double depth = to - grip.from_mm;
         if (depth < kLeastDepthMm) {
             why_ = "the cutting reaches down the sides that jaws could hold";
             return;
         }
-        const double length = heldLength(across, grip, to);
-        if (length < kLeastLengthMm) return;
+        const Hold hold = held(across, grip, to);
+        if (hold.length_mm < kLeastLengthMm) return;
         const double opening = grip.right_mm + grip.left_mm;
-        const double held = length * depth;
+        const double area = hold.length_mm * depth;
         const double most = best.length_mm * best.depth_mm;
-        if (best.vise && held < most * (1 - kSameHold)) return;
-        if (best.vise && held < most * (1 + kSameHold) && opening >= best.opening_mm) return;
+        if (best.vise && area < most * (1 - kSameHold)) return;
+        if (best.vise && area < most * (1 + kSameHold) && opening >= best.opening_mm) return;
         best.vise = true;
         best.across = Vec3(across.x(), across.y(), 0);
         best.opening_mm = opening;
         best.from_mm = grip.from_mm;
         best.depth_mm = depth;
-        best.length_mm = length;
+        best.length_mm = hold.length_mm;
+        const double middle = (hold.span.from + hold.span.to) / 2;
+        best.jaws = {jaw("vise jaw", across, grip.right_mm, middle, bottom_mm_ + to),
+                     jaw("vise jaw", -across, grip.left_mm, -middle, bottom_mm_ + to)};
         best.text = fmt::format(
             "vise, jaws {:.4g} mm open across {}, {:.3g} mm deep{}", opening, directionName(across), depth,
             grip.from_mm > kPlaneMm ? fmt::format(" from {:.3g} mm over the bottom", grip.from_mm)

@@ -112,6 +112,10 @@ RecordedSetup setup(const Json& json) {
     if (json.contains("stock"))
         for (int i = 0; i < 3; ++i)
             setup.stock_size_mm[i] = json["stock"]["size_mm"][i];
+    if (json.contains("fixtures"))
+        for (const Json& one : json["fixtures"])
+            setup.fixtures.push_back({one["name"], region(one["section"], setup.id + " fixture"),
+                                      one["bottom_z_mm"], one["top_z_mm"]});
     setup.time_s = json["time_s"];
     setup.feature_ids = json["features"].get<std::vector<std::string>>();
     setup.operation_ids = json["operations"].get<std::vector<std::string>>();

@@ -18,8 +18,6 @@ namespace stepmill::verify {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// The stock's top in every setup [mm].
-constexpr double kStockTopMm = 0;
 /// Heights closer than this are one: half a last decimal, in inches or mm [mm].
 constexpr double kSameHeightMm = 3e-4;
 /// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
@@ -67,17 +65,20 @@ void checkFloor(const ReadOperation& operation, double lowest_mm, const Toleranc
     }
 }
 
-/// Tools come and go over the stock's top.
-void checkEnds(const ReadOperation& operation, bool last_before_change, const Findings& findings) {
-    if (operation.after_tool_change && operation.start.z() < kStockTopMm)
-        findings.add(
-            operation.line,
-            fmt::format("comes from the tool change at Z{:.4f}, below the stock's top", operation.start.z()));
+/// Tools come and go over stock and fixtures.
+void checkEnds(const ReadOperation& operation, double safe_z_mm, bool last_before_change,
+               const Findings& findings) {
+    if (operation.after_tool_change && operation.start.z() < safe_z_mm)
+        findings.add(operation.line,
+                     fmt::format("comes from the tool change at Z{:.4f}, below the top of stock and fixtures",
+                                 operation.start.z()));
     if (!last_before_change || operation.moves.empty()) return;
     const ReadMove& last = operation.moves.back();
-    if (last.fed.move.to.z() < kStockTopMm)
-        findings.add(last.line, fmt::format("ends at Z{:.4f}, below the stock's top, before the tool changes",
-                                            last.fed.move.to.z()));
+    if (last.fed.move.to.z() < safe_z_mm)
+        findings.add(
+            last.line,
+            fmt::format("ends at Z{:.4f}, below the top of stock and fixtures, before the tool changes",
+                        last.fed.move.to.z()));
 }
 
 bool isLevelBelow(const Vec3& from, const Move& move, double z_mm) {
@@ -168,7 +169,7 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
                 bool last_before_change, const Tolerances& tol, const Findings& findings) {
     const Feature& feature = state.feature;
     const double radius_mm = planned.tool.radius_mm();
-    checkEnds(operation, last_before_change, findings);
+    checkEnds(operation, state.safe_z_mm, last_before_change, findings);
     checkFloor(operation, lowestZ(planned, feature), tol, findings);
 
     ClearingTask task;
@@ -176,14 +177,14 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
     task.obstruction = feature.obstruction;
     task.top_z_mm = feature.top_z_mm;
     task.floor_z_mm = planned.z_floor_mm;
-    task.retract_z_mm = std::max(kStockTopMm, feature.top_z_mm);
+    task.retract_z_mm = std::max(state.safe_z_mm, feature.top_z_mm);
     const LinedPath whole = wholePath(operation);
     checkClearance(whole, task, radius_mm, -tol.gouge_mm, tol, findings.proof.clearance_mm,
                    "cuts into what must stay", findings);
     // Feeds over the feature's top, where prove() takes for granted that nothing stands.
     const LinedPath above = somePath(operation, 0, [&](const Vec3& from, const Move& move) {
         const double low = lowOf(from, move);
-        return move.kind != MoveKind::Rapid && low >= feature.top_z_mm && low < kStockTopMm;
+        return move.kind != MoveKind::Rapid && low >= feature.top_z_mm && low < state.safe_z_mm;
     });
     checkClearance(above, keepOff(feature.obstruction), radius_mm, -tol.gouge_mm, tol,
                    findings.proof.clearance_mm, "meets what stands over the feature", findings);

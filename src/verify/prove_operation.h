@@ -6,8 +6,9 @@ namespace stepmill::verify {
 
 /// A feature while the program runs: what of it is still there.
 struct FeatureState {
-    Feature feature;  ///< below what its ancestors left [plan/plan_steps.h]
-    Region standing;  ///< of the target, over its whole depth
+    Feature feature;       ///< below what its ancestors left, beside the fixtures [plan/plan_steps.h]
+    Region standing;       ///< of the target, over its whole depth
+    double safe_z_mm = 0;  ///< nothing stands higher in the setup, neither stock nor fixture
 };
 
 /// Where an operation's checks report to.

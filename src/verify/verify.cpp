@@ -87,9 +87,10 @@ class SetupProver {
         if (found != states_.end()) return found->second;
         const PlannedFeature& planned = record_.features.at(id);
         FeatureState state;
-        state.feature = belowResiduals(planned.feature, parentsOf(planned.feature, by_id_),
-                                       ancestorsOf(planned.feature, by_id_), tol_)
+        state.feature = reduced(planned.feature, parentsOf(planned.feature, by_id_),
+                                ancestorsOf(planned.feature, by_id_), setup_.fixtures, tol_)
                             .feature;
+        state.safe_z_mm = highestFixtureMm(setup_.fixtures);
         state.standing = state.feature.target;
         return states_.emplace(id, std::move(state)).first->second;
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/catalog/fixture.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
@@ -125,6 +126,7 @@ struct PlanRequest {
     SetupRequest setup;
     SliceOptions slicing;
     SequenceOptions sequence;
+    FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
 };
 
 /// Called at the start of each stage ("slicing S1", "S1.F2") with the share done in [0, 1].

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/catalog/fixture.h"
 #include "stepmill/part/part.h"
 #include "stepmill/setup/prism.h"
 
@@ -65,6 +66,8 @@ struct Setup {
     /// Share of (raw stock - part) that of all setups only this one reaches, from samples [0..1]. 1 where
     /// the setup was asked for.
     double alone_share = 1;
+    /// What holds the part, grown by kFixtureGrowth or as the shop's file says; set by walkSetups.
+    std::vector<Fixture> fixtures;
     bool indexed = false;  ///< the axis is no direction of the part's box: needs a sine vise or a rotary axis
     bool chosen = false;  ///< found by chooseSetups, not asked for: may fall away when nothing is left for it
 };

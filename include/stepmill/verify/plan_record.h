@@ -34,6 +34,7 @@ struct RecordedSetup {
     std::string axis_name;
     std::string program;  ///< file name
     Vec3 stock_size_mm = Vec3::Zero();
+    std::vector<Fixture> fixtures;
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< parents before children
     std::vector<std::string> operation_ids;  ///< in machining order

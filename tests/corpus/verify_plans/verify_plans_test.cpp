@@ -182,7 +182,7 @@ TEST_F(SpoiltProgram, ShowsTheLastRetractLeftOut) {
     while (lines_[line].find(" G0 Z") == std::string::npos)
         --line;
     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
-    expectFails(line - 1, "below the stock's top");
+    expectFails(line - 1, "below the top of stock and fixtures");
 }
 
 TEST_F(SpoiltProgram, ShowsAFeedThatIsTooHigh) {
@@ -272,6 +272,18 @@ TEST_F(SpoiltProgram, ShowsAHolderThatWouldTouch) {
     const ProgramRun run = verify(dir_);
     EXPECT_EQ(run.exit_code, 3) << run.out;
     EXPECT_NE(run.out.find("from 8 mm over the tip) comes into material"), std::string::npos) << run.out;
+}
+
+TEST_F(SpoiltProgram, ShowsAClampInTheWay) {
+    std::ifstream file(dir_ / "plan.json");
+    Json plan = Json::parse(file);
+    Json clamp = {{"name", "clamp"}, {"bottom_z_mm", 0}, {"top_z_mm", 20}};
+    clamp["section"] = plan["features"][0]["target"];
+    plan["setups"][0]["fixtures"].push_back(clamp);
+    std::ofstream(dir_ / "plan.json") << plan;
+    const ProgramRun run = verify(dir_);
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_NE(run.out.find("cuts into what must stay"), std::string::npos) << run.out;
 }
 
 TEST_F(SpoiltProgram, IsNotPosted) {

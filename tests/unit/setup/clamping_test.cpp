@@ -23,15 +23,32 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
     ASSERT_TRUE(clamping.vise) << clamping.text;
     EXPECT_NEAR(clamping.opening_mm, 50, 1e-9);
     EXPECT_NEAR(clamping.length_mm, 80, 1e-9);
-    EXPECT_NEAR(clamping.depth_mm, 30, 1e-9);
+    EXPECT_NEAR(clamping.depth_mm, 28, 1e-9);  // grown jaws end at the stock's top
     EXPECT_NEAR(clamping.seat_mm2, 80 * 50, 1e-6);
+}
+
+TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
+    const Clamping clamping =
+        clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
+    ASSERT_EQ(clamping.jaws.size(), 2U);
+    double side = 0;
+    for (const Fixture& jaw : clamping.jaws) {
+        EXPECT_LE(jaw.top_z_mm, -18 + 1e-9);
+        EXPECT_EQ(area(intersect(jaw.section, kBlock, kTol)), 0);
+        const Box2 box = boundingBox(jaw.section);
+        EXPECT_NEAR(box.min.x() + box.max.x(), 80, 1e-6);
+        EXPECT_NEAR(box.size().x(), 150 * (1 + kFixtureGrowth), 1e-6);
+        EXPECT_TRUE(box.min.y() == 50 || box.max.y() == 0);
+        side += box.min.y() == 50 ? 1 : -1;
+    }
+    EXPECT_EQ(side, 0);
 }
 
 TEST(SuggestClamping, StaysBelowAnOpenStep) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
     ASSERT_TRUE(clamping.vise) << clamping.text;
-    EXPECT_NEAR(clamping.depth_mm, 11, 1e-9);
+    EXPECT_NEAR(clamping.depth_mm, 10, 1e-9);
 }
 
 TEST(SuggestClamping, TakesTheOtherSidesWhereTwoAreCutToTheBottom) {

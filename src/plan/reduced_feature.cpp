@@ -73,6 +73,52 @@ std::string namesOf(const std::vector<const PlannedFeature*>& parents) {
     return names;
 }
 
+struct InTheWay {
+    std::vector<Standing> standing;
+    std::string names;
+};
+
+/// Fixtures that reach above the feature's floor.
+InTheWay inTheWay(const std::vector<Fixture>& fixtures, const Feature& feature) {
+    InTheWay found;
+    for (const Fixture& fixture : fixtures) {
+        if (fixture.top_z_mm <= feature.floor_z_mm) continue;
+        found.standing.push_back({fixture.section, fixture.top_z_mm});
+        found.names += (found.names.empty() ? "" : ", ") + fixture.name;
+    }
+    return found;
+}
+
+/// Adds what stands to what the feature's tools keep clear of, and takes it off the target as a residual.
+void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, const std::string& reason,
+               const std::string& advice, const Tolerances& tol) {
+    if (standing.empty()) return;
+    Feature& free = reduced.feature;
+    raiseObstacles(free, standing, tol);
+    const Region above = unionOf(standing, tol);
+    free.obstruction = unite(free.obstruction, above, tol);
+
+    Residual blocked;
+    blocked.region = intersect(free.target, above, tol);
+    blocked.area_mm2 = area(blocked.region);
+    if (blocked.area_mm2 <= tol.area_mm2) return;
+    Region left = subtract(free.target, above, tol);
+    const double left_mm2 = area(left);
+    const bool nothing_left = left_mm2 <= tol.area_mm2;
+    if (nothing_left) {
+        blocked.region = free.target;
+        blocked.area_mm2 = free.area_mm2;
+    }
+    blocked.volume_mm3 = nothing_left ? free.volume_mm3 : blocked.area_mm2 * free.depth_mm();
+    blocked.reason = reason;
+    blocked.advice = advice;
+    free.target = nothing_left ? Region{} : std::move(left);
+    free.area_mm2 = nothing_left ? 0 : left_mm2;
+    free.volume_mm3 = free.area_mm2 * free.depth_mm();
+    free.feature_class = withoutHoles(free.feature_class);
+    reduced.blocked.push_back(std::move(blocked));
+}
+
 }  // namespace
 
 std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const PlannedById& planned) {
@@ -90,36 +136,15 @@ std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const Pla
     return found;
 }
 
-ReducedFeature belowResiduals(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
-                              const std::vector<const PlannedFeature*>& ancestors, const Tolerances& tol) {
-    ReducedFeature reduced{feature, std::nullopt};
-    const std::vector<Standing> standing = standingOf(ancestors);
-    if (standing.empty()) return reduced;
-    Feature& free = reduced.feature;
-    raiseObstacles(free, standing, tol);
-    const Region above = unionOf(standing, tol);
-    free.obstruction = unite(free.obstruction, above, tol);
-
-    Residual below;
-    below.region = intersect(feature.target, above, tol);
-    below.area_mm2 = area(below.region);
-    if (below.area_mm2 <= tol.area_mm2) return reduced;
-    below.volume_mm3 = below.area_mm2 * feature.depth_mm();
-    below.reason = kBelow + namesOf(parents);
-    below.advice = "what " + namesOf(parents) + " needs";
-    free.target = subtract(feature.target, above, tol);
-    free.area_mm2 = area(free.target);
-    if (free.area_mm2 <= tol.area_mm2) {
-        free.target = {};
-        free.area_mm2 = 0;
-        below.region = feature.target;
-        below.area_mm2 = feature.area_mm2;
-        below.volume_mm3 = feature.volume_mm3;
-    }
-    free.volume_mm3 = free.area_mm2 * free.depth_mm();
-    free.feature_class = withoutHoles(free.feature_class);
-    reduced.below = std::move(below);
-    return reduced;
+ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
+                       const std::vector<const PlannedFeature*>& ancestors,
+                       const std::vector<Fixture>& fixtures, const Tolerances& tol) {
+    ReducedFeature found{feature, {}};
+    const std::string names = namesOf(parents);
+    keepClear(found, standingOf(ancestors), kBelow + names, "what " + names + " needs", tol);
+    const InTheWay held = inTheWay(fixtures, feature);
+    keepClear(found, held.standing, "fixture", "another clamping than " + held.names, tol);
+    return found;
 }
 
 }  // namespace stepmill

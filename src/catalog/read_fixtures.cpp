@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "catalog/json_text.h"
+#include "catalog/schema_check.h"
+#include "stepmill/catalog/fixture.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill {
+namespace {
+
+using nlohmann::json;
+
+/// Reads a document that keeps the schema.
+class FixtureReader {
+  public:
+    FixtureReader(const json& from, std::string file_name) : from_(from), file_name_(std::move(file_name)) {
+        if (from["unit"] == "inch") mm_per_unit_ = kMillimetresPerInch;
+    }
+
+    FixtureFile read() const {
+        FixtureFile file;
+        file.file = file_name_;
+        file.growth = from_.value("growth", kFixtureGrowth);
+        for (std::size_t i = 0; i < from_["setups"].size(); ++i) {
+            const json& setup = from_["setups"][i];
+            const std::string pointer = fmt::format("#/setups/{}", i);
+            const auto [entry, is_new] = file.setups.try_emplace(setup["setup"]);
+            if (!is_new)
+                fail(pointer + "/setup",
+                     fmt::format("expected every setup once, found {} again", entry->first));
+            for (std::size_t k = 0; k < setup["fixtures"].size(); ++k)
+                entry->second.push_back(
+                    fixture(setup["fixtures"][k], fmt::format("{}/fixtures/{}", pointer, k)));
+        }
+        return file;
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& pointer, const std::string& what) const {
+        throw Error(ErrorCode::InvalidCatalog, file_name_ + pointer, what);
+    }
+
+    double length(const json& value) const { return value.get<double>() * mm_per_unit_; }
+
+    Fixture fixture(const json& from, const std::string& pointer) const {
+        Fixture fixture;
+        fixture.name = from["name"];
+        fixture.bottom_z_mm = length(from["bottom"]);
+        fixture.top_z_mm = length(from["top"]);
+        if (fixture.top_z_mm <= fixture.bottom_z_mm)
+            fail(pointer + "/top", fmt::format("expected a top above the bottom ({}), found {}",
+                                               from["bottom"].dump(), from["top"].dump()));
+        fixture.section = outline(from["outline"], pointer + "/outline");
+        return fixture;
+    }
+
+    Region outline(const json& from, const std::string& pointer) const {
+        std::vector<Vec2> corners;
+        for (const json& corner : from)
+            corners.emplace_back(length(corner[0]), length(corner[1]));
+        Region section = makePolygon(corners);
+        if (const auto fault = diagnose(section))
+            fail(pointer, "expected corners of an outline that does not cross itself: " + *fault);
+        return section;
+    }
+
+    const json& from_;
+    std::string file_name_;
+    double mm_per_unit_ = 1;
+};
+
+}  // namespace
+
+FixtureFile fixturesFromText(std::string_view text, const std::string& file_name) {
+    const ParsedJson parsed = checkedJson(text, schemaJson(SchemaName::Fixtures));
+    throwFirstError(parsed.findings, file_name);
+    return FixtureReader(parsed.value, file_name).read();
+}
+
+FixtureFile readFixtures(const std::filesystem::path& path) {
+    return fixturesFromText(readFile(path), path.filename().string());
+}
+
+}  // namespace stepmill

@@ -1,0 +1,70 @@
+// What holds the part in a setup, as the plan keeps clear of it.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "plan/plan_steps.h"
+#include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+
+namespace stepmill {
+namespace {
+
+/// A fixture may reach that far into the stock: that much is taken for touching [mm].
+constexpr double kTouchMm = 0.01;
+
+/// Larger by a share of its size: half of that on each side, all of it upwards.
+Fixture grown(const Fixture& fixture, double share, const Tolerances& tol) {
+    Fixture larger = fixture;
+    larger.section = offset(fixture.section, share / 2 * boundingBox(fixture.section).size().minCoeff(), tol);
+    larger.top_z_mm += share * (fixture.top_z_mm - fixture.bottom_z_mm);
+    return larger;
+}
+
+/// \throws Error(Usage) for a fixture that stands in the stock.
+void requireOutside(const Fixture& fixture, const FixtureFile& given, const LayerStack& layers,
+                    const std::string& setup_id, const Tolerances& tol) {
+    const Region core = offset(fixture.section, -kTouchMm, tol);
+    for (const Layer& layer : layers.layers) {
+        const double low_mm = std::max(layer.bottom_z_mm, fixture.bottom_z_mm);
+        const double high_mm = std::min(layer.top_z_mm, fixture.top_z_mm);
+        if (high_mm - low_mm <= kTouchMm) continue;
+        const double inside_mm2 = area(intersect(core, layer.stock, tol));
+        if (inside_mm2 <= tol.area_mm2) continue;
+        throw Error(
+            ErrorCode::Usage, given.file,
+            fmt::format("fixture '{}' of {} stands in the stock: {:.4g} mm2 of it between z {:.4g} and "
+                        "{:.4g} mm; expected fixtures beside the stock or on it",
+                        fixture.name, setup_id, inside_mm2, low_mm, high_mm));
+    }
+}
+
+}  // namespace
+
+void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
+    const auto found = given.setups.find(stage.setup.id);
+    if (found == given.setups.end()) return;
+    stage.setup.fixtures.clear();
+    std::vector<std::string> names;
+    for (const Fixture& fixture : found->second) {
+        requireOutside(fixture, given, stage.layers, stage.setup.id, tol);
+        stage.setup.fixtures.push_back(grown(fixture, given.growth, tol));
+        names.push_back(fixture.name);
+    }
+    stage.clamping = {};
+    stage.clamping.text =
+        fmt::format("as {} says: {}", given.file,
+                    names.empty() ? "nothing in the way" : fmt::format("{}", fmt::join(names, ", ")));
+}
+
+double highestFixtureMm(const std::vector<Fixture>& fixtures) {
+    double highest_mm = 0;
+    for (const Fixture& fixture : fixtures)
+        highest_mm = std::max(highest_mm, fixture.top_z_mm);
+    return highest_mm;
+}
+
+}  // namespace stepmill

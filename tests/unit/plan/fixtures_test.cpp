@@ -1,0 +1,103 @@
+// Fixtures through the whole plan: kept clear of, named where they cost material, and proven.
+
+#include <gtest/gtest.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/units.h"
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+namespace {
+
+const Tolerances kTol;
+
+Plan planWith(const std::string& sample, const std::vector<Fixture>& fixtures) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.fixtures.file = "clamps.json";
+    request.fixtures.setups["S1"] = fixtures;
+    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + sample).front();
+    return planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+}
+
+double residualMm3(const Plan& plan, const std::string& reason) {
+    double sum_mm3 = 0;
+    for (const PlannedFeature& planned : plan.setups.front().features)
+        for (const Residual& residual : planned.sequence.residual)
+            if (residual.reason == reason) sum_mm3 += residual.volume_mm3;
+    return sum_mm3;
+}
+
+/// Least distance on plan between the axis below `z_mm` and a region.
+double closestMm(const Plan& plan, const Region& region, double z_mm) {
+    double closest_mm = 1e300;
+    for (const Operation& operation : plan.setups.front().operations)
+        for (const Move& move : operation.path.moves)
+            if (move.to.z() < z_mm)
+                closest_mm = std::min(closest_mm, distanceToBoundary(region, move.to.head<2>()) -
+                                                      plan.library.tool(operation.tool_id).radius_mm());
+    return closest_mm;
+}
+
+// 100 x 80 x 30 block with a pocket from (15, 15) to (85, 65).
+TEST(Fixtures, AClampOverAPocketLeavesWhatIsUnderIt) {
+    const Fixture clamp{"clamp", makeRectangle(Vec2(-20, 30), Vec2(35, 50)), 0, 25};
+    const Plan plan = planWith("rounded_pocket.step", {clamp});
+    // 20 mm of the pocket's length; the clamp is planned with half of 5 % of its 20 mm larger on each side, round
+    // at its corners.
+    EXPECT_NEAR(residualMm3(plan, "fixture"), (20.5 * 21 - 0.5 * 0.25 * (4 - kPi)) * 12, 1e-3);
+    EXPECT_FALSE(plan.complete(kTol));
+    EXPECT_LT(plan.balance.gapShare(), 1e-3);
+    EXPECT_GE(closestMm(plan, clamp.section, 25), 0.5 - 1e-3);
+    EXPECT_NE(plan.setups.front().clamping.text.find("clamps.json says: clamp"), std::string::npos);
+    // Rapids run over it.
+    for (const Operation& operation : plan.setups.front().operations)
+        EXPECT_GE(operation.path.moves.back().to.z(), 25);
+}
+
+TEST(Fixtures, BesideTheStockTheyCostNothing) {
+    const Plan plan =
+        planWith("rounded_pocket.step", {{"stop", makeRectangle(Vec2(-30, 0), Vec2(0, 80)), -30, -5}});
+    EXPECT_EQ(residualMm3(plan, "fixture"), 0);
+    EXPECT_TRUE(plan.complete(kTol));
+}
+
+TEST(Fixtures, AreRefusedInTheStockAndNamedWhereTheSetupDoesNotExist) {
+    try {
+        planWith("rounded_pocket.step", {{"stop", makeRectangle(Vec2(-30, 0), Vec2(2, 80)), -30, -5}});
+        FAIL() << "taken";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Usage);
+        EXPECT_NE(std::string(error.what()).find("'stop' of S1 stands in the stock"), std::string::npos)
+            << error.what();
+    }
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.fixtures.setups["S9"] = {};
+    const Part part = readStep(STEPMILL_SOURCE_DIR "/step_parts/rounded_pocket.step").front();
+    const Plan plan = planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+    EXPECT_TRUE(std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const Warning& warning) {
+        return warning.code == "fixtures-unused" && warning.subject == "S9";
+    }));
+}
+
+TEST(Fixtures, HoldersPassBesideHighOnes) {
+    // Beside the pocket's wall stands a post of 80 mm: no holder reaches over it.
+    const Fixture post{"post", makeRectangle(Vec2(0, 20), Vec2(12, 60)), 0, 80};
+    const Plan plan = planWith("rounded_pocket.step", {post});
+    for (const Operation& operation : plan.setups.front().operations) {
+        const ToolAssembly& tool = plan.library.tool(operation.tool_id);
+        for (const HolderCylinder& cylinder : tool.holder) {
+            double closest_mm = 1e300;
+            for (const Move& move : operation.path.moves)
+                if (move.to.z() + cylinder.bottom_mm < 80)
+                    closest_mm = std::min(closest_mm, distanceToBoundary(post.section, move.to.head<2>()));
+            EXPECT_GE(closest_mm, cylinder.diameter_mm / 2 - 1e-3) << operation.id;
+        }
+    }
+    EXPECT_LT(plan.balance.gapShare(), 1e-3);
+}
+
+}  // namespace
+}  // namespace stepmill
