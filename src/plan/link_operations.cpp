@@ -33,8 +33,4 @@ void linkOperations(std::vector<Operation>& operations, const Machine& machine) 
     }
 }
 
-bool changesTool(const std::vector<Operation>& operations, std::size_t index) {
-    return index == 0 || operations[index].tool_id != operations[index - 1].tool_id;
-}
-
 }  // namespace stepmill

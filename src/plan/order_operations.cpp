@@ -12,6 +12,7 @@ namespace {
 struct Problem {
     std::vector<int> tool;                ///< of each operation, numbered by first appearance
     std::vector<int> feature;             ///< of each operation
+    std::vector<int> setup;               ///< of each feature
     std::vector<std::vector<int>> queue;  ///< operations of each feature in their own order
     /// Of each feature: its nearest ancestors with operations, ascending. When theirs are done, so are those
     /// of all before them.
@@ -24,7 +25,7 @@ struct Partial {
     std::vector<int> done;
     std::vector<int> tools;
     int total = 0;
-    int tools_left = 0;
+    int tools_left = 0;  ///< of every setup, summed: no setup has fewer visits
 };
 
 /// A parent without operations does not hold its children back, but its own parents do. \pre parents come
@@ -46,17 +47,20 @@ std::vector<std::vector<int>> nearestWithOperations(const std::vector<std::vecto
     return nearest;
 }
 
-Problem makeProblem(const std::vector<Operation>& operations, const std::vector<Feature>& features) {
+Problem makeProblem(const std::vector<Operation>& operations, const std::vector<Precedence>& features) {
     Problem problem;
     std::map<std::string, int> feature_number;
-    for (const Feature& feature : features)
-        feature_number.emplace(feature.id, static_cast<int>(feature_number.size()));
+    for (const Precedence& feature : features)
+        feature_number.emplace(feature.feature_id, static_cast<int>(feature_number.size()));
     problem.queue.resize(features.size());
+    for (const Precedence& feature : features)
+        problem.setup.push_back(feature.setup);
     std::vector<std::vector<int>> parents(features.size());
     for (std::size_t i = 0; i < features.size(); ++i) {
         for (const std::string& parent : features[i].parents) {
             const auto found = feature_number.find(parent);
-            STEPMILL_CHECK(found != feature_number.end(), "parent " + parent + " of " + features[i].id);
+            STEPMILL_CHECK(found != feature_number.end(),
+                           "parent " + parent + " of " + features[i].feature_id);
             parents[i].push_back(found->second);
         }
     }
@@ -89,10 +93,10 @@ int nextOperation(const Problem& problem, const std::vector<int>& done, int feat
 }
 
 void countToolsLeft(const Problem& problem, Partial& partial) {
-    std::set<int> left;
+    std::set<std::pair<int, int>> left;
     for (std::size_t f = 0; f < problem.queue.size(); ++f) {
         for (std::size_t i = partial.done[f]; i < problem.queue[f].size(); ++i)
-            left.insert(problem.tool[problem.queue[f][i]]);
+            left.emplace(problem.setup[f], problem.tool[problem.queue[f][i]]);
     }
     partial.tools_left = static_cast<int>(left.size());
 }
@@ -164,13 +168,31 @@ Vec2 endOf(const Operation& operation) {
 
 }  // namespace
 
-std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Feature>& features,
+std::vector<Precedence> inSetupOrder(const std::vector<PlannedSetup>& setups) {
+    std::vector<Precedence> order;
+    std::vector<std::string> ends_before;  // features of the setup before that no other waits for
+    for (const PlannedSetup& setup : setups) {
+        std::set<std::string> ends;
+        for (const PlannedFeature& planned : setup.features) {
+            const Feature& feature = planned.feature;
+            order.push_back({feature.id, feature.parents.empty() ? ends_before : feature.parents,
+                             static_cast<int>(&setup - setups.data())});
+            for (const std::string& parent : feature.parents)
+                ends.erase(parent);
+            ends.insert(feature.id);
+        }
+        if (!ends.empty()) ends_before.assign(ends.begin(), ends.end());
+    }
+    return order;
+}
+
+std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
                             std::size_t beam_width) {
     return visits(makeProblem(operations, features), beam_width);
 }
 
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
-                                 const std::vector<Feature>& features) {
+                                 const std::vector<Precedence>& features) {
     const Problem problem = makeProblem(operations, features);
     std::vector<int> done(problem.queue.size(), 0);
     std::vector<int> order;

@@ -191,49 +191,6 @@ void warnOfUnusedFixtures(Plan& plan, const FixtureFile& given) {
     }
 }
 
-/// What the cutting data say beyond feeds and speeds.
-void takeShopData(Operation& operation, const ToolLibrary& library, const std::string& material) {
-    const CuttingData* cutting = library.tool(operation.tool_id).cuttingFor(material);
-    if (cutting == nullptr) return;
-    operation.coolant = cutting->coolant;
-    if (operation.role == Role::Drill) operation.dwell_s = cutting->dwell_s;
-}
-
-/// The steps of all features become operations, in machining order and numbered in it.
-std::vector<Operation> makeOperations(PlannedSetup& setup, const Machine& machine, const ToolLibrary& library,
-                                      const std::string& material) {
-    std::vector<Operation> operations;
-    std::vector<Feature> features;
-    for (PlannedFeature& planned : setup.features) {
-        features.push_back(planned.feature);
-        for (SequenceStep& step : planned.sequence.steps) {
-            Operation operation;
-            operation.setup_id = setup.setup.id;
-            operation.feature_id = planned.feature.id;
-            operation.tool_id = step.tool_id;
-            operation.role = step.role;
-            operation.path = std::move(step.path);
-            operation.proof = step.proof;
-            operation.z_top_mm = planned.feature.top_z_mm;
-            operation.z_floor_mm = planned.sequence.floor_z_mm;
-            operation.speed_rpm = step.speed_rpm;
-            takeShopData(operation, library, material);
-            if (operation.path.step_over_mm > 0)
-                operation.even_length_mm =
-                    step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.layers;
-            step.path = Toolpath{};
-            operations.push_back(std::move(operation));
-        }
-    }
-    std::vector<Operation> ordered;
-    for (const int index : orderOperations(operations, features)) {
-        ordered.push_back(std::move(operations[index]));
-        ordered.back().id = fmt::format("{}.O{}", setup.setup.id, ordered.size());
-    }
-    linkOperations(ordered, machine);
-    return ordered;
-}
-
 struct PlannedStage {
     PlannedSetup setup;
     LayerStack layers;
@@ -253,10 +210,6 @@ PlannedStage planStage(Stage found, const Request& request, double start_share, 
     FeaturePlanner planner(inBands(found.found.features, request.library, request.options.sequence.material),
                            found.setup, request, start_share, end_share);
     stage.setup.features = planner.plan(stage.warnings);
-    stage.setup.sharing =
-        shareTools(stage.setup.features, request.machine, request.options.sequence.objective);
-    stage.setup.operations =
-        makeOperations(stage.setup, request.machine, request.library, request.options.sequence.material);
     stage.removed = removedBy(stage.setup.features, request.tol);
     return stage;
 }
@@ -281,7 +234,10 @@ class StagePlanner {
   private:
     /// Does the setup cut nothing and only name again what earlier ones left standing?
     bool repeatsResiduals(const PlannedStage& stage) const {
-        if (!stage.setup.operations.empty()) return false;
+        const bool cuts =
+            std::any_of(stage.setup.features.begin(), stage.setup.features.end(),
+                        [](const PlannedFeature& planned) { return !planned.sequence.steps.empty(); });
+        if (cuts) return false;
         std::vector<SetupPrism> known;
         for (const PlannedStage& earlier : stages_)
             for (const ResidualPrism& residual : residualPrisms(earlier.setup.features))
@@ -346,6 +302,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
         plan.setups.push_back(std::move(stage.setup));
     }
     warnOfUnusedFixtures(plan, request.fixtures);
+    shareTools(plan);
+    makeOperations(plan);
     setStickOuts(plan);
     addUpTotals(plan);
     const double removable_mm3 = plan.stock.volume_mm3 - part.volume_mm3;
@@ -354,6 +312,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     warnOfUnreachable(plan);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup);
+    warnOfMagazine(plan);
     warnOfShape(plan);
     warnOfBooks(plan, accounts, tol);
     job.report("done", 1);

@@ -47,22 +47,38 @@ double highestFixtureMm(const std::vector<Fixture>& fixtures);
 std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
                              const std::string& material);
 
+/// What must be machined before a feature.
+struct Precedence {
+    std::string feature_id;
+    std::vector<std::string> parents;
+    int setup = 0;  ///< number of its setup; it waits for the setups before through its parents alone
+};
+
+/// The features of all setups, those of a setup after all of the setup before.
+std::vector<Precedence> inSetupOrder(const std::vector<PlannedSetup>& setups);
+
 /// How many partial orders the look-ahead keeps after each tool change.
 inline constexpr std::size_t kBeamWidth = 16;
 
 /// The tools in the order of their visits, as few as a beam search finds: each feature's operations keep
 /// their order, and parents come before their children. One entry a visit, an index into tools named in the
 /// order of their first appearance.
-std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Feature>& features,
+std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
                             std::size_t beam_width);
 
-/// The features' sequences chosen for the setup: one of choicesOf() each.
+/// Puts operations in an order that keeps parents before children and each feature's own tool order, and
+/// that changes tools as rarely as a greedy look-ahead finds. Returns indices into `operations`.
+/// \param features  parents before children
+std::vector<int> orderOperations(const std::vector<Operation>& operations,
+                                 const std::vector<Precedence>& features);
+
+/// The features' sequences chosen for the plan: one of choicesOf() each.
 struct SharedChoice {
     std::vector<std::size_t> choice;  ///< of each feature; 0 where it has none
     ToolSharing gain;
 };
 
-/// Chooses one sequence a feature so that paths and tool changes of the whole setup, operations merged, weigh
+/// Chooses one sequence a feature so that paths and tool changes of the whole plan, operations merged, weigh
 /// least, and no more tools are called than the magazine has places, as far as the choices allow: first the
 /// places, then the weight. Exact where the choices have few combinations (kMostCombinations); else from each
 /// feature's own cheapest by giving up tools and changing single features as long as that helps. Never worse
@@ -70,12 +86,16 @@ struct SharedChoice {
 /// \param choices        of each feature, its own cheapest first
 /// \param change_weight  of one tool change, in the unit of the choices' paths
 /// \param magazine       places for tools; 0: no limit
-SharedChoice shareTools(const std::vector<Feature>& features,
+SharedChoice shareTools(const std::vector<Precedence>& features,
                         const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,
                         int magazine);
 
-/// Makes the features' sequences anew where shareTools() finds better ones for the setup together.
-ToolSharing shareTools(std::vector<PlannedFeature>& features, const Machine& machine, Objective objective);
+/// Makes the features' sequences anew where shareTools() finds better ones for the plan together. All choices
+/// leave the same material, so what later setups found stands.
+void shareTools(Plan& plan);
+
+/// The steps of all features become operations, in machining order and numbered in it.
+void makeOperations(Plan& plan);
 
 /// Sets every tool of a range out as short as all its steps in the plan allow.
 void setStickOuts(Plan& plan);
@@ -86,9 +106,6 @@ void warnOfSlowSteps(Plan& plan, const PlannedSetup& setup);
 /// Joins operations in their order: each begins with the rapid from where the one before it ended, so that
 /// an operation's lengths and times are those of its part of the program.
 void linkOperations(std::vector<Operation>& operations, const Machine& machine);
-
-/// Does this operation need another tool than the one before it? The first one does.
-bool changesTool(const std::vector<Operation>& operations, std::size_t index);
 
 /// Times of every setup and of the plan; tool changes counted once a visit.
 void addUpTotals(Plan& plan);
@@ -142,7 +159,9 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
 
 /// Doubts about the part file and the slicing.
 void warnOfInput(Plan& plan, const LayerStack& layers);
-/// Residuals, travel, magazine.
+/// More tools than the magazine has places.
+void warnOfMagazine(Plan& plan);
+/// Residuals, travel, slow steps.
 void warnOfSetup(Plan& plan, const PlannedSetup& setup);
 /// What no setup plans, one warning a reason. \pre the books are made up
 void warnOfUnreachable(Plan& plan);

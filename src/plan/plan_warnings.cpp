@@ -65,17 +65,6 @@ void warnOfTravel(Plan& plan, const PlannedSetup& setup) {
     }
 }
 
-void warnOfMagazine(Plan& plan, const PlannedSetup& setup) {
-    std::set<std::string> tools;
-    for (const Operation& operation : setup.operations)
-        tools.insert(operation.tool_id);
-    const int magazine = plan.machine.magazine_size;
-    if (magazine <= 0 || static_cast<int>(tools.size()) <= magazine) return;
-    plan.warnings.push_back(
-        {"magazine", setup.setup.id,
-         fmt::format("{} tools are needed, the magazine holds {}", tools.size(), magazine)});
-}
-
 }  // namespace
 
 void warnOfInput(Plan& plan, const LayerStack& layers) {
@@ -136,7 +125,14 @@ void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
         warnOfResiduals(plan, planned);
     warnOfSlowSteps(plan, setup);
     warnOfTravel(plan, setup);
-    warnOfMagazine(plan, setup);
+}
+
+void warnOfMagazine(Plan& plan) {
+    const int magazine = plan.machine.magazine_size;
+    if (magazine <= 0 || plan.sharing.tools <= magazine) return;
+    plan.warnings.push_back(
+        {"magazine", plan.machine.name,
+         fmt::format("{} tools are needed, the magazine holds {}", plan.sharing.tools, magazine)});
 }
 
 }  // namespace stepmill

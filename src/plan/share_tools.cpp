@@ -6,9 +6,9 @@
 namespace stepmill {
 namespace {
 
-/// So many combinations of choices are all tried; each takes an ordering of the setup's operations.
+/// So many combinations of choices are all tried; each takes an ordering of the plan's operations.
 constexpr std::size_t kMostCombinations = 512;
-/// Rounds of improvement; each makes the setup cheaper or is the last.
+/// Rounds of improvement; each makes the plan cheaper or is the last.
 constexpr int kMostRounds = 20;
 /// Orders that only compare two choices look ahead less far than the plan's own.
 constexpr std::size_t kTrialBeamWidth = 4;
@@ -29,16 +29,9 @@ struct Score {
 
 class Sharing {
   public:
-    Sharing(const std::vector<Feature>& features, const std::vector<std::vector<SequenceChoice>>& choices,
+    Sharing(const std::vector<Precedence>& features, const std::vector<std::vector<SequenceChoice>>& choices,
             double change_weight, int magazine)
-        : choices_(choices), change_(change_weight), magazine_(magazine) {
-        for (const Feature& feature : features) {
-            Feature outline;
-            outline.id = feature.id;
-            outline.parents = feature.parents;
-            features_.push_back(std::move(outline));
-        }
-    }
+        : features_(features), choices_(choices), change_(change_weight), magazine_(magazine) {}
 
     SharedChoice best() const {
         const Choice own(choices_.size(), 0);
@@ -90,7 +83,7 @@ class Sharing {
             score.weight += choices_[f][choice[f]].paths;
             for (const std::string& tool : toolsOf(choice, f)) {
                 Operation operation;
-                operation.feature_id = features_[f].id;
+                operation.feature_id = features_[f].feature_id;
                 operation.tool_id = tool;
                 operations.push_back(std::move(operation));
             }
@@ -189,37 +182,42 @@ class Sharing {
         return then.paths < now.paths + change_ * static_cast<double>(now.tools.size());
     }
 
+    const std::vector<Precedence>& features_;
     const std::vector<std::vector<SequenceChoice>>& choices_;
     double change_;
     int magazine_;
-    std::vector<Feature> features_;  ///< ids and parents alone
 };
 
 }  // namespace
 
-SharedChoice shareTools(const std::vector<Feature>& features,
+SharedChoice shareTools(const std::vector<Precedence>& features,
                         const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,
                         int magazine) {
     return Sharing(features, choices, change_weight, magazine).best();
 }
 
-ToolSharing shareTools(std::vector<PlannedFeature>& planned, const Machine& machine, Objective objective) {
-    std::vector<Feature> features;
+void shareTools(Plan& plan) {
+    std::vector<PlannedFeature*> planned;
     std::vector<std::vector<SequenceChoice>> choices;
-    for (const PlannedFeature& one : planned) {
-        features.push_back(one.feature);
-        choices.push_back(choicesOf(one.sequence));
+    for (PlannedSetup& setup : plan.setups) {
+        for (PlannedFeature& one : setup.features) {
+            planned.push_back(&one);
+            choices.push_back(choicesOf(one.sequence));
+        }
     }
+    const Machine& machine = plan.machine;
     const double hours = machine.tool_change_s / (60 * kSecondsPerMinute);
     const double change_weight =
-        objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
-    const SharedChoice shared = shareTools(features, choices, change_weight, machine.magazine_size);
+        plan.objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
+    const SharedChoice shared =
+        shareTools(inSetupOrder(plan.setups), choices, change_weight, machine.magazine_size);
     for (std::size_t i = 0; i < planned.size(); ++i) {
-        if (shared.choice[i] > 0) planned[i].sequence = withChoice(planned[i].sequence, shared.choice[i]);
+        ToolSequence& sequence = planned[i]->sequence;
+        if (shared.choice[i] > 0) sequence = withChoice(sequence, shared.choice[i]);
         // The DAG and all it was made from are not needed any more.
-        planned[i].sequence.choices.reset();
+        sequence.choices.reset();
     }
-    return shared.gain;
+    plan.sharing = shared.gain;
 }
 
 }  // namespace stepmill

@@ -30,17 +30,18 @@ int unavoidableTools(const PlannedSetup& setup) {
     return count;
 }
 
-void addSetup(const Plan& plan, PlannedSetup& setup, PlanTotals& totals) {
+/// \param in_spindle  the tool that the setup before ended with; becomes this one's last
+void addSetup(const Plan& plan, PlannedSetup& setup, std::string& in_spindle, PlanTotals& totals) {
     double change_s = 0;
     double cutting_s = 0;
     double air_s = 0;
     double motion_s = 0;
-    for (std::size_t i = 0; i < setup.operations.size(); ++i) {
-        const Operation& operation = setup.operations[i];
+    for (const Operation& operation : setup.operations) {
         const ToolAssembly& tool = plan.library.tool(operation.tool_id);
-        if (changesTool(setup.operations, i)) {
+        if (operation.tool_id != in_spindle) {
             change_s += plan.machine.tool_change_s;
             ++totals.tool_changes;
+            in_spindle = operation.tool_id;
         }
         cutting_s += operation.path.totals.feed_time_s + operation.dwell_s;
         air_s += operation.path.totals.rapid_time_s;
@@ -59,15 +60,27 @@ void addSetup(const Plan& plan, PlannedSetup& setup, PlanTotals& totals) {
     for (const PlannedFeature& planned : setup.features) {
         if (!planned.sequence.steps.empty()) totals.lower_bound_s += planned.sequence.cutting_bound_s;
     }
-    totals.lower_bound_s += unavoidableTools(setup) * plan.machine.tool_change_s;
+}
+
+/// Changes no plan does without: those of every setup, of which each setup's first may be the last tool of
+/// the setup before.
+int unavoidableChanges(const Plan& plan) {
+    int changes = 0;
+    for (const PlannedSetup& setup : plan.setups) {
+        const int own = unavoidableTools(setup);
+        changes += changes > 0 && own > 0 ? own - 1 : own;
+    }
+    return changes;
 }
 
 }  // namespace
 
 void addUpTotals(Plan& plan) {
     PlanTotals totals;
+    std::string in_spindle;
     for (PlannedSetup& setup : plan.setups)
-        addSetup(plan, setup, totals);
+        addSetup(plan, setup, in_spindle, totals);
+    totals.lower_bound_s += unavoidableChanges(plan) * plan.machine.tool_change_s;
     plan.totals = totals;
 }
 

@@ -123,7 +123,8 @@ std::string viewsSection(const Plan& plan, const PlannedSetup& setup) {
 }
 
 /// What choosing the features' tools together brought; nothing where it changed nothing.
-std::string sharingWords(const Plan& plan, const ToolSharing& sharing) {
+std::string sharingWords(const Plan& plan) {
+    const ToolSharing& sharing = plan.sharing;
     if (sharing.features_changed == 0) return {};
     const std::string saved =
         plan.objective == Objective::Time
@@ -363,12 +364,12 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol) {
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
                        escapeHtml(plan.part.name) + "</title><style>" + kStyle +
                        "</style></head>\n<body><main>\n";
-    html += headSection(plan);
+    html += headSection(plan) + sharingWords(plan);
     if (!plan.complete(tol))
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
         html += viewsSection(plan, setup) + setupSection(setup, dialectOf(plan.machine)) +
-                sharingWords(plan, setup.sharing) + toolsTable(plan, setup) + operationsTable(setup);
+                toolsTable(plan, setup) + operationsTable(setup);
         html +=
             "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"
             "<i style=\"background:#fdf6df\"></i>target<i style=\"background:#8ec9e3\"></i>swept by this tool"

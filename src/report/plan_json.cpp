@@ -279,7 +279,6 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect) {
             {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
             {"time_s", number(setup.time_s)},
             {"motion_time_s", number(setup.motion_s)},
-            {"tool_sharing", sharingJson(setup.sharing)},
             {"axis_name", axisName(setup.setup.axis)},
             {"indexed", setup.setup.indexed},
             {"stock", arrivingStockJson(setup.setup)},
@@ -324,6 +323,7 @@ std::string planJson(const Plan& plan) {
         {"tools", usedToolsJson(plan)},
         {"features", std::move(features)},
         {"operations", std::move(operations)},
+        {"tool_sharing", sharingJson(plan.sharing)},
         {"totals", totalsJson(plan.totals)},
         {"volume_balance", balanceJson(plan.balance)},
         {"warnings", listOf(plan.warnings, [](const Warning& warning) {

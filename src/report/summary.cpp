@@ -11,16 +11,11 @@ std::string boundWords(double time_s, double bound_s) {
     return bound_s > 0 ? fmt::format("{:.2f}", time_s / bound_s) : std::string("-");
 }
 
-/// A line for each setup where features took other tools than their own cheapest.
-std::string sharingLines(const Plan& plan) {
-    std::string lines;
-    for (const PlannedSetup& setup : plan.setups) {
-        const ToolSharing& sharing = setup.sharing;
-        if (sharing.features_changed == 0) continue;
-        lines += fmt::format("{}: tools shared, {} tool changes instead of {}\n", setup.setup.id,
-                             sharing.visits, sharing.visits_alone);
-    }
-    return lines;
+/// Where features took other tools than their own cheapest.
+std::string sharingLine(const ToolSharing& sharing) {
+    if (sharing.features_changed == 0) return {};
+    return fmt::format("tools shared: {} tool changes instead of {}, {} tools instead of {}\n",
+                       sharing.visits, sharing.visits_alone, sharing.tools, sharing.tools_alone);
 }
 
 }  // namespace
@@ -52,7 +47,7 @@ std::string summaryText(const Plan& plan) {
                     totals.tool_changes, clockTime(totals.tool_change_s), totals.cost, plan.machine.currency);
     if (plan.machine.acceleration_mm_per_s2 > 0)
         text += fmt::format("with the machine's acceleration {}\n", clockTime(totals.motion_s));
-    text += sharingLines(plan);
+    text += sharingLine(plan.sharing);
     text += fmt::format("no plan with these tools can take less than {}\n", clockTime(totals.lower_bound_s));
     const VolumeBalance& books = plan.balance;
     text += fmt::format(

@@ -100,7 +100,6 @@ struct PlannedSetup {
     std::vector<Unplanned> unplanned;
     std::vector<Operation> operations;  ///< in machining order
     VolumeBalance balance;
-    ToolSharing sharing;
     double time_s = 0;    ///< tool changes included
     double motion_s = 0;  ///< the same with the machine's acceleration where that is given
 };
@@ -114,6 +113,7 @@ struct Plan {
     Objective objective = Objective::Time;
     CostModel cost_model = CostModel::Path;
     std::vector<PlannedSetup> setups;
+    ToolSharing sharing;
     PlanTotals totals;
     VolumeBalance balance;
     std::vector<Warning> warnings;
@@ -141,10 +141,5 @@ using Progress = std::function<void(const std::string& stage, double share)>;
 ///         machine, no tool for the material).
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});
-
-/// Puts operations in an order that keeps parents before children and each feature's own tool order, and
-/// that changes tools as rarely as a greedy look-ahead finds. Returns indices into `operations`.
-std::vector<int> orderOperations(const std::vector<Operation>& operations,
-                                 const std::vector<Feature>& features);
 
 }  // namespace stepmill

@@ -8,7 +8,7 @@ namespace stepmill::test {
 namespace {
 
 struct Shop {
-    std::vector<Feature> features;  ///< ids and parents
+    std::vector<Precedence> features;  ///< ids and parents
     std::vector<std::vector<SequenceChoice>> choices;
     double change = 0;
 };
@@ -22,10 +22,10 @@ Shop randomShop(std::mt19937& random, int features, int most) {
     Shop shop;
     shop.change = between(random, 1, 10);
     for (int f = 0; f < features; ++f) {
-        Feature feature;
-        feature.id = "S1.F" + std::to_string(f + 1);
+        Precedence feature;
+        feature.feature_id = "S1.F" + std::to_string(f + 1);
         if (f > 0 && std::bernoulli_distribution(0.4)(random))
-            feature.parents.push_back(shop.features[between(random, 0, f - 1)].id);
+            feature.parents.push_back(shop.features[between(random, 0, f - 1)].feature_id);
         shop.features.push_back(feature);
         std::vector<SequenceChoice> choices(between(random, 1, most));
         for (SequenceChoice& choice : choices) {
@@ -61,7 +61,7 @@ class FewestVisits {
         if (done[f] == toolsOf(f).size()) return false;
         for (const std::string& parent : shop_.features[f].parents)
             for (std::size_t p = 0; p < shop_.features.size(); ++p)
-                if (shop_.features[p].id == parent && done[p] < toolsOf(p).size()) return false;
+                if (shop_.features[p].feature_id == parent && done[p] < toolsOf(p).size()) return false;
         return true;
     }
 

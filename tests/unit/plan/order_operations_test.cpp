@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "stepmill/plan/plan.h"
+#include "plan/plan_steps.h"
 
 namespace stepmill {
 namespace {
 
-Feature feature(const std::string& id, std::vector<std::string> parents = {}) {
-    Feature result;
-    result.id = id;
+Precedence feature(const std::string& id, std::vector<std::string> parents = {}) {
+    Precedence result;
+    result.feature_id = id;
     result.parents = std::move(parents);
     return result;
 }
@@ -41,6 +41,26 @@ TEST(OrderOperations, IsEmptyWithoutOperations) {
     EXPECT_TRUE(orderOperations({}, {feature("F1")}).empty());
 }
 
+TEST(OrderOperations, AToolStaysInTheSpindleOverTheChangeOfSetup) {
+    const auto setup = [](const std::string& id, const std::vector<std::string>& names) {
+        PlannedSetup made;
+        made.setup.id = id;
+        for (const std::string& name : names) {
+            PlannedFeature planned;
+            planned.feature.id = name;
+            made.features.push_back(planned);
+        }
+        return made;
+    };
+    const std::vector<Precedence> order =
+        inSetupOrder({setup("S1", {"S1.F1", "S1.F2"}), setup("S2", {"S2.F1"})});
+    const std::vector<Operation> operations{operation("S1.F1", "A"), operation("S1.F2", "B"),
+                                            operation("S2.F1", "A")};
+    // B first, then A for both; S2 comes last whatever tools it calls.
+    EXPECT_EQ(orderOperations(operations, order), (std::vector<int>{1, 0, 2}));
+    EXPECT_EQ(toolVisits(operations, order, kBeamWidth).size(), 2U);
+}
+
 TEST(OrderOperations, MergesTwoPocketsToolByTool) {
     const std::vector<Operation> operations{operation("F1", "20"), operation("F1", "6"),
                                             operation("F2", "20"), operation("F2", "6")};
@@ -57,13 +77,13 @@ TEST(OrderOperations, FinishesTheParentBeforeTheChild) {
 
 TEST(OrderOperations, AParentWithoutOperationsStillWaitsForItsOwnParent) {
     const std::vector<Operation> operations{operation("F3", "20"), operation("F1", "20")};
-    const std::vector<Feature> features{feature("F1"), feature("F2", {"F1"}), feature("F3", {"F2"})};
+    const std::vector<Precedence> features{feature("F1"), feature("F2", {"F1"}), feature("F3", {"F2"})};
     EXPECT_EQ(orderOperations(operations, features), (std::vector<int>{1, 0}));
 }
 
 TEST(OrderOperations, AsksAncestorsOnceHoweverManyWaysLeadToThem) {
     // Two features a layer, each the child of both above it: 2^60 chains from the last to the first.
-    std::vector<Feature> features{feature("A0"), feature("B0")};
+    std::vector<Precedence> features{feature("A0"), feature("B0")};
     for (int i = 1; i < 60; ++i) {
         const std::vector<std::string> above{"A" + std::to_string(i - 1), "B" + std::to_string(i - 1)};
         features.push_back(feature("A" + std::to_string(i), above));
@@ -77,7 +97,8 @@ TEST(OrderOperations, LooksAheadToSaveAChange) {
     // Starting with the tool of the most operations at hand (A) would call A twice.
     const std::vector<Operation> operations{operation("F1", "A"), operation("F2", "A"), operation("F3", "B"),
                                             operation("F4", "A")};
-    const std::vector<Feature> features{feature("F1"), feature("F2"), feature("F3"), feature("F4", {"F3"})};
+    const std::vector<Precedence> features{feature("F1"), feature("F2"), feature("F3"),
+                                           feature("F4", {"F3"})};
     EXPECT_EQ(changes(toolsInOrder(operations, orderOperations(operations, features))), 2);
 }
 
@@ -91,7 +112,7 @@ TEST(OrderOperations, TakesTheNearestNextWithinAVisit) {
 TEST(OrderOperations, KeepsPrecedenceOnRandomForests) {
     for (unsigned seed = 0; seed < 200; ++seed) {
         std::mt19937 random(seed);
-        std::vector<Feature> features;
+        std::vector<Precedence> features;
         std::vector<Operation> operations;
         const int count = std::uniform_int_distribution(1, 12)(random);
         for (int f = 0; f < count; ++f) {
@@ -100,7 +121,7 @@ TEST(OrderOperations, KeepsPrecedenceOnRandomForests) {
             if (parent >= 0) features.back().parents.push_back("F" + std::to_string(parent));
             const int steps = std::uniform_int_distribution(0, 3)(random);
             for (int s = 0; s < steps; ++s)
-                operations.push_back(operation(features.back().id,
+                operations.push_back(operation(features.back().feature_id,
                                                std::to_string(std::uniform_int_distribution(0, 4)(random))));
         }
         const std::vector<int> order = orderOperations(operations, features);
@@ -111,9 +132,9 @@ TEST(OrderOperations, KeepsPrecedenceOnRandomForests) {
         for (std::size_t i = 0; i < operations.size(); ++i) {
             for (std::size_t k = 0; k < operations.size(); ++k) {
                 const bool same = operations[i].feature_id == operations[k].feature_id;
-                const Feature& later = *std::find_if(features.begin(), features.end(), [&](const Feature& f) {
-                    return f.id == operations[k].feature_id;
-                });
+                const Precedence& later = *std::find_if(
+                    features.begin(), features.end(),
+                    [&](const Precedence& f) { return f.feature_id == operations[k].feature_id; });
                 const bool parent = !later.parents.empty() && later.parents[0] == operations[i].feature_id;
                 if ((same && i < k) || parent) {
                     ASSERT_LT(place[i], place[k]) << "seed " << seed;

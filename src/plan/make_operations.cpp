@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include "plan/plan_steps.h"
+
+namespace stepmill {
+namespace {
+
+/// What the cutting data say beyond feeds and speeds.
+void takeShopData(Operation& operation, const ToolLibrary& library, const std::string& material) {
+    const CuttingData* cutting = library.tool(operation.tool_id).cuttingFor(material);
+    if (cutting == nullptr) return;
+    operation.coolant = cutting->coolant;
+    if (operation.role == Role::Drill) operation.dwell_s = cutting->dwell_s;
+}
+
+/// The step's path moves to the operation.
+Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& plan) {
+    Operation operation;
+    operation.setup_id = planned.feature.setup_id;
+    operation.feature_id = planned.feature.id;
+    operation.tool_id = step.tool_id;
+    operation.role = step.role;
+    operation.path = std::move(step.path);
+    operation.proof = step.proof;
+    operation.z_top_mm = planned.feature.top_z_mm;
+    operation.z_floor_mm = planned.sequence.floor_z_mm;
+    operation.speed_rpm = step.speed_rpm;
+    takeShopData(operation, plan.library, plan.material);
+    if (operation.path.step_over_mm > 0)
+        operation.even_length_mm =
+            step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.layers;
+    step.path = Toolpath{};
+    return operation;
+}
+
+}  // namespace
+
+void makeOperations(Plan& plan) {
+    std::vector<Operation> operations;
+    std::vector<std::size_t> setup_of;
+    for (std::size_t s = 0; s < plan.setups.size(); ++s) {
+        for (PlannedFeature& planned : plan.setups[s].features) {
+            for (SequenceStep& step : planned.sequence.steps) {
+                operations.push_back(operationOf(planned, step, plan));
+                setup_of.push_back(s);
+            }
+        }
+    }
+    for (const int index : orderOperations(operations, inSetupOrder(plan.setups))) {
+        PlannedSetup& setup = plan.setups[setup_of[index]];
+        setup.operations.push_back(std::move(operations[index]));
+        setup.operations.back().id = fmt::format("{}.O{}", setup.setup.id, setup.operations.size());
+    }
+    for (PlannedSetup& setup : plan.setups)
+        linkOperations(setup.operations, plan.machine);
+}
+
+}  // namespace stepmill
