@@ -50,6 +50,15 @@ Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData
     return path;
 }
 
+/// What of the approach is left over ground as deep as the feature: all of it in the last layer, less the
+/// higher the layer.
+double deepApproachMm(const Toolpath& path) {
+    double sum_mm = 0;
+    for (int above = 0; above < path.layers; ++above)
+        sum_mm += std::max(0.0, toolpath::kApproachMm - above * path.step_down_mm);
+    return sum_mm / path.layers;
+}
+
 /// Angles of lines are told in whole degrees.
 std::string patternWord(const PatternTime& time) {
     const bool has_angle = time.pattern == Pattern::Zigzag || time.pattern == Pattern::OneWay;
@@ -124,7 +133,8 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
                           path.plunge_feed_mm_per_min,
                           machine.rapid_mm_per_min,
                           path.step_down_mm + kApproachMm,
-                          kApproachMm};
+                          kApproachMm,
+                          deepApproachMm(path)};
     const Standing standing(task, tool.radius_mm(), tol);
     const LayerTask layer{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};
     writeRegions(task, *rings, layer, angle, machine, path);

@@ -52,7 +52,8 @@ void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vecto
 }
 
 void MoveWriter::write(const ComeDown& step) {
-    approach(step.at, heights_.floor_mm + kApproachMm, step.over);
+    const double ground_mm = step.deep ? heights_.last_floor_mm : heights_.floor_mm;
+    approach(step.at, std::max(heights_.floor_mm, ground_mm + kApproachMm), step.over);
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm), std::nullopt, true);
 }
 

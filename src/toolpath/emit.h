@@ -14,9 +14,10 @@ inline constexpr double kDescentStartMm = 0.2;
 
 /// Heights of one depth of cut, and how to descend through material.
 struct LayerHeights {
-    double above_mm;  ///< the level the layer starts from: the floor of the one before, or the top
-    double floor_mm;  ///< the level it is cut to
-    double top_mm;    ///< of the feature
+    double above_mm;       ///< the level the layer starts from: the floor of the one before, or the top
+    double floor_mm;       ///< the level it is cut to
+    double last_floor_mm;  ///< of the feature
+    double top_mm;         ///< of the feature
     double retract_mm;
     double ramp_angle_rad;
 };

@@ -50,6 +50,7 @@ class LayerPlanner {
           tol_(task.tol),
           passes_ground_(task.clearing, task.radius_mm),
           swept_(task.clearing, task.radius_mm),
+          before_(swept_),
           done_(passes.size(), false),
           was_cut_(passes.size(), false),
           spot_of_(passes.size(), 0),
@@ -168,7 +169,7 @@ class LayerPlanner {
         const Pass& next = pass(joint.pass);
         const bool neighbour = std::count(next.neighbours.begin(), next.neighbours.end(), last_) > 0 &&
                                joint.distance_mm <= kNeighbourLink * step_over_mm_;
-        if (!neighbour && !isShorter(joint.distance_mm)) return false;
+        if (!neighbour && !isShorter(joint)) return false;
         if (!isFree(at_, joint.at.point)) return false;
         const bool cleared = swept_.isClear(at_, joint.at.point);
         if (!neighbour && !cleared) return false;
@@ -179,10 +180,12 @@ class LayerPlanner {
     }
 
     /// Is the way at depth quicker than up, across and down again?
-    bool isShorter(double link_mm) const {
-        const double over = (2 * rates_.lift_mm + link_mm) / rates_.rapid_mm_per_min +
-                            rates_.approach_mm / rates_.plunge_feed_mm_per_min;
-        return link_mm / rates_.feed_mm_per_min <= over;
+    bool isShorter(const Joint& joint) const {
+        const Vec2& to = joint.at.point;
+        const double approach_mm = before_.isClear(to, to) ? rates_.deep_approach_mm : rates_.approach_mm;
+        const double over = (2 * rates_.lift_mm + joint.distance_mm) / rates_.rapid_mm_per_min +
+                            approach_mm / rates_.plunge_feed_mm_per_min;
+        return joint.distance_mm / rates_.feed_mm_per_min <= over;
     }
 
     // From above -----------------------------------------------------------------------------------------
@@ -212,7 +215,7 @@ class LayerPlanner {
         const Pass& next = pass(joint.pass);
         const bool in_air = startsInAir(joint);
         if (in_air || swept_.isClear(joint.at.point, joint.at.point)) {
-            descend(ComeDown{joint.at.point}, joint.at.point, !in_air);
+            comeDown(joint.at.point, !in_air);
             cut(joint);
             return true;
         }
@@ -223,7 +226,7 @@ class LayerPlanner {
             const Joint from_there = jointWith(joint.pass, landing.point);
             if (from_there.distance_mm > kNeighbourLink * step_over_mm_) continue;
             if (!isFree(landing.point, from_there.at.point)) continue;
-            descend(ComeDown{landing.point}, landing.point);
+            comeDown(landing.point, true);
             link(from_there.at.point, false);
             cut(from_there);
             return true;
@@ -293,7 +296,7 @@ class LayerPlanner {
                 swept_.add(makeEdge(entry.at, {entry.at, {}}));
                 return true;
             case EntryKind::OpenEdge:
-                descend(ComeDown{entry.at}, entry.at);
+                comeDown(entry.at, true);
                 return true;
         }
         return false;
@@ -358,6 +361,10 @@ class LayerPlanner {
         /// It, or a link after it, counts on ground that was cleared before.
         bool needs_others;
     };
+
+    void comeDown(const Vec2& at, bool needs_others) {
+        descend(ComeDown{at, Over::Retract, before_.isClear(at, at)}, at, needs_others);
+    }
 
     void descend(const ScriptStep& step, const Vec2& to, bool needs_others = true) {
         descents_.push_back({script_.size(), at_, to, needs_others});
@@ -479,6 +486,7 @@ class LayerPlanner {
     const Tolerances& tol_;
     SweptGround passes_ground_;  ///< what the passes will have swept
     SweptGround swept_;          ///< what has been swept so far
+    SweptGround before_;         ///< what was clear before the layer
     std::vector<bool> done_;     ///< cut, or found needless
     std::vector<bool> was_cut_;
     std::vector<std::size_t> spot_of_;  ///< number of the descent before it

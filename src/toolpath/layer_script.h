@@ -22,6 +22,7 @@ enum class Over {
 struct ComeDown {
     Vec2 at;
     Over over = Over::Retract;
+    bool deep = false;  ///< no material there down to the feature's floor, before any pass of this tool
 };
 /// Down through material along a line, to and fro; ends at `from`.
 struct RampDown {
@@ -65,8 +66,9 @@ struct LinkRates {
     double feed_mm_per_min;
     double plunge_feed_mm_per_min;
     double rapid_mm_per_min;
-    double lift_mm;      ///< from the floor of a layer to where rapids cross within a feature
-    double approach_mm;  ///< the last of the way down is fed
+    double lift_mm;           ///< from the floor of a layer to where rapids cross within a feature
+    double approach_mm;       ///< the last of the way down is fed
+    double deep_approach_mm;  ///< the same over ground clear down to the feature's floor, layers' mean
 };
 
 /// Steps of a layer that are cut over all depths before the next ones.

@@ -125,8 +125,8 @@ double RegionCutter::levelOf(int layer) const {
 }
 
 LayerHeights RegionCutter::heights(int from_layer, int to_layer) const {
-    return {levelOf(from_layer), levelOf(to_layer), task_.clearing.top_z_mm, task_.clearing.retract_z_mm,
-            ramp_angle_rad_};
+    return {levelOf(from_layer),     levelOf(to_layer),           task_.clearing.floor_z_mm,
+            task_.clearing.top_z_mm, task_.clearing.retract_z_mm, ramp_angle_rad_};
 }
 
 void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writer) const {
