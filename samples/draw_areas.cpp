@@ -1,5 +1,5 @@
-// Draws what one cutter reaches in a pocket, what it leaves to a smaller one, and the rings of a
-// contour-parallel path: the pictures of docs/algorithms. Usage: draw_areas FOLDER
+// Draws what one cutter reaches in a pocket, what it leaves to a smaller one, the rings of a contour-parallel
+// path and a finishing pass: the pictures of docs/algorithms. Usage: draw_areas FOLDER
 
 #include <filesystem>
 
@@ -9,6 +9,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/region_text.h"
+#include "toolpath/finish_walls.h"
 
 namespace stepmill {
 namespace {
@@ -40,6 +41,37 @@ Region butterfly(const Tolerances& tol) {
     return subtract(joined, makeCircle({61, 20}, 6), tol);
 }
 
+/// What a finishing pass takes off the pocket's walls, and its way. The strip is drawn wider than a shop
+/// would leave it, to be seen.
+void drawFinishing(const std::filesystem::path& folder, const Region& pocket, const Tolerances& tol) {
+    constexpr double kAllowanceMm = 0.8;
+    ToolAssembly tool;
+    tool.diameter_mm = 8;
+    CuttingData cutting;
+    cutting.feed_mm_per_min = cutting.plunge_feed_mm_per_min = 1000;
+    Machine machine;
+    machine.rapid_mm_per_min = 5000;
+    const ClearanceDiagram diagram(pocket, tol);
+    ClearingTask clearing;
+    clearing.free_centres = diagram.offset(-tool.radius_mm());
+    clearing.cleared_centres = diagram.offset(-tool.radius_mm() - kAllowanceMm);
+    clearing.target = pocket;
+    const Box2 block = boundingBox(pocket).grown(2 * tool.diameter_mm);
+    clearing.obstruction = subtract(makeRectangle(block.min, block.max), pocket, tol);
+    clearing.floor_z_mm = -1;
+    clearing.retract_z_mm = 1;
+    const Region roughed = offset(clearing.cleared_centres, tool.radius_mm(), tol);
+    const Region strip = subtract(diagram.opening(tool.radius_mm()), roughed, tol);
+    const Toolpath path = toolpath::finishWalls({clearing, strip, kAllowanceMm}, tool, cutting, machine, tol);
+    std::string ways;
+    for (const Path& way : topView(path))
+        ways += toSvgPath(way);
+    writeFile(folder / "finishing.svg", svg(boundingBox(pocket), {{toSvgPath(pocket), "#fdf6df", "none"},
+                                                                  {toSvgPath(strip), "#f4c97a", "none"},
+                                                                  {ways, "none", "#0b4f75"},
+                                                                  {toSvgPath(pocket), "none", "#1d2733"}}));
+}
+
 void draw(const std::filesystem::path& folder) {
     const Tolerances tol;
     const Region pocket = butterfly(tol);
@@ -69,6 +101,7 @@ void draw(const std::filesystem::path& folder) {
         rings += toSvgPath(ring);
     writeFile(folder / "rings.svg",
               svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"}, {rings, "none", "#0b4f75"}, walls}));
+    drawFinishing(folder, pocket, tol);
 }
 
 }  // namespace

@@ -111,6 +111,19 @@ SetupRequest setupRequest(const PlanOptions& options) {
     return request;
 }
 
+namespace {
+
+double allowance(double mm, const char* option) {
+    const bool fits = mm == 0 || (mm >= kLeastAllowanceMm && mm <= kMostAllowanceMm);
+    if (!fits)
+        throw Error(ErrorCode::Usage, option,
+                    fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastAllowanceMm,
+                                kMostAllowanceMm, mm));
+    return mm;
+}
+
+}  // namespace
+
 PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     PlanRequest request;
     request.setup = setupRequest(options);
@@ -123,6 +136,8 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
                                                                 : CostModel::Path;
     request.sequence.retract_mm = machine.safe_height_mm;
     if (!options.fixtures_file.empty()) request.fixtures = readFixtures(options.fixtures_file);
+    request.sequence.finish = {allowance(options.finish_walls_mm, "--finish-walls"),
+                               allowance(options.finish_floors_mm, "--finish-floors")};
     return request;
 }
 

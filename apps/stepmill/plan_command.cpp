@@ -97,6 +97,12 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
                      "the plan's times are those of its paths")
         ->check(CLI::IsMember({"paths", "yao", "lim"}))
         ->capture_default_str();
+    plan->add_option("--finish-walls", options->finish_walls_mm,
+                     "mm that roughing leaves on walls for a finishing pass along them; 0: no such pass")
+        ->capture_default_str();
+    plan->add_option("--finish-floors", options->finish_floors_mm,
+                     "mm that roughing leaves on floors for a finishing pass over them; 0: no such pass")
+        ->capture_default_str();
     plan->add_flag("--strict", options->strict, "exit 1 on any warning as well");
     plan->add_flag("--json", options->json, "print plan.json on standard output instead of the summary");
     plan->footer(
@@ -105,6 +111,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step --setup +z --setup -z\n"
         "  stepmill plan bracket.step --no-setup -z --no-setup -x\n"
         "  stepmill plan bracket.step -o job42 --setup +z --stock-margin 2,1,0 --material steel\n"
+        "  stepmill plan bracket.step --finish-walls 0.3 --finish-floors 0.2\n"
         "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
         "  stepmill plan bracket.step --fixtures clamps.json");
     plan->callback([options, &exit_code] { exit_code = runPlan(*options); });

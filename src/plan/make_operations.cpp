@@ -22,8 +22,11 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& p
     operation.role = step.role;
     operation.path = std::move(step.path);
     operation.proof = step.proof;
-    operation.z_top_mm = planned.feature.top_z_mm;
-    operation.z_floor_mm = planned.sequence.floor_z_mm;
+    operation.leaves = step.leaves;
+    operation.z_floor_mm = planned.sequence.floor_z_mm + step.leaves.floors_mm;
+    operation.z_top_mm = step.role == Role::Finish
+                             ? operation.z_floor_mm + operation.path.layers * operation.path.step_down_mm
+                             : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
     takeShopData(operation, plan.library, plan.material);
     if (operation.path.step_over_mm > 0)

@@ -152,16 +152,26 @@ class FeaturePlanner {
             sequence.feature_id = planned.feature.id;
             sequence.floor_z_mm = planned.feature.floor_z_mm;
             if (!free.feature.target.empty())
-                sequence = sequenceTools(free.feature, request_.library, request_.machine, sequenceOptions(),
+                sequence = sequenceTools(free.feature, request_.library, request_.machine, sequenceOptions(planned.feature),
                                          request_.tol);
             sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
             return sequence;
         });
     }
 
-    SequenceOptions sequenceOptions() const {
+    /// Does the same target go on below? Then its floor is no face of the part.
+    bool isUpperBand(const Feature& feature) const {
+        return std::any_of(planned_.begin(), planned_.end(), [&](const PlannedFeature& other) {
+            const Feature& below = other.feature;
+            return below.top_z_mm == feature.floor_z_mm && below.area_mm2 == feature.area_mm2 &&
+                   std::count(below.parents.begin(), below.parents.end(), feature.id) > 0;
+        });
+    }
+
+    SequenceOptions sequenceOptions(const Feature& feature) const {
         SequenceOptions options = request_.options.sequence;
         options.clear_of_own_material = true;
+        if (isUpperBand(feature)) options.finish.floors_mm = 0;
         const double fixture_mm = highestFixtureMm(setup_.fixtures);
         if (fixture_mm > 0) options.retract_mm = fixture_mm + request_.machine.safe_height_mm;
         return options;

@@ -21,6 +21,12 @@ void warnOfResiduals(Plan& plan, const PlannedFeature& planned) {
     }
 }
 
+void warnOfAllowance(Plan& plan, const PlannedFeature& planned) {
+    const std::string& why = planned.sequence.no_allowance;
+    if (!why.empty())
+        plan.warnings.push_back({"no-allowance", planned.feature.id, "finishing allowance: " + why});
+}
+
 /// A part is called not 2.5D when more than this share of stock minus part is out of reach from above, ...
 constexpr double kUnreachableShare = 0.1;
 /// ... or when more than this share of its faces is neither flat nor a cylinder.
@@ -121,8 +127,10 @@ void warnOfShape(Plan& plan) {
 }
 
 void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
-    for (const PlannedFeature& planned : setup.features)
+    for (const PlannedFeature& planned : setup.features) {
         warnOfResiduals(plan, planned);
+        warnOfAllowance(plan, planned);
+    }
     warnOfSlowSteps(plan, setup);
     warnOfTravel(plan, setup);
 }

@@ -31,13 +31,15 @@ void warnOfSlowSteps(Plan& plan, const PlannedSetup& setup) {
     for (const PlannedFeature& planned : setup.features) {
         std::map<std::string, Share> shares;
         for (const SequenceStep& step : planned.sequence.steps) {
+            // What is asked for is not slow.
+            if (step.role == Role::Finish) continue;
             Share& share = shares[step.tool_id];
             share.area_mm2 += step.area.new_area_mm2;
             share.for_holder = share.for_holder || step.role == Role::Surrogate;
         }
         double whole_s = 0;
         for (const Operation& operation : setup.operations) {
-            if (operation.feature_id != planned.feature.id) continue;
+            if (operation.feature_id != planned.feature.id || operation.role == Role::Finish) continue;
             shares[operation.tool_id].time_s += operation.path.totals.time_s();
             whole_s += operation.path.totals.time_s();
         }

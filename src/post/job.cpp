@@ -24,6 +24,7 @@ JobOperation operationOf(const Plan& plan, const Operation& operation) {
     job.layers = operation.path.layers;
     job.step_down_mm = operation.path.step_down_mm;
     job.z_floor_mm = operation.z_floor_mm;
+    job.leaves = operation.leaves;
     job.speed_rpm = operation.speed_rpm;
     job.coolant = operation.coolant;
     job.dwell_s = operation.dwell_s;

@@ -108,10 +108,16 @@ class ProgramWriter {
     }
 
     std::string describe(const JobOperation& operation) const {
-        return comment(fmt::format("{} feature {} T{} {} {}, {} x {} {} deep to Z{}", operation.id,
+        return comment(fmt::format("{} feature {} T{} {} {}, {} x {} {} deep to Z{}{}", operation.id,
                                    operation.feature_id, operation.tool.number, operation.role,
                                    operation.pattern, operation.layers, length(operation.step_down_mm),
-                                   unit(), length(operation.z_floor_mm)));
+                                   unit(), length(operation.z_floor_mm), leaves(operation.leaves)));
+    }
+
+    std::string leaves(const FinishAllowance& allowance) const {
+        if (!allowance.any()) return {};
+        return fmt::format(", leaves walls {}, floor {}", length(allowance.walls_mm),
+                           length(allowance.floors_mm));
     }
 
     void changeOver(const JobOperation* before, const JobOperation& next) {

@@ -200,6 +200,11 @@ std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
     return html + "</table>\n";
 }
 
+std::string leavesWords(const FinishAllowance& leaves) {
+    if (!leaves.any()) return {};
+    return fmt::format(", leaves {:g} on walls, {:g} on the floor", leaves.walls_mm, leaves.floors_mm);
+}
+
 std::string operationsTable(const PlannedSetup& setup) {
     std::string html = "<h3>Operations in machining order</h3>\n<table>" +
                        headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down",
@@ -208,7 +213,7 @@ std::string operationsTable(const PlannedSetup& setup) {
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
         html += "<tr>" + cell(operation.id) + cell(operation.feature_id) + cell(operation.tool_id) +
-                cell(toString(operation.role)) + cell(path.pattern) +
+                cell(toString(operation.role) + leavesWords(operation.leaves)) + cell(path.pattern) +
                 numberCell(std::to_string(path.layers)) + cell(path.step_down_mm, 2) +
                 cell(path.step_over_mm, 2) + cell(path.feed_mm_per_min, 0) +
                 cell(path.plunge_feed_mm_per_min, 0) + cell(operation.speed_rpm, 0) +
@@ -263,7 +268,7 @@ std::string choiceTables(const PlannedFeature& planned) {
     std::set<std::pair<std::string, std::string>> chosen;
     std::string previous;
     for (const SequenceStep& step : sequence.steps) {
-        if (step.role == Role::Surrogate) continue;
+        if (step.role == Role::Surrogate || step.tool_id == previous) continue;
         chosen.insert({previous, step.tool_id});
         previous = step.tool_id;
     }
@@ -316,10 +321,10 @@ std::string featureSection(const PlannedSetup& setup, const PlannedFeature& plan
     html += residualList(planned) + "<div class=\"steps\">\n";
     const std::vector<const Operation*> operations = operationsOf(setup, feature.id);
     STEPMILL_CHECK(operations.size() == planned.sequence.steps.size(), "every step is one operation");
-    const double depth_mm = feature.top_z_mm - planned.sequence.floor_z_mm;
     for (std::size_t i = 0; i < planned.sequence.steps.size(); ++i) {
         const SequenceStep& step = planned.sequence.steps[i];
         const Operation* operation = operations[i];
+        const double depth_mm = operation->z_top_mm - operation->z_floor_mm;
         html += fmt::format(
             "<figure>{}<figcaption>{}. {} ({}): {:.2f} mm² new ({:.3f} cm³), {} layers of {:.2f} mm, "
             "{}</figcaption>"

@@ -121,8 +121,10 @@ Json residualJson(const Residual& residual) {
 /// The tools of the DAG's cheapest path; their surrogates stand with the edges.
 Json pathJson(const ToolSequence& sequence) {
     Json path = Json::array();
-    for (const SequenceStep& step : sequence.steps)
-        if (step.role != Role::Surrogate) path.push_back(step.tool_id);
+    for (const SequenceStep& step : sequence.steps) {
+        if (step.role == Role::Surrogate) continue;
+        if (path.empty() || path.back() != step.tool_id) path.push_back(step.tool_id);
+    }
     return path;
 }
 
@@ -205,29 +207,34 @@ Json regionPatternsJson(const RegionPatterns& region) {
 
 Json operationJson(const Operation& operation) {
     const Toolpath& path = operation.path;
-    return {{"id", operation.id},
-            {"setup", operation.setup_id},
-            {"feature", operation.feature_id},
-            {"tool", operation.tool_id},
-            {"role", toString(operation.role)},
-            {"pattern", path.pattern},
-            {"regions", listOf(path.regions, regionPatternsJson)},
-            {"layers", path.layers},
-            {"z_top_mm", number(operation.z_top_mm)},
-            {"z_floor_mm", number(operation.z_floor_mm)},
-            {"step_over_mm", number(path.step_over_mm)},
-            {"step_down_mm", number(path.step_down_mm)},
-            {"feed_mm_per_min", number(path.feed_mm_per_min)},
-            {"plunge_feed_mm_per_min", number(path.plunge_feed_mm_per_min)},
-            {"speed_rpm", number(operation.speed_rpm)},
-            {"coolant", toString(operation.coolant)},
-            {"dwell_s", number(operation.dwell_s)},
-            {"even_length_mm", number(operation.even_length_mm)},
-            {"cut_length_mm", number(path.totals.cut_length_mm)},
-            {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
-            {"air_length_mm", number(path.totals.air_length_mm)},
-            {"time_s", number(path.totals.time_s() + operation.dwell_s)},
-            {"motion_time_s", number(path.totals.motion_time_s + operation.dwell_s)}};
+    Json json{{"id", operation.id},
+              {"setup", operation.setup_id},
+              {"feature", operation.feature_id},
+              {"tool", operation.tool_id},
+              {"role", toString(operation.role)},
+              {"pattern", path.pattern},
+              {"regions", listOf(path.regions, regionPatternsJson)},
+              {"layers", path.layers},
+              {"z_top_mm", number(operation.z_top_mm)},
+              {"z_floor_mm", number(operation.z_floor_mm)},
+              {"step_over_mm", number(path.step_over_mm)},
+              {"step_down_mm", number(path.step_down_mm)},
+              {"feed_mm_per_min", number(path.feed_mm_per_min)},
+              {"plunge_feed_mm_per_min", number(path.plunge_feed_mm_per_min)},
+              {"speed_rpm", number(operation.speed_rpm)},
+              {"coolant", toString(operation.coolant)},
+              {"dwell_s", number(operation.dwell_s)},
+              {"even_length_mm", number(operation.even_length_mm)},
+              {"cut_length_mm", number(path.totals.cut_length_mm)},
+              {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
+              {"air_length_mm", number(path.totals.air_length_mm)},
+              {"time_s", number(path.totals.time_s() + operation.dwell_s)},
+              {"motion_time_s", number(path.totals.motion_time_s + operation.dwell_s)}};
+    if (operation.leaves.any()) {
+        json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
+        json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);
+    }
+    return json;
 }
 
 Json reasonJson(const ReasonVolume& entry) {

@@ -42,7 +42,7 @@ std::string toolWords(const ToolSequence& sequence) {
     std::string last;
     for (const SequenceStep& step : sequence.steps) {
         const bool surrogate = step.role == Role::Surrogate;
-        if (surrogate && in_brackets && step.tool_id == last) continue;
+        if (step.tool_id == last && (step.role == Role::Finish || (surrogate && in_brackets))) continue;
         if (in_brackets && !surrogate) words += ")";
         if (surrogate)
             words += in_brackets ? ", " : " (+ ";

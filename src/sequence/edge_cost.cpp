@@ -16,6 +16,8 @@ std::string toString(Role role) {
             return "surrogate";
         case Role::Drill:
             return "drill";
+        case Role::Finish:
+            return "finish";
     }
     return "rough";
 }

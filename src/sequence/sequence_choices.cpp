@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/drilling.h"
+#include "sequence/finishing.h"
 #include "sequence/residuals.h"
 #include "stepmill/sequence/tool_dag.h"
 
@@ -196,6 +197,14 @@ void addUp(const SequenceChoices& from, ToolSequence& sequence) {
 
 void SequenceChoices::take(std::size_t index, ToolSequence& sequence) const {
     const std::vector<int>& path = index == 0 ? dag.path : paths_.at(index);
+    AllowanceSteps finished = stepsWithAllowance(task(), usedOn(path));
+    sequence.no_allowance = std::move(finished.less);
+    sequence.steps = finished.steps.empty() ? stepsOn(path) : std::move(finished.steps);
+    sequence.edges = listEdges(*this, path);
+    addUp(*this, sequence);
+}
+
+std::vector<SequenceStep> SequenceChoices::stepsOn(const std::vector<int>& path) const {
     const DagTask on = task();
     // Every tool's step and after it those of its surrogates.
     std::vector<std::vector<SequenceStep>> steps(path.size());
@@ -209,11 +218,10 @@ void SequenceChoices::take(std::size_t index, ToolSequence& sequence) const {
         for (SequenceStep& step : helpSteps(edge.help, next, *finder, tools))
             steps[i].push_back(std::move(step));
     });
-    sequence.steps.clear();
+    std::vector<SequenceStep> all;
     for (std::vector<SequenceStep>& of_edge : steps)
-        std::move(of_edge.begin(), of_edge.end(), std::back_inserter(sequence.steps));
-    sequence.edges = listEdges(*this, path);
-    addUp(*this, sequence);
+        std::move(of_edge.begin(), of_edge.end(), std::back_inserter(all));
+    return all;
 }
 
 std::vector<SequenceChoice> choicesOf(const ToolSequence& sequence) {

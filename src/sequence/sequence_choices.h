@@ -43,6 +43,7 @@ class SequenceChoices {
     std::vector<Residual> left() const;
 
   private:
+    std::vector<SequenceStep> stepsOn(const std::vector<int>& path) const;
     std::vector<const Candidate*> usedOn(const std::vector<int>& path) const;
     const WeighedEdge* edgeBetween(int from, int to) const;
     std::vector<std::string> visitsOn(const std::vector<int>& path) const;

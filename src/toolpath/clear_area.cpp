@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "stepmill/core/error.h"
-#include "stepmill/core/units.h"
 #include "stepmill/toolpath/toolpath.h"
+#include "toolpath/path_frame.h"
 #include "toolpath/region_cut.h"
 #include "toolpath/visit_order.h"
 
@@ -13,40 +13,11 @@ namespace stepmill {
 
 namespace {
 
-/// Where the cutting data name no ramp angle.
-constexpr double kDefaultRampAngleDeg = 3;
-/// A depth that exceeds whole steps by no more than this share of a step takes no further layer.
-constexpr double kLayerExcess = 1e-9;
-
-int layersFor(double depth_mm, double step_down_mm) {
-    if (step_down_mm <= 0) return 1;
-    return std::max(1, static_cast<int>(std::ceil(depth_mm / step_down_mm - kLayerExcess)));
-}
-
-double rampAngle(const CuttingData& cutting) {
-    return degToRad(cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg);
-}
-
 Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData& cutting,
                    const Machine& machine) {
-    Toolpath path;
+    const int layers = toolpath::layersFor(task.top_z_mm - task.floor_z_mm, cutting.step_down_mm);
+    Toolpath path = toolpath::pathFrame(task, layers, radius_mm, cutting, machine);
     path.pattern = toString(Pattern::ContourInsideOut);
-    path.step_over_mm = toolpath::usedStepOver(cutting, radius_mm);
-    const double depth_mm = task.top_z_mm - task.floor_z_mm;
-    path.layers = layersFor(depth_mm, cutting.step_down_mm);
-    path.step_down_mm = depth_mm / path.layers;
-    const double limit = machine.max_feed_mm_per_min;
-    const auto limited = [&](double feed) { return limit > 0 ? std::min(feed, limit) : feed; };
-    path.feed_mm_per_min = limited(cutting.feed_mm_per_min);
-    path.plunge_feed_mm_per_min = limited(cutting.plunge_feed_mm_per_min > 0 ? cutting.plunge_feed_mm_per_min
-                                                                             : cutting.feed_mm_per_min);
-    path.ramp_feed_mm_per_min =
-        rampFeed(path.feed_mm_per_min, path.plunge_feed_mm_per_min, rampAngle(cutting));
-    // A slot feed that is none slower needs no telling apart; ramps cut full width too.
-    if (cutting.slot_feed_mm_per_min > 0 && cutting.slot_feed_mm_per_min < path.feed_mm_per_min) {
-        path.slot_feed_mm_per_min = cutting.slot_feed_mm_per_min;
-        path.ramp_feed_mm_per_min = std::min(path.ramp_feed_mm_per_min, path.slot_feed_mm_per_min);
-    }
     return path;
 }
 

@@ -7,6 +7,7 @@
 
 #include "stepmill/core/units.h"
 #include "toolpath/engagement.h"
+#include "toolpath/path_frame.h"
 #include "toolpath/visit_order.h"
 
 namespace stepmill::toolpath {
@@ -120,8 +121,7 @@ double RegionCutter::leastTime(const std::vector<Pass>& passes) const {
 }
 
 double RegionCutter::levelOf(int layer) const {
-    const ClearingTask& clearing = task_.clearing;
-    return layer == frame_.layers ? clearing.floor_z_mm : clearing.top_z_mm - layer * frame_.step_down_mm;
+    return toolpath::levelOf(task_.clearing, frame_, layer);
 }
 
 LayerHeights RegionCutter::heights(int from_layer, int to_layer) const {

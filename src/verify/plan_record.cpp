@@ -95,6 +95,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.pattern = json["pattern"];
     operation.layers = json["layers"];
     operation.z_floor_mm = json["z_floor_mm"];
+    operation.leaves = {json.value("leaves_on_walls_mm", 0.0), json.value("leaves_on_floor_mm", 0.0)};
     operation.step_down_mm = json["step_down_mm"];
     operation.feed_mm_per_min = json["feed_mm_per_min"];
     operation.plunge_feed_mm_per_min = json["plunge_feed_mm_per_min"];
@@ -254,6 +255,7 @@ JobOperation jobOperation(const RecordedOperation& planned, const ReadOperation&
     operation.layers = planned.layers;
     operation.step_down_mm = planned.step_down_mm;
     operation.z_floor_mm = planned.z_floor_mm;
+    operation.leaves = planned.leaves;
     operation.speed_rpm = planned.speed_rpm;
     operation.coolant = planned.coolant;
     operation.dwell_s = planned.dwell_s;

@@ -3,6 +3,7 @@
 #include "verify/prove_operation.h"
 
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,11 +12,13 @@
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "toolpath/curve.h"
+#include "toolpath/swept_region.h"
 #include "verify/read_path.h"
-#include "verify/swept_region.h"
 
 namespace stepmill::verify {
 namespace {
+
+using toolpath::sweptRegion;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Heights closer than this are one: half a last decimal, in inches or mm [mm].
@@ -46,7 +49,7 @@ void checkClearance(const LinedPath& path, const ClearingTask& task, double radi
     const int line = firstFailingLine(path, [&](const Toolpath& part) {
         return prove(part, task, radius_mm, tol).least_clearance_mm < allowed_mm;
     });
-    findings.add(line, fmt::format("{} by {:.4f} mm", what, -clearance));
+    findings.add(line, fmt::format("{} by {:.4f} mm", what, allowed_mm + tol.gouge_mm - clearance));
 }
 
 /// How deep the tip may go.
@@ -163,7 +166,30 @@ class OwnMaterial {
     double cut_at_mm_ = -kInfinite;  ///< highest height that something was taken off for
 };
 
+/// The feature from one height that operations go down to up to the next, as a task for prove().
+std::vector<ClearingTask> bandsOf(const FeatureState& state, const RecordedOperation& planned) {
+    std::vector<ClearingTask> bands;
+    for (std::size_t i = 0; i < state.standing.size(); ++i) {
+        ClearingTask band;
+        band.target = state.standing[i].region;
+        band.obstruction = state.feature.obstruction;
+        const bool highest = i + 1 == state.standing.size();
+        band.top_z_mm = highest ? state.feature.top_z_mm : state.standing[i + 1].z_mm;
+        band.floor_z_mm = planned.z_floor_mm;
+        band.retract_z_mm = std::max(state.safe_z_mm, state.feature.top_z_mm);
+        bands.push_back(std::move(band));
+    }
+    return bands;
+}
+
 }  // namespace
+
+const Region& FeatureState::standingAt(double z_mm) const {
+    const Region* found = &standing.front().region;
+    for (const StandingAbove& above : standing)
+        if (above.z_mm <= z_mm + kSameHeightMm) found = &above.region;
+    return *found;
+}
 
 void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                 bool last_before_change, const Tolerances& tol, const Findings& findings) {
@@ -172,15 +198,13 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
     checkEnds(operation, state.safe_z_mm, last_before_change, findings);
     checkFloor(operation, lowestZ(planned, feature), tol, findings);
 
-    ClearingTask task;
-    task.target = state.standing;
-    task.obstruction = feature.obstruction;
-    task.top_z_mm = feature.top_z_mm;
-    task.floor_z_mm = planned.z_floor_mm;
-    task.retract_z_mm = std::max(state.safe_z_mm, feature.top_z_mm);
+    const std::vector<ClearingTask> bands = bandsOf(state, planned);
     const LinedPath whole = wholePath(operation);
-    checkClearance(whole, task, radius_mm, -tol.gouge_mm, tol, findings.proof.clearance_mm,
-                   "cuts into what must stay", findings);
+    checkClearance(whole, bands.back(), radius_mm, planned.leaves.walls_mm - tol.gouge_mm, tol,
+                   findings.proof.clearance_mm,
+                   planned.leaves.walls_mm > 0 ? "cuts into the finishing allowance or what must stay"
+                                                  : "cuts into what must stay",
+                   findings);
     // Feeds over the feature's top, where prove() takes for granted that nothing stands.
     const LinedPath above = somePath(operation, 0, [&](const Vec3& from, const Move& move) {
         const double low = lowOf(from, move);
@@ -189,12 +213,15 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
     checkClearance(above, keepOff(feature.obstruction), radius_mm, -tol.gouge_mm, tol,
                    findings.proof.clearance_mm, "meets what stands over the feature", findings);
 
-    const auto rapidFails = [&](const Toolpath& part) {
-        return !prove(part, task, radius_mm, tol).rapids_clear;
-    };
-    findings.proof.rapids_clear = !rapidFails(whole.path);
-    if (!findings.proof.rapids_clear)
+    for (const ClearingTask& band : bands) {
+        const auto rapidFails = [&](const Toolpath& part) {
+            return !prove(part, band, radius_mm, tol).rapids_clear;
+        };
+        if (!rapidFails(whole.path)) continue;
+        findings.proof.rapids_clear = false;
         findings.add(firstFailingLine(whole, rapidFails), "a rapid meets material that is still there");
+        break;
+    }
 }
 
 void proveHolder(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
@@ -217,7 +244,7 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
             checkClearance(met, keepOff(obstacle.section), radius_mm, -tol.gouge_mm, tol, least_mm, what,
                            findings);
         }
-        OwnMaterial own(operation, planned, state.standing, tol);
+        std::map<const Region*, OwnMaterial> own;
         Vec3 from = operation.start;
         for (std::size_t i = 0; i < operation.moves.size(); ++i) {
             const Move& move = operation.moves[i].fed.move;
@@ -226,7 +253,9 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
                 toolpath::makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
             from = move.to;
             if (z >= feature.top_z_mm - kSameHeightMm) continue;
-            const double clearance = own.clearance(way, radius_mm, z, i);
+            const Region& standing = state.standingAt(z);
+            OwnMaterial& there = own.try_emplace(&standing, operation, planned, standing, tol).first->second;
+            const double clearance = there.clearance(way, radius_mm, z, i);
             least_mm = std::min(least_mm, clearance);
             if (clearance >= -tol.gouge_mm) continue;
             findings.add(operation.moves[i].line,

@@ -4,11 +4,22 @@
 
 namespace stepmill::verify {
 
+/// What of a feature's target stands above a height: all that no operation has cleared down to there.
+struct StandingAbove {
+    double z_mm = 0;
+    Region region;
+};
+
 /// A feature while the program runs: what of it is still there.
 struct FeatureState {
-    Feature feature;       ///< below what its ancestors left, beside the fixtures [plan/plan_steps.h]
-    Region standing;       ///< of the target, over its whole depth
+    Feature feature;  ///< below what its ancestors left, beside the fixtures [plan/plan_steps.h]
+    /// At every height that operations of the feature go down to, from below; the first is what stands over
+    /// the floor. Each holds the ones above it.
+    std::vector<StandingAbove> standing;
     double safe_z_mm = 0;  ///< nothing stands higher in the setup, neither stock nor fixture
+
+    /// What may stand at that height.
+    const Region& standingAt(double z_mm) const;
 };
 
 /// Where an operation's checks report to.

@@ -61,7 +61,9 @@ class SetupProver {
         verify::proveMoves(operation, planned, state, last_before_change, tol_, findings);
         verify::proveHolder(operation, planned, state, tol_, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
-        if (!cleared.empty()) state.standing = subtract(state.standing, cleared, tol_);
+        for (verify::StandingAbove& above : state.standing)
+            if (!cleared.empty() && above.z_mm >= planned.z_floor_mm)
+                above.region = subtract(above.region, cleared, tol_);
         const std::vector<Region> left = leftOf(planned, state);
         for (const Region& piece : left)
             proof.left_mm2 += area(piece);
@@ -91,7 +93,11 @@ class SetupProver {
                                 ancestorsOf(planned.feature, by_id_), setup_.fixtures, tol_)
                             .feature;
         state.safe_z_mm = highestFixtureMm(setup_.fixtures);
-        state.standing = state.feature.target;
+        std::set<double> heights;
+        for (const auto& [operation_id, operation] : record_.operations)
+            if (operation.feature_id == id) heights.insert(operation.z_floor_mm);
+        for (const double z_mm : heights)
+            state.standing.push_back({z_mm, state.feature.target});
         return states_.emplace(id, std::move(state)).first->second;
     }
 
@@ -128,9 +134,10 @@ class SetupProver {
             if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
                 named.push_back(residual.region);
         }
-        const bool all_named = state.standing.empty() || named.empty();
+        const Region& standing = state.standingAt(planned.z_floor_mm);
+        const bool all_named = standing.empty() || named.empty();
         std::vector<Region> pieces =
-            components(all_named ? state.standing : subtract(state.standing, unite(named, tol_), tol_));
+            components(all_named ? standing : subtract(standing, unite(named, tol_), tol_));
         std::erase_if(pieces, [&](const Region& piece) {
             return area(piece) <= tol_.area_mm2 || meanWidthMm(piece) <= kThinSlivers * tol_.sliver_mm;
         });

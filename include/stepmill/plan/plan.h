@@ -33,7 +33,8 @@ struct Operation {
     Toolpath path;
     PathProof proof;
     double z_top_mm = 0;
-    double z_floor_mm = 0;
+    double z_floor_mm = 0;   ///< of this operation: with an allowance on the floor, as much over it
+    FinishAllowance leaves;  ///< for a finishing operation of the same feature
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path

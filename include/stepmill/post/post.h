@@ -39,6 +39,7 @@ struct JobOperation {
     int layers = 1;
     double step_down_mm = 0;
     double z_floor_mm = 0;
+    FinishAllowance leaves;  ///< for a finishing operation
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of a drilled hole

@@ -22,6 +22,19 @@ enum class SurrogateRule {
     Sequence  ///< one tool or several after another, whichever is cheapest
 };
 
+/// Material that roughing leaves for a finishing pass to take off. Nothing: there is no such pass.
+struct FinishAllowance {
+    double walls_mm = 0;   ///< beside what must stay; open edges need none
+    double floors_mm = 0;  ///< over the floor; what goes through has none
+
+    bool any() const { return walls_mm > 0 || floors_mm > 0; }
+    bool operator==(const FinishAllowance&) const = default;
+};
+
+/// Allowances a plan may ask for, apart from none [mm].
+inline constexpr double kLeastAllowanceMm = 0.01;
+inline constexpr double kMostAllowanceMm = 5;
+
 struct SequenceOptions {
     std::string material;
     Objective objective = Objective::Time;
@@ -33,6 +46,9 @@ struct SequenceOptions {
     /// Turn down tools whose shank or holder would meet what they leave of the feature itself. [DSouza2006]
     /// looks at the stock right after the feature and does not; a plan must.
     bool clear_of_own_material = false;
+    /// What the chosen sequence leaves on walls and floors, and then takes off in finishing steps. The choice
+    /// itself is made without: finishing adds about the same to every sequence.
+    FinishAllowance finish;
 };
 
 /// What a surrogate does on an edge of the tool DAG.
@@ -69,7 +85,7 @@ struct Residual {
     std::string advice;  ///< what would machine it ("an end mill of 2.4 mm or less")
 };
 
-enum class Role { Face, Rough, Rest, Surrogate, Drill };
+enum class Role { Face, Rough, Rest, Surrogate, Drill, Finish };
 std::string toString(Role role);
 
 /// One tool's part in a feature.
@@ -82,6 +98,7 @@ struct SequenceStep {
     double speed_rpm = 0;
     /// How far the tool must be set out at least for this step; its only stick-out where it has no range.
     double least_stick_out_mm = 0;
+    FinishAllowance leaves;  ///< what a finishing step after it takes off
 };
 
 /// A way through a feature's tool DAG.
@@ -109,6 +126,8 @@ struct ToolSequence {
     double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
     int pruned_edges = 0;        ///< DAG edges whose lower bound ruled them out unevaluated
     std::vector<Residual> residual;
+    /// Why the steps leave less allowance than was asked for, in words; empty when they do not.
+    std::string no_allowance;
     std::shared_ptr<const SequenceChoices> choices;  ///< null where there are no steps
 };
 

@@ -21,6 +21,7 @@ struct RecordedOperation {
     std::string pattern;
     int layers = 1;
     double z_floor_mm = 0;
+    FinishAllowance leaves;  ///< for a finishing operation
     double step_down_mm = 0;
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;

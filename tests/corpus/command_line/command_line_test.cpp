@@ -85,6 +85,9 @@ TEST_F(CommandLine, RefusesUnknownOptionsAndWords) {
     expectRefused(plan({kPart, "-o", out_.string(), "--objective", "fun"}), out_, {"--objective"});
     expectRefused(plan({kPart, "-o", out_.string(), "--cost-model", "guess"}), out_, {"--cost-model", "guess"});
     expectRefused(plan({kPart, "-o", out_.string(), "--solid", "9"}), out_, {"--solid", "9"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--finish-walls", "-0.3"}), out_,
+                  {"--finish-walls", "0 or 0.01 to 5 mm", "-0.3"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--finish-floors", "300"}), out_, {"--finish-floors", "300"});
 }
 
 TEST_F(CommandLine, PlansByTheModelThatIsAskedForAndSaysSo) {

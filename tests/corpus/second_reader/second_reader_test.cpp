@@ -150,15 +150,17 @@ void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSet
     }
 }
 
-void readAll(const std::vector<std::string>& parts) {
+void readAll(const std::vector<std::string>& parts, const std::vector<std::string>& options = {}) {
     STEPMILL_NEEDS_SECOND_READER();
     if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
     Count count;
     for (const std::string& part : parts) {
         const TemporaryFolder folder;
         const fs::path out = fs::path(folder.path()) / "plan";
-        const ProgramRun run = runProgram(
-            {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
+        std::vector<std::string> words{
+            stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)};
+        words.insert(words.end(), options.begin(), options.end());
+        const ProgramRun run = runProgram(words);
         if (run.exit_code == 2) continue;  // refused with a reason: no program
         ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
         const PlanFiles files = readPlanFiles(out, std::nullopt, kTol);
@@ -173,6 +175,10 @@ void readAll(const std::vector<std::string>& parts) {
 
 TEST(SecondReaderCorpus, UnderstandsEverySamplePartAsWeDo) {
     readAll(sampleParts());
+}
+
+TEST(SecondReaderCorpus, UnderstandsFinishingPassesAsWeDo) {
+    readAll(sampleParts(), {"--finish-walls", "0.3", "--finish-floors", "0.2"});
 }
 
 TEST(SecondReaderCorpus, UnderstandsEveryPlanningTargetAsWeDo) {

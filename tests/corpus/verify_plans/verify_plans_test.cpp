@@ -18,9 +18,14 @@ using Json = nlohmann::json;
 
 constexpr int kTimeLimitS = 30;
 
-ProgramRun plan(const std::string& part, const fs::path& out) {
-    return runProgram(
-        {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
+using Words = std::vector<std::string>;
+
+const Words kWithAllowance{"--finish-walls", "0.3", "--finish-floors", "0.2"};
+
+ProgramRun plan(const std::string& part, const fs::path& out, const Words& options = {}) {
+    Words words{stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)};
+    words.insert(words.end(), options.begin(), options.end());
+    return runProgram(words);
 }
 
 ProgramRun verify(const fs::path& dir, std::vector<std::string> options = {}) {
@@ -28,13 +33,13 @@ ProgramRun verify(const fs::path& dir, std::vector<std::string> options = {}) {
     return runProgram(options);
 }
 
-void proveAll(const std::vector<std::string>& parts) {
+void proveAll(const std::vector<std::string>& parts, const Words& options = {}) {
     if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
     for (const std::string& part : parts) {
         const TemporaryFolder folder;
         const fs::path out = fs::path(folder.path()) / "plan";
         const std::string name = fs::path(part).filename().string();
-        const ProgramRun planned = plan(part, out);
+        const ProgramRun planned = plan(part, out, options);
         EXPECT_NE(planned.exit_code, 3) << name << ": " << planned.err;
         if (planned.exit_code > 1) continue;  // refused with a reason
         const ProgramRun run = verify(out, {"--json", "--part", part});
@@ -53,6 +58,13 @@ TEST(VerifyPlans, EverySamplePartIsProven) {
 }
 TEST(VerifyPlans, EveryPlanningTargetIsProven) {
     proveAll(planningTargets());
+}
+
+TEST(VerifyPlans, EverySamplePartIsProvenWithAFinishingAllowance) {
+    proveAll(sampleParts(), kWithAllowance);
+}
+TEST(VerifyPlans, EveryPlanningTargetIsProvenWithAFinishingAllowance) {
+    proveAll(planningTargets(), kWithAllowance);
 }
 
 TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
@@ -83,12 +95,14 @@ TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
 class SpoiltProgram : public testing::Test {
   protected:
     void SetUp() override {
-        ASSERT_EQ(plan(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step", dir_).exit_code,
-                  0);
+        const std::string part = std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step";
+        ASSERT_EQ(plan(part, dir_, options()).exit_code, 0);
         std::ifstream file(dir_ / "S1.ngc");
         for (std::string line; std::getline(file, line);)
             lines_.push_back(line);
     }
+
+    virtual Words options() const { return {}; }
 
     /// Index of the first line from `after` on with these words.
     std::size_t find(const std::string& words, std::size_t after = 0) const {
@@ -130,11 +144,11 @@ class SpoiltProgram : public testing::Test {
         EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
     }
 
-    /// The straight feed whose X lies farthest left, which is along the left wall.
-    std::size_t wallLine(double& x) const {
+    /// The straight feed whose X lies farthest left, which is along the left wall; of the lines before `end`.
+    std::size_t wallLine(double& x, std::size_t end) const {
         std::size_t found = 0;
         x = 1e9;
-        for (std::size_t i = 0; i < lines_.size(); ++i) {
+        for (std::size_t i = 0; i < end; ++i) {
             const std::size_t at = lines_[i].find(" X");
             if (lines_[i].find("G1 ") == std::string::npos || at == std::string::npos) continue;
             const double here = std::stod(lines_[i].substr(at + 2));
@@ -157,7 +171,7 @@ TEST_F(SpoiltProgram, IsProvenAsItWas) {
 
 TEST_F(SpoiltProgram, ShowsAHundredthOfAMillimetreIntoTheWall) {
     double x = 0;
-    const std::size_t line = wallLine(x);
+    const std::size_t line = wallLine(x, lines_.size());
     replace(line, fmt::format("X{:.4f}", x), fmt::format("X{:.4f}", x - 0.01));
     expectFails(line, "cuts into what must stay by 0.0");
 }
@@ -284,6 +298,44 @@ TEST_F(SpoiltProgram, ShowsAClampInTheWay) {
     const ProgramRun run = verify(dir_);
     EXPECT_EQ(run.exit_code, 3) << run.out;
     EXPECT_NE(run.out.find("cuts into what must stay"), std::string::npos) << run.out;
+}
+
+/// The same with finishing passes.
+class SpoiltFinishing : public SpoiltProgram {
+  protected:
+    Words options() const override { return kWithAllowance; }
+};
+
+TEST_F(SpoiltFinishing, IsProvenAsItWas) {
+    EXPECT_EQ(verifySpoilt().exit_code, 0);
+}
+
+TEST_F(SpoiltFinishing, ShowsRoughingThatCutsIntoTheAllowance) {
+    double x = 0;
+    const std::size_t line = wallLine(x, find("(S1.O2 "));
+    replace(line, fmt::format("X{:.4f}", x), fmt::format("X{:.4f}", x - 0.1));
+    expectFails(line, "cuts into the finishing allowance or what must stay by 0.09");
+}
+
+TEST_F(SpoiltFinishing, ShowsAPassAlongTheWallsThatIsNotRun) {
+    const std::size_t comment = find(" finish walls");
+    for (std::size_t i = lines_.size() - 1; i > comment; --i) {
+        const bool fed = lines_[i].find(" X") != std::string::npos;
+        if (fed && lines_[i].find(" G0 ") == std::string::npos)
+            lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    expectFails(comment, "that the plan does not name");
+}
+
+TEST_F(SpoiltFinishing, ShowsAFloorThatIsNotFinished) {
+    const std::size_t comment = find("(S1.O2 ");
+    const std::size_t end = find("(S1.O3 ");
+    for (std::size_t i = comment; i < end; ++i)
+        if (const std::size_t z = lines_[i].find("Z-12.0000"); z != std::string::npos)
+            lines_[i].replace(z, 9, "Z-11.9000");
+    const ProgramRun run = verifySpoilt();
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_NE(run.out.find("that the plan does not name"), std::string::npos) << run.out;
 }
 
 TEST_F(SpoiltProgram, IsNotPosted) {

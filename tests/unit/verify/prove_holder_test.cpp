@@ -15,7 +15,7 @@ class NarrowPocket : public ::testing::Test {
   protected:
     NarrowPocket() {
         state_.feature = test::makePocket(makeRectangle(Vec2(0, 0), Vec2(60, 20)), 30);
-        state_.standing = state_.feature.target;
+        state_.standing = {{-30, state_.feature.target}};
         planned_.tool = test::makeTool("EM10", ToolType::Flat, 10, 1000, 5);
         planned_.tool.stick_out_mm = 10;
         planned_.tool.shank = {10, 10, 10};

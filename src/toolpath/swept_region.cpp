@@ -1,13 +1,13 @@
 // What a disc sweeps: a box or a piece of ring along every edge, a disc at every corner.
 
-#include "verify/swept_region.h"
+#include "toolpath/swept_region.h"
 
 #include <cmath>
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 
-namespace stepmill::verify {
+namespace stepmill::toolpath {
 namespace {
 
 /// Corners that turn less than this need no disc of their own: the gap is some nanometres thin [rad].
@@ -94,4 +94,4 @@ Region sweptRegion(const std::vector<Path>& ways, double radius_mm, const Tolera
     return pieces.empty() ? Region{} : unite(pieces, tol);
 }
 
-}  // namespace stepmill::verify
+}  // namespace stepmill::toolpath

@@ -1,4 +1,4 @@
-#include "verify/swept_region.h"
+#include "toolpath/swept_region.h"
 
 #include <random>
 
@@ -6,7 +6,7 @@
 
 #include "stepmill/core/units.h"
 
-namespace stepmill::verify {
+namespace stepmill::toolpath {
 namespace {
 
 const Tolerances kTol;
@@ -82,4 +82,4 @@ TEST(SweptRegion, HoldsExactlyThePointsWithinTheRadius) {
 }
 
 }  // namespace
-}  // namespace stepmill::verify
+}  // namespace stepmill::toolpath

@@ -5,9 +5,9 @@
 #include "stepmill/core/tolerances.h"
 #include "stepmill/planar/region.h"
 
-namespace stepmill::verify {
+namespace stepmill::toolpath {
 
 /// All a disc of that radius touches on its way along lines and arcs. Exact but for rounding to the grid.
 Region sweptRegion(const std::vector<Path>& ways, double radius_mm, const Tolerances& tol);
 
-}  // namespace stepmill::verify
+}  // namespace stepmill::toolpath

@@ -1,0 +1,259 @@
+// Roughing that leaves an allowance, and the steps that take it off.
+
+#include "sequence/finishing.h"
+
+#include <fmt/format.h>
+
+#include "access/collision.h"
+#include "access/slivers.h"
+#include "sequence/holder_limits.h"
+#include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
+#include "toolpath/finish_walls.h"
+#include "toolpath/passes.h"
+
+namespace stepmill {
+namespace {
+
+/// The feature as roughing sees it: walls moved in, floor raised.
+Feature roughedTo(const FeatureGround& ground, const FinishAllowance& allowance) {
+    Feature feature = ground.feature();
+    if (allowance.walls_mm > 0) {
+        feature.obstruction = ground.obstructionOffset(allowance.walls_mm);
+        feature.target = ground.walledIn()
+                             ? ground.targetOffset(-allowance.walls_mm)
+                             : subtract(feature.target, feature.obstruction, ground.tolerances());
+        feature.area_mm2 = area(feature.target);
+        feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
+    }
+    if (allowance.floors_mm <= 0) return feature;
+    const double floor_z_mm = feature.floor_z_mm + allowance.floors_mm;
+    return withFloor(std::move(feature), floor_z_mm);
+}
+
+/// The layer that stays on the floor of a roughed feature.
+Feature layerUnder(Feature roughed, const Feature& whole) {
+    roughed.top_z_mm = roughed.floor_z_mm;
+    roughed.floor_z_mm = whole.floor_z_mm;
+    return roughed;
+}
+
+/// Steps with one allowance; `trouble` says why there cannot be any.
+class AllowanceTrial {
+  public:
+    AllowanceTrial(const DagTask& task, const std::vector<const Candidate*>& used,
+                   const FinishAllowance& allowance)
+        : task_(task),
+          feature_(task.ground.feature()),
+          tol_(task.ground.tolerances()),
+          used_(used),
+          allowance_(allowance),
+          rough_(roughedTo(task.ground, allowance), tol_),
+          layer_(layerUnder(rough_.feature(), feature_), tol_) {}
+
+    std::vector<SequenceStep> make() {
+        if (!findAreas() || !findStrip()) return {};
+        std::vector<SequenceStep> steps;
+        for (std::size_t i = 0; i < candidates_.size(); ++i) {
+            const Candidate* before = i == 0 ? nullptr : &candidates_[i - 1];
+            addStep(steps, roughStep(before, candidates_[i]), i);
+            if (allowance_.floors_mm > 0) addStep(steps, floorStep(before, candidates_[i]), i);
+        }
+        if (!strip_.empty()) {
+            SequenceStep walls = wallStep();
+            const Region left = access::withoutSliverComponents(
+                toolpath::leftBy(walls.path, strip_, feature_.floor_z_mm, last().tool->radius_mm(), tol_),
+                tol_);
+            if (area(left) > sameArea(feature_, tol_)) {
+                trouble_ = fmt::format("a pass along the walls by {} leaves {:.3g} mm2 of it",
+                                       last().tool->id, area(left));
+                return {};
+            }
+            addStep(steps, std::move(walls), candidates_.size() - 1);
+        }
+        return steps;
+    }
+
+    const std::string& trouble() const { return trouble_; }
+
+  private:
+    const Candidate& last() const { return *used_.back(); }
+
+    /// What the tools reach of the roughed feature.
+    bool findAreas() {
+        if (rough_.feature().target.empty()) {
+            trouble_ = "it is too narrow for one";
+            return false;
+        }
+        areas_.reserve(used_.size());
+        for (const Candidate* tool : used_) {
+            areas_.push_back(accessibleArea(rough_, *tool->tool, task_.options.material));
+            AccessibleArea& area = areas_.back();
+            if (!area.excluded && task_.options.clear_of_own_material)
+                area.excluded = access::ownMaterialTrouble(rough_, *tool->tool, area);
+            if (area.excluded) {
+                trouble_ = fmt::format("with one {} would not do: {}", tool->tool->id, area.excluded->text);
+                return false;
+            }
+            candidates_.push_back(*tool);
+            candidates_.back().area = &areas_.back();
+            candidates_.back().coverable_mm2 = areas_.back().coverable_area_mm2;
+        }
+        return true;
+    }
+
+    /// What roughing leaves along the walls and the last tool can reach.
+    bool findStrip() {
+        if (allowance_.walls_mm <= 0) return true;
+        std::vector<Region> roughed;
+        for (const AccessibleArea& area : areas_)
+            roughed.push_back(area.coverable);
+        strip_ = access::withoutSliverComponents(subtract(last().area->coverable, unite(roughed, tol_), tol_),
+                                                 tol_);
+        if (strip_.empty()) return true;
+        const auto widest = ClearanceDiagram(strip_, tol_).largestInscribedDisc();
+        if (!widest || 2 * widest->radius_mm <= kWidestFinishAllowances * allowance_.walls_mm) return true;
+        trouble_ =
+            fmt::format("{} does not pass X{:.2f} Y{:.2f} with one: {:.3g} mm would stay there",
+                        last().tool->id, widest->centre.x(), widest->centre.y(), 2 * widest->radius_mm);
+        return false;
+    }
+
+    void addStep(std::vector<SequenceStep>& steps, SequenceStep step, std::size_t tool) const {
+        if (step.path.moves.empty()) return;
+        // Proven against walls moved in.
+        step.proof.least_clearance_mm += step.leaves.walls_mm;
+        step.least_stick_out_mm = stickOut(tool);
+        steps.push_back(std::move(step));
+    }
+
+    double stickOut(std::size_t tool) const {
+        return std::max(leastStickOutMm(task_.ground, *used_[tool]->tool, used_[tool]->own()),
+                        leastStickOutMm(rough_, *used_[tool]->tool, areas_[tool]));
+    }
+
+    DagTask on(const FeatureGround& ground) const {
+        return {ground, candidates_, task_.ends, task_.options, task_.machine, task_.retract_z_mm, nullptr};
+    }
+
+    SequenceStep roughStep(const Candidate* before, const Candidate& tool) const {
+        SequenceStep step = makeStep(on(rough_), before, tool);
+        step.leaves = allowance_;
+        return step;
+    }
+
+    /// The tool's own ground down to the floor. What it has not roughed may stand up to the feature's top.
+    SequenceStep floorStep(const Candidate* before, Candidate tool) const {
+        AccessibleArea beside = *tool.area;
+        const Region& stays = beside.obstruction ? *beside.obstruction : rough_.feature().obstruction;
+        const Region stands =
+            access::withoutSliverComponents(subtract(rough_.feature().target, beside.accessible, tol_), tol_);
+        if (!stands.empty()) beside.obstruction = std::make_shared<const Region>(unite(stays, stands, tol_));
+        tool.area = &beside;
+        SequenceStep step = makeStep(on(layer_), before, tool);
+        step.role = Role::Finish;
+        step.path.pattern = "floor, " + step.path.pattern;
+        step.leaves.walls_mm = allowance_.walls_mm;
+        return step;
+    }
+
+    SequenceStep wallStep() const {
+        const AccessibleArea& reached = last().own();
+        ClearingTask clearing;
+        clearing.free_centres = reached.free_centres;
+        clearing.cleared_centres = areas_.back().free_centres;
+        clearing.target = feature_.target;
+        clearing.obstruction = reached.obstruction ? *reached.obstruction : feature_.obstruction;
+        clearing.top_z_mm = feature_.top_z_mm;
+        clearing.floor_z_mm = feature_.floor_z_mm;
+        clearing.retract_z_mm = task_.retract_z_mm;
+        SequenceStep step;
+        step.tool_id = last().tool->id;
+        step.role = Role::Finish;
+        step.speed_rpm = last().cutting.speed_rpm;
+        step.area.area = strip_;
+        step.area.new_area_mm2 = area(strip_);
+        std::vector<toolpath::KeptOff> kept_off;
+        // Set out farther, a tool only has more room.
+        const ToolAssembly shortest = setTo(*last().tool, stickOut(used_.size() - 1));
+        for (const access::Blocker& blocker : access::blockers(feature_, shortest))
+            kept_off.push_back({feature_.obstacles[blocker.obstacle].section, blocker.radius_mm});
+        step.path = toolpath::finishWalls({clearing, strip_, allowance_.walls_mm, std::move(kept_off)},
+                                          *last().tool, last().cutting, task_.machine, tol_);
+        step.proof = prove(step.path, clearing, last().tool->radius_mm(), tol_);
+        if (step.proof.least_clearance_mm < -tol_.gouge_mm || !step.proof.rapids_clear)
+            throw Error(ErrorCode::Internal, feature_.id,
+                        fmt::format("the finishing pass of {} is not clear of what stands: {:.4f} mm",
+                                    last().tool->id, step.proof.least_clearance_mm));
+        return step;
+    }
+
+    const DagTask& task_;
+    const Feature& feature_;
+    const Tolerances& tol_;
+    const std::vector<const Candidate*>& used_;
+    FinishAllowance allowance_;
+    FeatureGround rough_;
+    FeatureGround layer_;
+    std::vector<AccessibleArea> areas_;  ///< on rough_, of each tool; candidates point into it
+    std::vector<Candidate> candidates_;
+    Region strip_;
+    std::string trouble_;
+};
+
+/// What the feature can have of what was asked for, as far as numbers tell.
+FinishAllowance allowanceFor(const DagTask& task, const std::vector<const Candidate*>& used,
+                             std::string& less) {
+    const Feature& feature = task.ground.feature();
+    FinishAllowance allowance = task.options.finish;
+    if (feature.closed_length_mm <= task.ground.tolerances().sliver_mm) allowance.walls_mm = 0;
+    if (feature.through) allowance.floors_mm = 0;
+    if (allowance.floors_mm > 0 && feature.depth_mm() <= 2 * allowance.floors_mm) {
+        less = fmt::format("none on the floor: the feature is {:.3g} mm deep", feature.depth_mm());
+        allowance.floors_mm = 0;
+    }
+    for (const Candidate* tool : used) {
+        const double step_over_mm = toolpath::usedStepOver(tool->cutting, tool->tool->radius_mm());
+        if (allowance.walls_mm > step_over_mm) {
+            less = fmt::format("none on walls: it is more than the step-over of {}", tool->tool->id);
+            allowance.walls_mm = 0;
+        }
+        if (tool->cutting.step_down_mm > 0 && allowance.floors_mm > tool->cutting.step_down_mm) {
+            less = fmt::format("none on the floor: it is more than the step-down of {}", tool->tool->id);
+            allowance.floors_mm = 0;
+        }
+    }
+    return allowance;
+}
+
+/// Do all tools do alone what they reach, so that the last one reaches all?
+std::string helpNeeded(const std::vector<const Candidate*>& used) {
+    for (const Candidate* tool : used) {
+        if (tool->hasSurrogates())
+            return fmt::format("none: other tools clear what the holder keeps {} from", tool->tool->id);
+        if (!tool->area->limited.empty())
+            return fmt::format("none: the holder keeps {} off part of it", tool->tool->id);
+    }
+    return {};
+}
+
+}  // namespace
+
+AllowanceSteps stepsWithAllowance(const DagTask& task, const std::vector<const Candidate*>& used) {
+    AllowanceSteps made;
+    if (!task.options.finish.any() || used.empty() || used.back()->drill()) return made;
+    made.less = helpNeeded(used);
+    if (!made.less.empty()) return made;
+    FinishAllowance allowance = allowanceFor(task, used, made.less);
+    while (allowance.any()) {
+        AllowanceTrial trial(task, used, allowance);
+        made.steps = trial.make();
+        if (!made.steps.empty()) break;
+        const bool of_walls = allowance.walls_mm > 0;
+        made.less = fmt::format("none on {}: {}", of_walls ? "walls" : "the floor", trial.trouble());
+        (of_walls ? allowance.walls_mm : allowance.floors_mm) = 0;
+    }
+    return made;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,53 @@
+#include "toolpath/path_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/core/units.h"
+#include "toolpath/passes.h"
+
+namespace stepmill::toolpath {
+namespace {
+
+/// Where the cutting data name no ramp angle.
+constexpr double kDefaultRampAngleDeg = 3;
+/// A depth that exceeds whole steps by no more than this share of a step takes no further layer.
+constexpr double kLayerExcess = 1e-9;
+
+}  // namespace
+
+double rampAngle(const CuttingData& cutting) {
+    return degToRad(cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg);
+}
+
+int layersFor(double depth_mm, double step_down_mm) {
+    if (step_down_mm <= 0) return 1;
+    return std::max(1, static_cast<int>(std::ceil(depth_mm / step_down_mm - kLayerExcess)));
+}
+
+Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const CuttingData& cutting,
+                   const Machine& machine) {
+    Toolpath path;
+    path.step_over_mm = usedStepOver(cutting, radius_mm);
+    path.layers = layers;
+    path.step_down_mm = (task.top_z_mm - task.floor_z_mm) / path.layers;
+    const double limit = machine.max_feed_mm_per_min;
+    const auto limited = [&](double feed) { return limit > 0 ? std::min(feed, limit) : feed; };
+    path.feed_mm_per_min = limited(cutting.feed_mm_per_min);
+    path.plunge_feed_mm_per_min = limited(cutting.plunge_feed_mm_per_min > 0 ? cutting.plunge_feed_mm_per_min
+                                                                             : cutting.feed_mm_per_min);
+    path.ramp_feed_mm_per_min =
+        rampFeed(path.feed_mm_per_min, path.plunge_feed_mm_per_min, rampAngle(cutting));
+    // A slot feed that is none slower needs no telling apart; ramps cut full width too.
+    if (cutting.slot_feed_mm_per_min > 0 && cutting.slot_feed_mm_per_min < path.feed_mm_per_min) {
+        path.slot_feed_mm_per_min = cutting.slot_feed_mm_per_min;
+        path.ramp_feed_mm_per_min = std::min(path.ramp_feed_mm_per_min, path.slot_feed_mm_per_min);
+    }
+    return path;
+}
+
+double levelOf(const ClearingTask& task, const Toolpath& frame, int layer) {
+    return layer == frame.layers ? task.floor_z_mm : task.top_z_mm - layer * frame.step_down_mm;
+}
+
+}  // namespace stepmill::toolpath

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill::toolpath {
+
+/// Angle of descents through material: the cutting data's, else a usual one.
+double rampAngle(const CuttingData& cutting);
+
+/// As few equal depths of cut as the step-down allows, at least one; without a step-down one.
+int layersFor(double depth_mm, double step_down_mm);
+
+/// A path without moves from the task's top to its floor in that many depths, with the cutting data's feeds
+/// within the machine's.
+Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const CuttingData& cutting,
+                   const Machine& machine);
+
+/// Height of the floor of a depth of cut, counted from 1; 0: the top.
+double levelOf(const ClearingTask& task, const Toolpath& frame, int layer);
+
+}  // namespace stepmill::toolpath
