@@ -71,6 +71,7 @@ class AllowanceTrial {
             }
             addStep(steps, std::move(walls), candidates_.size() - 1);
         }
+        if (steps.empty()) trouble_ = "there is nothing to rough beside one";
         return steps;
     }
 
