@@ -300,9 +300,10 @@ void writePasses(const ClearingTask& clearing, const std::vector<WallPass>& pass
         const Over back = over(pass.path.end(), pass.path.start, true);
         const Over first = path.moves.empty() ? Over::Retract : over(writer.at(), pass.path.start, false);
         for (int layer = 1; layer <= frame.layers; ++layer)
-            writer.writeLayer(scriptOf(pass), layer == 1 ? first : back,
-                              {levelOf(clearing, frame, layer - 1), levelOf(clearing, frame, layer),
-                               clearing.top_z_mm, clearing.retract_z_mm, ramp_angle_rad});
+            writer.writeLayer(
+                scriptOf(pass), layer == 1 ? first : back,
+                {levelOf(clearing, frame, layer - 1), levelOf(clearing, frame, layer), clearing.floor_z_mm,
+                 clearing.top_z_mm, clearing.retract_z_mm, ramp_angle_rad});
     }
     writer.retract();
 }
