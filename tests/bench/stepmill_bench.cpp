@@ -45,17 +45,7 @@ void timePaths(const FeatureGround& ground, const std::vector<AccessibleArea>& a
         const ToolAssembly& tool = library.tools[i];
         if (areas[i].excluded || tool.isDrill()) continue;
         const DecomposedArea all = decomposedArea(ground, nullptr, areas[i]);
-        const Feature& feature = ground.feature();
-        ClearingTask task;
-        task.free_centres = areas[i].free_centres;
-        task.entries = areas[i].entries;
-        task.centres = all.centres;
-        task.cleared_centres = all.cleared_centres;
-        task.target = feature.target;
-        task.obstruction = feature.obstruction;
-        task.top_z_mm = feature.top_z_mm;
-        task.floor_z_mm = feature.floor_z_mm;
-        task.retract_z_mm = machine.safe_height_mm;
+        const ClearingTask task = test::taskOf(ground.feature(), areas[i], all, machine);
         benchmark::DoNotOptimize(clearArea(task, tool, *tool.cuttingFor(material), machine, tol));
     }
 }

@@ -4,6 +4,7 @@
 
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"
+#include "support/clearing_tasks.h"
 #include "support/run_program.h"
 
 namespace stepmill::test {
@@ -17,21 +18,6 @@ struct LayerTimes {
     double offset_s = 0;
     double chosen_s = 0;
 };
-
-ClearingTask wholeTask(const Feature& feature, const AccessibleArea& area, const DecomposedArea& all,
-                       const Machine& machine) {
-    ClearingTask task;
-    task.free_centres = area.free_centres;
-    task.entries = area.entries;
-    task.centres = all.centres;
-    task.cleared_centres = all.cleared_centres;
-    task.target = feature.target;
-    task.obstruction = feature.obstruction;
-    task.top_z_mm = feature.top_z_mm;
-    task.floor_z_mm = feature.floor_z_mm;
-    task.retract_z_mm = machine.safe_height_mm;
-    return task;
-}
 
 LayerTimes timesOf(ClearingTask task, const ToolAssembly& tool, const Machine& machine) {
     const CuttingData& cutting = *tool.cuttingFor("aluminium");
@@ -61,7 +47,7 @@ TEST(DieCavityLayers, AreCutInTheBestOfBothPatternsEach) {
             const AccessibleArea area = accessibleArea(ground, tool, "aluminium");
             if (area.excluded) continue;
             const DecomposedArea all = decomposedArea(ground, nullptr, area);
-            const LayerTimes layer = timesOf(wholeTask(feature, area, all, machine), tool, machine);
+            const LayerTimes layer = timesOf(taskOf(feature, area, all, machine), tool, machine);
             sum.parallel_s += layer.parallel_s;
             sum.offset_s += layer.offset_s;
             sum.chosen_s += layer.chosen_s;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sequence/sequence_choices.h"
+#include "support/clearing_tasks.h"
 #include "unit/sequence/sample_feature.h"
 
 namespace stepmill::test {
@@ -82,17 +83,8 @@ class EveryEdge {
         const auto [found, is_new] = known_.emplace(std::pair(m, n), std::numeric_limits<double>::infinity());
         if (!is_new || areas_[n].excluded || (m >= 0 && areas_[m].excluded)) return found->second;
         const DecomposedArea area = decomposedArea(ground_, m < 0 ? nullptr : &areas_[m], areas_[n]);
-        ClearingTask task;
-        task.free_centres = areas_[n].free_centres;
-        task.entries = areas_[n].entries;
-        task.centres = area.centres;
-        task.cleared_centres = area.cleared_centres;
-        task.target = feature_.target;
-        task.obstruction = feature_.obstruction;
-        task.top_z_mm = feature_.top_z_mm;
-        task.floor_z_mm = feature_.floor_z_mm;
-        task.retract_z_mm = machine_.safe_height_mm;
-        task.pattern = Pattern::ContourInsideOut;  // as edges are weighed
+        // Patterns as edges are weighed.
+        const ClearingTask task = taskOf(feature_, areas_[n], area, machine_, Pattern::ContourInsideOut);
         const Toolpath path =
             clearArea(task, *order_[n], *order_[n]->cuttingFor(options_.material), machine_, kTol);
         if (path.moves.empty()) return found->second;

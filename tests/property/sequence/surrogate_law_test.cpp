@@ -7,6 +7,7 @@
 #include "sequence/candidate.h"
 #include "sequence/sequence_choices.h"
 #include "sequence/surrogates.h"
+#include "support/clearing_tasks.h"
 
 namespace stepmill::test {
 namespace {
@@ -68,17 +69,8 @@ class EverySequence {
         const DecomposedArea area = decomposedArea(ground_, m < 0 ? nullptr : tools_[m].area, n_own);
         if (area.new_area_mm2 <= sameArea(ground_.feature(), kTol) && !tools_[n].hasSurrogates())
             return kInfinite;
-        ClearingTask task;
-        task.free_centres = n_own.free_centres;
-        task.entries = n_own.entries;
-        task.centres = area.centres;
-        task.cleared_centres = area.cleared_centres;
-        task.target = ground_.feature().target;
-        task.obstruction = n_own.obstruction ? *n_own.obstruction : ground_.feature().obstruction;
-        task.top_z_mm = ground_.feature().top_z_mm;
-        task.floor_z_mm = ground_.feature().floor_z_mm;
-        task.retract_z_mm = machine_.safe_height_mm;
-        task.pattern = Pattern::ContourInsideOut;  // as edges are weighed
+        // Patterns as edges are weighed.
+        const ClearingTask task = taskOf(ground_.feature(), n_own, area, machine_, Pattern::ContourInsideOut);
         const Toolpath path = clearArea(task, *tools_[n].tool, tools_[n].cutting, machine_, kTol);
         if (path.moves.empty()) return kInfinite;
         return found->second = weigh(edgeCost(path.totals, *tools_[n].tool, machine_));
