@@ -94,6 +94,8 @@ std::string_view schemaText(SchemaName name) {
             return embedded::kRankSchema;
         case SchemaName::Fixtures:
             return embedded::kFixturesSchema;
+        case SchemaName::Verify:
+            return embedded::kVerifySchema;
     }
     return {};
 }

@@ -21,8 +21,6 @@ namespace {
 using toolpath::sweptRegion;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// Heights closer than this are one: half a last decimal, in inches or mm [mm].
-constexpr double kSameHeightMm = 3e-4;
 /// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
 constexpr double kFeedRounding = 1e-3;
 

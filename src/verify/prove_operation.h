@@ -4,6 +4,9 @@
 
 namespace stepmill::verify {
 
+/// Heights closer than this are one: half a last decimal, in inches or mm [mm].
+inline constexpr double kSameHeightMm = 3e-4;
+
 /// What of a feature's target stands above a height: all that no operation has cleared down to there.
 struct StandingAbove {
     double z_mm = 0;
@@ -40,6 +43,12 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
 
 /// Shank and holder against what stands over the floor, the feature's own material included until it is cut.
 void proveHolder(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                 const Tolerances& tol, const Findings& findings);
+
+/// A mill's passes go nowhere deeper than the planned step-down below what this operation cut there before,
+/// or below the feature's top; ground that earlier operations cleared is free. So every depth of cut covers
+/// what the next one does, and with what stays at the floor every level is covered.
+void proveDepths(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                  const Tolerances& tol, const Findings& findings);
 
 /// Feeds, spindle speed and tool as planned.

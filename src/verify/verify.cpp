@@ -12,6 +12,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/area_models.h"
 #include "verify/prove_operation.h"
+#include "verify/swept_region.h"
 
 namespace stepmill {
 namespace {
@@ -20,14 +21,6 @@ using verify::FeatureState;
 
 /// Numbers in plan.json have six decimals.
 constexpr double kWrittenDecimals = 1e-6;
-/// Skins thinner than this many slivers count as cut: strips of centres as narrow as one get no pass, and
-/// that may be so on both sides.
-constexpr double kThinSlivers = 2;
-
-/// Of a long strip, its width.
-double meanWidthMm(const Region& strip) {
-    return 2 * area(strip) / perimeter(strip);
-}
 
 /// Features and what is done, while a setup's program runs.
 class SetupProver {
@@ -60,6 +53,7 @@ class SetupProver {
         verify::proveFeeds(operation, planned, record_.machine.max_feed_mm_per_min, findings);
         verify::proveMoves(operation, planned, state, last_before_change, tol_, findings);
         verify::proveHolder(operation, planned, state, tol_, findings);
+        verify::proveDepths(operation, planned, state, tol_, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
         for (verify::StandingAbove& above : state.standing)
             if (!cleared.empty() && above.z_mm >= planned.z_floor_mm)
@@ -136,11 +130,8 @@ class SetupProver {
         }
         const Region& standing = state.standingAt(planned.z_floor_mm);
         const bool all_named = standing.empty() || named.empty();
-        std::vector<Region> pieces =
-            components(all_named ? standing : subtract(standing, unite(named, tol_), tol_));
-        std::erase_if(pieces, [&](const Region& piece) {
-            return area(piece) <= tol_.area_mm2 || meanWidthMm(piece) <= kThinSlivers * tol_.sliver_mm;
-        });
+        std::vector<Region> pieces = toolpath::piecesBeyondSkins(
+            all_named ? standing : subtract(standing, unite(named, tol_), tol_), tol_);
         std::stable_sort(pieces.begin(), pieces.end(),
                          [](const Region& one, const Region& other) { return area(one) > area(other); });
         return pieces;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/error.h"
 #include "stepmill/verify/verify.h"
 
 namespace stepmill {
@@ -27,12 +29,14 @@ Json number(double value) {
 }  // namespace
 
 std::string verificationText(const Verification& verification) {
-    std::string text = fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11} {:>7} {:>14} {:>8}\n", "op", "feature",
-                                   "tool", "clear um", "left mm2", "rapids", "holder um", "feed %");
+    std::string text =
+        fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11} {:>7} {:>14} {:>8} {:>8}\n", "op", "feature", "tool",
+                    "clear um", "left mm2", "rapids", "holder um", "deep mm", "feed %");
     for (const OperationProof& proof : verification.operations)
-        text += fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11.4f} {:>7} {:>14} {:>8.1f}\n", proof.operation,
-                            proof.feature, proof.tool, micrometres(proof.clearance_mm), proof.left_mm2,
-                            proof.rapids_clear ? "clear" : "HIT", micrometres(proof.holder_clearance_mm),
+        text += fmt::format("{:<8} {:<8} {:<12} {:>12} {:>11.4f} {:>7} {:>14} {:>8.3f} {:>8.1f}\n",
+                            proof.operation, proof.feature, proof.tool, micrometres(proof.clearance_mm),
+                            proof.left_mm2, proof.rapids_clear ? "clear" : "HIT",
+                            micrometres(proof.holder_clearance_mm), proof.depth_of_cut_mm,
                             100 * proof.feed_share);
     for (const ProofFailure& failure : verification.failures)
         text += fmt::format("{}: {}: {}\n", place(failure), failure.operation, failure.text);
@@ -56,6 +60,7 @@ std::string verificationJson(const Verification& verification) {
                               {"left_mm2", number(proof.left_mm2)},
                               {"rapids_clear", proof.rapids_clear},
                               {"holder_clearance_mm", number(proof.holder_clearance_mm)},
+                              {"depth_of_cut_mm", number(proof.depth_of_cut_mm)},
                               {"feed_share", number(proof.feed_share)}});
     Json failures = Json::array();
     for (const ProofFailure& failure : verification.failures)
@@ -67,11 +72,15 @@ std::string verificationJson(const Verification& verification) {
     for (const ReasonVolume& entry : verification.left)
         left.push_back({{"reason", entry.reason}, {"volume_mm3", number(entry.volume_mm3)}});
     const Json json{{"format", 1},
+                    {"stepmill", {{"version", STEPMILL_VERSION}}},
                     {"proven", verification.proven()},
                     {"operations", operations},
                     {"failures", failures},
                     {"left", left}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::vector<std::string> errors = schemaErrors(SchemaName::Verify, text);
+    if (!errors.empty()) throw Error(ErrorCode::Internal, "verify.json", errors.front());
+    return text;
 }
 
 }  // namespace stepmill

@@ -7,7 +7,7 @@
 namespace stepmill {
 
 /// Names of the schemas compiled in from schemas/.
-enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures };
+enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify };
 std::string_view schemaText(SchemaName name);
 
 /// Breaches of a schema by a JSON text, each "#/json/pointer: what was expected". A text that is not JSON

@@ -23,6 +23,8 @@ struct OperationProof {
     bool rapids_clear = true;
     /// Least distance between shank or holder and material; infinite where they stay over all of it.
     double holder_clearance_mm = std::numeric_limits<double>::infinity();
+    /// No pass of a mill goes deeper than this below what was cut there before; 0 for drills.
+    double depth_of_cut_mm = 0;
     /// Highest feed, as a share of what the plan allows there.
     double feed_share = 0;
 };
@@ -58,6 +60,7 @@ struct Verification {
 /// every operation, from lines and arcs themselves,
 /// - that the cutter keeps off the feature's obstruction (within `tol.gouge_mm`) and off the floor below,
 /// - that nothing of the target stays but what the plan names,
+/// - that a mill goes nowhere deeper than the planned step-down below what it or others cut there before,
 /// - that rapids meet no material that is still there when they run,
 /// - that shank and holder keep off material that is still there,
 /// - that feeds, speeds, tools and the order of operations are the plan's.
@@ -73,6 +76,8 @@ void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
 
 /// For the terminal: a line an operation, then what fails.
 std::string verificationText(const Verification& verification);
+/// The same for programs, checked against schemas/verify.schema.json before it leaves.
+/// \throws Error(Internal) if it breaks the schema
 std::string verificationJson(const Verification& verification);
 
 }  // namespace stepmill

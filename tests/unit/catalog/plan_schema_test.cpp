@@ -194,7 +194,9 @@ TEST(SchemaText, IsTheFileInTheSchemasFolder) {
     EXPECT_EQ(schemaText(SchemaName::Tools), readFile(folder / "tools.schema.json"));
     EXPECT_EQ(schemaText(SchemaName::Machine), readFile(folder / "machine.schema.json"));
     EXPECT_EQ(schemaText(SchemaName::Plan), readFile(folder / "plan.schema.json"));
+    EXPECT_EQ(schemaText(SchemaName::Inspect), readFile(folder / "inspect.schema.json"));
     EXPECT_EQ(schemaText(SchemaName::Rank), readFile(folder / "rank.schema.json"));
+    EXPECT_EQ(schemaText(SchemaName::Verify), readFile(folder / "verify.schema.json"));
 }
 
 }  // namespace

@@ -1,0 +1,232 @@
+// How deep a mill cuts below what was cut before.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "stepmill/planar/boolean.h"
+#include "toolpath/swept_region.h"
+#include "verify/prove_operation.h"
+
+namespace stepmill::verify {
+namespace {
+
+using toolpath::piecesBeyondSkins;
+using toolpath::sweptRegion;
+
+/// One feed seen from above.
+struct Way {
+    Path path;  ///< one segment; none where it goes straight down
+    int line = 0;
+};
+
+Way wayOf(const Vec2& from, const Segment& segment, int line) {
+    Way way{{from, {}}, line};
+    if (segment.arc || segment.to != from) way.path.segments.push_back(segment);
+    return way;
+}
+
+/// Ramps are looked at in pieces that sink no more than this share of the step-down.
+constexpr double kRampPiece = 1.0 / 64;
+/// A ramp begins this much over the material, so that turn by turn it sinks as much more than the step-down
+/// [mm].
+constexpr double kRampStartMm = 0.2;
+
+/// Equal for equal ways: layers mostly repeat those of the layer above word by word.
+using WayKey = std::array<double, 7>;
+
+WayKey keyOf(const Path& way) {
+    WayKey key{way.start.x(), way.start.y(), way.start.x(), way.start.y(), 0, 0, 0};
+    if (way.segments.empty()) return key;
+    const Segment& segment = way.segments.front();
+    key[2] = segment.to.x();
+    key[3] = segment.to.y();
+    if (segment.arc) {
+        key[4] = segment.arc->centre.x();
+        key[5] = segment.arc->centre.y();
+        key[6] = segment.arc->ccw ? 1 : -1;
+    }
+    return key;
+}
+
+/// What was cut down to one height, or below, so far.
+struct Level {
+    std::vector<Path> ways;
+    std::set<WayKey> keys;
+};
+
+/// Follows an operation down its levels. Where material stood when it began, a pass whose lowest point is at
+/// z may only go where the operation has cut down to the step-down above z, or lower, or where the feature's
+/// top is no higher than that. Of a ramp its upper end counts as cut, its lower end as cutting, so the turns
+/// of a helix carry each other. Ways that a level holds word by word need no areas.
+class DepthProver {
+  public:
+    DepthProver(const RecordedOperation& planned, const FeatureState& state, const Tolerances& tol,
+                const Findings& findings)
+        : planned_(planned), state_(state), tol_(tol), findings_(findings) {}
+
+    void prove(const ReadOperation& operation) {
+        Vec3 from = operation.start;
+        for (const ReadMove& read : operation.moves) {
+            const Move& move = read.fed.move;
+            const double low_mm = std::min(from.z(), move.to.z());
+            if (move.kind == MoveKind::Rapid || low_mm >= top() - kSameHeightMm) {
+                settle();
+            } else {
+                follow(from, read);
+            }
+            if (failed_) return;
+            from = move.to;
+        }
+        settle();
+    }
+
+  private:
+    double top() const { return state_.feature.top_z_mm; }
+    /// How high may be what a pass at that height counts on?
+    double reachOver(double low_mm) const {
+        const double ramp_mm = kRampStartMm + kRampPiece * planned_.step_down_mm;
+        return low_mm + planned_.step_down_mm + kSameHeightMm + (ramping_ ? ramp_mm : 0);
+    }
+
+    /// Feeds a move; a ramp in pieces.
+    void follow(const Vec3& from, const ReadMove& read) {
+        const Move& move = read.fed.move;
+        const Segment segment{move.to.head<2>(), move.arc};
+        const double drop_mm = from.z() - move.to.z();
+        if (move.kind == MoveKind::Plunge || drop_mm <= kSameHeightMm) {
+            const bool plunge = move.kind == MoveKind::Plunge;
+            const double low_mm = std::min(from.z(), move.to.z());
+            return feed(wayOf(from.head<2>(), segment, read.line), low_mm,
+                        plunge ? low_mm : std::max(from.z(), move.to.z()));
+        }
+        const int pieces =
+            std::max(1, static_cast<int>(std::ceil(drop_mm / (kRampPiece * planned_.step_down_mm))));
+        Vec2 at = from.head<2>();
+        for (int i = 1; i <= pieces; ++i) {
+            const double share = static_cast<double>(i) / pieces;
+            const Vec2 to = i == pieces ? segment.to : pointAt(from.head<2>(), segment, share);
+            const double high_mm = from.z() - drop_mm * (i - 1) / pieces;
+            feed(wayOf(at, {to, segment.arc}, read.line), from.z() - drop_mm * share, high_mm);
+            if (failed_) return;
+            at = to;
+        }
+    }
+
+    void feed(Way way, double low_mm, double cut_to_mm) {
+        ramping_ = cut_to_mm > low_mm + kSameHeightMm;
+        auto counts_on = levelOver(low_mm);
+        if (counts_on != counts_on_) {
+            settle();
+            counts_on = levelOver(low_mm);
+        }
+        counts_on_ = counts_on;
+        if (counts_on)
+            findings_.proof.depth_of_cut_mm = std::max(findings_.proof.depth_of_cut_mm, *counts_on - low_mm);
+        const bool from_top = reachOver(low_mm) >= top();
+        if (!from_top && !isKnown(keyOf(way.path), low_mm)) {
+            asked_.push_back(way);
+            asked_reach_mm_ = std::min(asked_reach_mm_, reachOver(low_mm));
+        }
+        fresh_.emplace_back(cut_to_mm, std::move(way.path));
+    }
+
+    /// The highest level, or the top, that a pass at that height may count on; nothing without any.
+    std::optional<double> levelOver(double low_mm) const {
+        if (reachOver(low_mm) >= top()) return top();
+        const auto over = levels_.upper_bound(reachOver(low_mm));
+        if (over == levels_.begin()) return std::nullopt;
+        return std::prev(over)->first;
+    }
+
+    bool isKnown(const WayKey& key, double low_mm) const {
+        return std::any_of(levels_.begin(), levels_.upper_bound(reachOver(low_mm)),
+                           [&](const auto& level) { return level.second.keys.count(key) > 0; });
+    }
+
+    /// Looks at the ways that were asked about, then counts what was cut meanwhile.
+    void settle() {
+        if (!asked_.empty()) lookAtAsked();
+        asked_.clear();
+        asked_reach_mm_ = std::numeric_limits<double>::infinity();
+        for (auto& [z_mm, way] : fresh_) {
+            Level& level = levelAt(z_mm);
+            level.keys.insert(keyOf(way));
+            level.ways.push_back(std::move(way));
+        }
+        fresh_.clear();
+    }
+
+    Level& levelAt(double z_mm) {
+        const auto near = levels_.lower_bound(z_mm - kSameHeightMm);
+        if (near != levels_.end() && near->first <= z_mm + kSameHeightMm) return near->second;
+        return levels_[z_mm];
+    }
+
+    void lookAtAsked() {
+        std::vector<Path> ways;
+        for (const Way& way : asked_)
+            ways.push_back(way.path);
+        const std::vector<Region> left = tooDeep(ways);
+        if (left.empty()) return;
+        failed_ = true;
+        double left_mm2 = 0;
+        for (const Region& piece : left)
+            left_mm2 += area(piece);
+        const auto meets = [&](const Way& way) {
+            const Region swept = sweptRegion({way.path}, planned_.tool.radius_mm(), tol_);
+            return area(intersect(swept, left.front(), tol_)) > tol_.area_mm2;
+        };
+        const auto first = std::find_if(asked_.begin(), asked_.end(), meets);
+        findings_.add(
+            first == asked_.end() ? asked_.front().line : first->line,
+            fmt::format("goes more than the planned {:.4g} mm below what was cut before, over {:.4g} "
+                        "mm2",
+                        planned_.step_down_mm, left_mm2));
+    }
+
+    /// What the ways sweep of standing material that no level they may count on has been taken off.
+    std::vector<Region> tooDeep(const std::vector<Path>& ways) const {
+        const Region& standing = state_.standingAt(asked_reach_mm_);
+        Region left = intersect(sweptRegion(ways, planned_.tool.radius_mm(), tol_), standing, tol_);
+        if (left.empty()) return {};
+        const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
+        const Box2 around = boundingBox(left).grown(radius_mm);
+        std::vector<Path> before;
+        for (const auto& [z_mm, level] : levels_) {
+            if (!counts_on_ || z_mm > *counts_on_) break;
+            for (const Path& way : level.ways)
+                if (boundingBox(way).overlaps(around)) before.push_back(way);
+        }
+        if (!before.empty()) left = subtract(left, sweptRegion(before, radius_mm, tol_), tol_);
+        return piecesBeyondSkins(left, tol_);
+    }
+
+    const RecordedOperation& planned_;
+    const FeatureState& state_;
+    const Tolerances& tol_;
+    const Findings& findings_;
+    std::map<double, Level> levels_;  ///< by height
+    std::optional<double> counts_on_;
+    bool ramping_ = false;
+    std::vector<Way> asked_;  ///< since settle()
+    /// Least height that what they count on may have.
+    double asked_reach_mm_ = std::numeric_limits<double>::infinity();
+    std::vector<std::pair<double, Path>> fresh_;  ///< cut since settle(), with their heights
+    bool failed_ = false;
+};
+
+}  // namespace
+
+void proveDepths(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                 const Tolerances& tol, const Findings& findings) {
+    if (planned.tool.isDrill()) return;
+    DepthProver(planned, state, tol, findings).prove(operation);
+}
+
+}  // namespace stepmill::verify
