@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/html_table.h"
 #include "report/inspect_words.h"
 #include "report/text.h"
 #include "stepmill/report/inspection.h"
@@ -40,23 +41,6 @@ i.tint4{background:#c3b1e1} i.tint5{background:#f2e394} i.tint6{background:#9adb
 .warn { border-left:4px solid #e0a100; background:#fff8e1; padding:5px 10px; margin:5px 0; font-size:13px; }
 @media print { body { background:#fff; font-size:11px; } main { max-width:none; padding:0; } @page { size:A4; margin:14mm; } }
 )css";
-
-std::string cell(const std::string& text) {
-    return "<td>" + escapeHtml(text) + "</td>";
-}
-std::string numberCell(const std::string& text) {
-    return "<td class=\"n\">" + escapeHtml(text) + "</td>";
-}
-
-std::string headRow(const std::vector<std::string>& names) {
-    std::string row = "<tr>";
-    for (const std::string& name : names) {
-        const bool numeric = name.front() == '#';
-        row += fmt::format("<th{}>{}</th>", numeric ? " class=\"n\"" : "",
-                           escapeHtml(numeric ? name.substr(1) : name));
-    }
-    return row + "</tr>\n";
-}
 
 /// Features of the whole part take the tints in turn.
 std::map<std::string, int> tintsOf(const Inspection& inspection) {

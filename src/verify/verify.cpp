@@ -12,7 +12,6 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/area_models.h"
 #include "verify/prove_operation.h"
-#include "verify/swept_region.h"
 
 namespace stepmill {
 namespace {
