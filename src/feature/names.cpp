@@ -31,4 +31,8 @@ std::string toString(FeatureClass feature_class) {
     throw Error(ErrorCode::Internal, "feature class", "unknown value");
 }
 
+bool isHole(FeatureClass feature_class) {
+    return feature_class == FeatureClass::HoleBlind || feature_class == FeatureClass::HoleThrough;
+}
+
 }  // namespace stepmill

@@ -1,4 +1,4 @@
-// Features deeper than tools reach, cut in bands one below the other.
+// What a plan makes of features and options before it sequences them.
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,8 @@
 #include <fmt/format.h>
 
 #include "access/collision.h"
-#include "plan/plan_steps.h"
+#include "stepmill/plan/stages.h"
+#include "stepmill/sequence/sequence.h"
 
 namespace stepmill {
 namespace {
@@ -26,11 +27,6 @@ double bandMm(const ToolLibrary& library, const std::string& material) {
     return reach_mm;
 }
 
-bool isHole(const Feature& feature) {
-    return feature.feature_class == FeatureClass::HoleBlind ||
-           feature.feature_class == FeatureClass::HoleThrough;
-}
-
 }  // namespace
 
 std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
@@ -43,7 +39,7 @@ std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLib
         for (std::string& parent : band.parents)
             if (const auto parted = last_band.find(parent); parted != last_band.end())
                 parent = parted->second;
-        const bool whole = band_mm <= 0 || isHole(feature) || feature.depth_mm() <= band_mm;
+        const bool whole = band_mm <= 0 || isHole(feature.feature_class) || feature.depth_mm() <= band_mm;
         const int count = whole ? 1 : static_cast<int>(std::ceil(feature.depth_mm() / band_mm));
         for (int i = 0; i < count && !whole; ++i) {
             band.id = fmt::format("{}.{}", feature.id, i + 1);
@@ -59,6 +55,11 @@ std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLib
         if (whole) bands.push_back(std::move(band));
     }
     return bands;
+}
+
+SequenceOptions asPlanned(SequenceOptions options) {
+    options.clear_of_own_material = true;
+    return options;
 }
 
 }  // namespace stepmill

@@ -152,8 +152,8 @@ class FeaturePlanner {
             sequence.feature_id = planned.feature.id;
             sequence.floor_z_mm = planned.feature.floor_z_mm;
             if (!free.feature.target.empty())
-                sequence = sequenceTools(free.feature, request_.library, request_.machine, sequenceOptions(planned.feature),
-                                         request_.tol);
+                sequence = sequenceTools(free.feature, request_.library, request_.machine,
+                                         sequenceOptions(planned.feature), request_.tol);
             sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
             return sequence;
         });
@@ -169,8 +169,7 @@ class FeaturePlanner {
     }
 
     SequenceOptions sequenceOptions(const Feature& feature) const {
-        SequenceOptions options = request_.options.sequence;
-        options.clear_of_own_material = true;
+        SequenceOptions options = asPlanned(request_.options.sequence);
         if (isUpperBand(feature)) options.finish.floors_mm = 0;
         const double fixture_mm = highestFixtureMm(setup_.fixtures);
         if (fixture_mm > 0) options.retract_mm = fixture_mm + request_.machine.safe_height_mm;

@@ -40,13 +40,6 @@ void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol);
 /// Height of the highest over the stock's top; 0 where none stands over it [mm].
 double highestFixtureMm(const std::vector<Fixture>& fixtures);
 
-/// Features deeper than the widest mill reaches, parted into bands of equal depth one below the other, each a
-/// feature of its own ("S1.F3.1" and so on) that waits for the one above: a tool then cuts no deeper beside
-/// its own work than shank and holder stay above it, and each band takes the tools that reach it. Holes stay
-/// whole, for drills. Features keep their order.
-std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
-                             const std::string& material);
-
 /// What must be machined before a feature.
 struct Precedence {
     std::string feature_id;

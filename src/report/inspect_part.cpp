@@ -81,8 +81,7 @@ class Inspector {
         for (InspectedSetup& setup : inspection_.setups)
             for (InspectedFeature& inspected : setup.features) {
                 const FeatureClass feature_class = inspected.feature.feature_class;
-                if (feature_class != FeatureClass::HoleBlind && feature_class != FeatureClass::HoleThrough)
-                    continue;
+                if (!isHole(feature_class)) continue;
                 for (const Hole& hole : inspection_.holes)
                     if (std::any_of(hole.faces.begin(), hole.faces.end(), [&](int face) {
                             return std::binary_search(inspected.feature.faces.begin(),

@@ -57,11 +57,6 @@ std::vector<std::pair<std::string, std::vector<std::string>>> driversOf(const In
     return drivers;
 }
 
-bool isHole(const Feature& feature) {
-    return feature.feature_class == FeatureClass::HoleBlind ||
-           feature.feature_class == FeatureClass::HoleThrough;
-}
-
 }  // namespace
 
 std::string cornerWords(const FeatureMeasures& measures) {
@@ -110,7 +105,7 @@ std::vector<std::string> costDrivers(const InspectedFeature& inspected) {
         words.push_back("narrower than the smallest cutter: engraving");
     if (!inspected.measures) return words;
     const FeatureMeasures& measures = *inspected.measures;
-    if (isHole(feature)) {
+    if (isHole(feature.feature_class)) {
         if (measures.depth_to_width > kVeryDeepHole)
             words.push_back(fmt::format("{:.1f} diameters deep: special drill", measures.depth_to_width));
         else if (measures.depth_to_width > kDeepHole)

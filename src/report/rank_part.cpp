@@ -9,10 +9,13 @@
 namespace stepmill {
 namespace {
 
-std::vector<Feature> allFeatures(const Part& part, const RankRequest& request, const Tolerances& tol) {
+/// As a plan would sequence them.
+std::vector<Feature> allFeatures(const Part& part, const RankRequest& request, const ToolLibrary& library,
+                                 const Tolerances& tol) {
     std::vector<Feature> features;
     walkSetups(chooseSetups(part, request.setup), request.slicing, tol, [&](const Stage& stage) {
-        features.insert(features.end(), stage.found.features.begin(), stage.found.features.end());
+        for (Feature& feature : inBands(stage.found.features, library, request.sequence.material))
+            features.push_back(std::move(feature));
         return featurePrisms(stage.found);
     });
     return features;
@@ -65,6 +68,7 @@ std::string failureOf(const std::function<void()>& work) {
 
 Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequest& request,
                             const ToolLibrary& library, const Machine& machine, const Tolerances& tol) {
+    const SequenceOptions sequencing = asPlanned(request.sequence);
     Sensitivity result;
     result.parameter = *request.sensitivity;
     result.now = valueNow(result.parameter, machine);
@@ -77,7 +81,7 @@ Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequ
         found.feature_id = features[i].id;
         found.failure = failureOf([&] {
             found.ranges = bestSequences(
-                cheapestBySequencing(features[i], library, machine, request.sequence, tol, result.parameter));
+                cheapestBySequencing(features[i], library, machine, sequencing, tol, result.parameter));
         });
     });
     return result;
@@ -96,11 +100,12 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
     report.file = part.file;
     report.feature = request.feature;
     report.material = request.sequence.material;
+    const SequenceOptions sequencing = asPlanned(request.sequence);
     tell("features", 0.1);
-    std::vector<Feature> features = allFeatures(part, request, tol);
+    std::vector<Feature> features = allFeatures(part, request, library, tol);
     if (!request.feature.empty()) features = onlyFeature(features, request.feature);
     tell("access volumes", 0.4);
-    report.ranking = rankTools(accessTable(features, library, machine, report.material, tol),
+    report.ranking = rankTools(accessTable(features, library, machine, sequencing, tol),
                                request.tool_change_s.value_or(machine.tool_change_s));
     if (request.sensitivity) {
         tell("sensitivity to " + toString(*request.sensitivity), 0.5);
@@ -112,8 +117,8 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
         tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
             FeaturePurchase& found = (*report.purchases)[i];
             found.advice.feature_id = features[i].id;
-            found.failure = failureOf(
-                [&] { found.advice = whatToBuy(features[i], library, machine, request.sequence, tol); });
+            found.failure =
+                failureOf([&] { found.advice = whatToBuy(features[i], library, machine, sequencing, tol); });
         });
     }
     return report;

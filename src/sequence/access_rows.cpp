@@ -1,6 +1,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/candidate.h"
+#include "sequence/tool_areas.h"
 #include "stepmill/core/units.h"
 #include "stepmill/sequence/area_models.h"
 #include "stepmill/sequence/ranking.h"
@@ -24,12 +25,12 @@ bool leavesFlatFloor(const ToolAssembly& tool) {
 }  // namespace
 
 std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const ToolLibrary& library,
-                                   const Machine& machine, const std::string& material,
+                                   const Machine& machine, const SequenceOptions& options,
                                    const Tolerances& tol) {
     std::vector<const ToolAssembly*> tools;
     std::vector<AccessRow> rows;
     for (const ToolAssembly& tool : library.tools) {
-        const CuttingData* cutting = tool.cuttingFor(material);
+        const CuttingData* cutting = tool.cuttingFor(options.material);
         if (!leavesFlatFloor(tool) || cutting == nullptr) continue;
         const double rate_mm3_per_s = removalRateMm3PerS(limitedBy(machine, *cutting));
         if (rate_mm3_per_s <= 0) continue;
@@ -39,7 +40,7 @@ std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const T
     for (const Feature& feature : features) {
         const FeatureGround ground(feature, tol);
         tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
-            const AccessibleArea area = accessibleArea(ground, *tools[i], material);
+            const AccessibleArea area = areaFor(ground, *tools[i], options);
             rows[i].volume_cm3 += area.access_volume_mm3 / kMm3PerCm3;
             *rows[i].clear_volume_cm3 += clearVolumeMm3(area, feature.depth_mm()) / kMm3PerCm3;
         });

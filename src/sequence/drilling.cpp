@@ -12,11 +12,6 @@ constexpr double kBreakThroughMm = 0.5;
 /// Half the point angle of a general-purpose (118 degree) drill.
 constexpr double kHalfPointAngleDeg = 59;
 
-bool isHole(const Feature& feature) {
-    return feature.feature_class == FeatureClass::HoleBlind ||
-           feature.feature_class == FeatureClass::HoleThrough;
-}
-
 double holeRadiusMm(const Feature& feature) {
     return std::sqrt(area(feature.target) / kPi);
 }
@@ -58,7 +53,7 @@ double drillTipZ(const Feature& feature, const ToolAssembly& drill) {
 
 DrillCheck drillCheck(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
     DrillCheck result;
-    if (!drill.isDrill() || !isHole(feature)) return result;
+    if (!drill.isDrill() || !isHole(feature.feature_class)) return result;
     const double hole_mm = 2 * holeRadiusMm(feature);
     const bool matches =
         drill.diameter_mm <= hole_mm + 2 * tol.gouge_mm && drill.diameter_mm >= hole_mm - kDrillUndersizeMm;

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/candidate.h"
+#include "sequence/tool_areas.h"
 #include "sequence/trial_tools.h"
 #include "stepmill/sequence/area_models.h"
 
@@ -31,11 +32,11 @@ ToolLibrary withTool(ToolLibrary library, const ToolAssembly& tool) {
 
 /// Areas over the feature's whole depth, by falling diameter. (A plan that ends higher tells areas up there.)
 std::vector<AccessibleArea> areasOf(const FeatureGround& ground, const ToolLibrary& library,
-                                    const std::string& material) {
+                                    const SequenceOptions& options) {
     const std::vector<const ToolAssembly*> tools = byFallingDiameter(library);
     std::vector<AccessibleArea> areas(tools.size());
     tbb::parallel_for(std::size_t{0}, tools.size(),
-                      [&](std::size_t i) { areas[i] = accessibleArea(ground, *tools[i], material); });
+                      [&](std::size_t i) { areas[i] = areaFor(ground, *tools[i], options); });
     return areas;
 }
 
@@ -60,7 +61,7 @@ class Adviser {
           tol_(tol),
           ground_(feature, tol),
           known_(sequenceTools(feature, library, machine, options, tol)),
-          areas_(areasOf(ground_, library, options.material)) {
+          areas_(areasOf(ground_, library, options)) {
         for (const AccessibleArea& area : areas_)
             usable_.push_back(usableArea(ground_, library.tool(area.tool_id), area));
     }
@@ -128,7 +129,7 @@ class Adviser {
         auto known = usable_.begin();
         for (const ToolAssembly* each : byFallingDiameter(library)) {
             if (each == &library.tools.back())
-                areas.push_back(usableArea(ground_, tool, accessibleArea(ground_, tool, options_.material)));
+                areas.push_back(usableArea(ground_, tool, areaFor(ground_, tool, options_)));
             else
                 areas.push_back(*known++);
         }

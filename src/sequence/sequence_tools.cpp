@@ -1,6 +1,5 @@
 #include <tbb/parallel_for.h>
 
-#include "access/collision.h"
 #include "sequence/candidate.h"
 #include "sequence/drilling.h"
 #include "sequence/evaluate_dag.h"
@@ -8,6 +7,7 @@
 #include "sequence/lower_bound.h"
 #include "sequence/residuals.h"
 #include "sequence/sequence_choices.h"
+#include "sequence/tool_areas.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/sequence.h"
 
@@ -20,10 +20,7 @@ std::vector<AccessibleArea> areasOfAllTools(const FeatureGround& ground, const T
     const std::vector<const ToolAssembly*> tools = byFallingDiameter(library);
     std::vector<AccessibleArea> areas(tools.size());
     tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
-        areas[i] = accessibleArea(ground, *tools[i], options.material);
-        if (options.clear_of_own_material)
-            if (auto trouble = access::ownMaterialTrouble(ground, *tools[i], areas[i]))
-                areas[i].excluded = std::move(trouble);
+        areas[i] = areaFor(ground, *tools[i], options);
         if (!tools[i]->isDrill() || tools[i]->cuttingFor(options.material) == nullptr) return;
         const DrillCheck check = drillCheck(ground.feature(), *tools[i], ground.tolerances());
         if (check.fits) {

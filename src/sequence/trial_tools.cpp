@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "access/collision.h"
 #include "sequence/candidate.h"
 #include "stepmill/access/access_curve.h"
 
@@ -232,6 +233,18 @@ std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibra
     return TrialTool{std::move(*tool), "drills the hole at once"};
 }
 
+namespace {
+
+/// What clears obstacles and, for a tool that is too short, what it leaves of the feature itself.
+double stickOutThatDoes(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+    const double beside_obstacles_mm = reachOf(ground, tool, area).stick_out_mm;
+    if (area.excluded->reason != ExclusionReason::TooShort) return beside_obstacles_mm;
+    const double lacks_mm = ground.feature().depth_mm() - access::freeReachMm(tool);
+    return lacks_mm > 0 ? std::max(beside_obstacles_mm, tool.stick_out_mm + lacks_mm) : beside_obstacles_mm;
+}
+
+}  // namespace
+
 std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrary& library,
                                    const std::vector<AccessibleArea>& areas) {
     std::vector<TrialTool> trials;
@@ -241,7 +254,7 @@ std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrar
         const bool kept_off = area.excluded && (area.excluded->reason == ExclusionReason::TooShort ||
                                                 area.excluded->reason == ExclusionReason::HolderCollision);
         if (!kept_off) continue;
-        auto longer = withStickOut(tool, reachOf(ground, tool, area).stick_out_mm);
+        auto longer = withStickOut(tool, stickOutThatDoes(ground, tool, area));
         if (!longer) continue;
         std::string why = fmt::format("{} with {:.4g} instead of {:.4g} mm of stick-out clears its holder",
                                       tool.id, longer->stick_out_mm, tool.stick_out_mm);

@@ -25,7 +25,7 @@ std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibra
                                     const std::string& material);
 
 /// Tools of the library that reach or holder keep off the feature, with the stick-out that would do.
-/// \param areas  accessibleArea() of the library's tools, in any order
+/// \param areas  areaFor() of the library's tools, in any order
 std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrary& library,
                                    const std::vector<AccessibleArea>& areas);
 

@@ -24,6 +24,8 @@ enum class FeatureClass {
     Engraving       ///< floor, narrower than the smallest cutter of the shop
 };
 std::string toString(FeatureClass feature_class);
+/// One full circle, with a floor or without.
+bool isHole(FeatureClass feature_class);
 
 /// A piece of a target's boundary on one side of which the cutter may (open) or may not (closed) go.
 struct BoundaryPiece {

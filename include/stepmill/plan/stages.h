@@ -12,6 +12,9 @@
 
 namespace stepmill {
 
+struct SequenceOptions;
+struct ToolLibrary;
+
 /// A setup with the stock as it arrives, its layers and features.
 struct Stage {
     Setup setup;
@@ -48,7 +51,7 @@ struct StockStep {
     std::string setup_id;
     double arrives_mm3 = 0;
     double removed_mm3 = 0;
-    double prisms_mm3 = 0;   ///< volume of the prisms removed, from the planar books; air in them included
+    double prisms_mm3 = 0;  ///< volume of the prisms removed, from the planar books; air in them included
     double leaves_mm3 = 0;
 };
 
@@ -74,6 +77,16 @@ using StageVisitor = std::function<std::optional<std::vector<Prism>>(const Stage
 /// \throws what slice and recogniseFeatures do.
 WalkedSetups walkSetups(const std::vector<Setup>& setups, const SliceOptions& slicing, const Tolerances& tol,
                         const StageVisitor& visit);
+
+/// Features deeper than the widest mill reaches, parted into bands of equal depth one below the other, each a
+/// feature of its own ("S1.F3.1" and so on) that waits for the one above: a tool then cuts no deeper beside
+/// its own work than shank and holder stay above it, and each band takes the tools that reach it. Holes stay
+/// whole, for drills. Features keep their order.
+std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
+                             const std::string& material);
+
+/// The options as a plan sequences features with them, whatever they say: no tool meets its own leftovers.
+SequenceOptions asPlanned(SequenceOptions options);
 
 /// The prisms of all features, whole: what a stage removes before tools are known.
 std::vector<Prism> featurePrisms(const FeatureSet& found);

@@ -8,6 +8,7 @@
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
+#include "stepmill/sequence/sequence.h"
 
 namespace stepmill {
 
@@ -53,10 +54,11 @@ Ranking rankTools(std::vector<AccessRow> table, double tool_change_s);
 
 /// The table of these features for the cutters of a library that leave a flat floor and have data for the
 /// material, in the library's order. Volumes are coverable area x depth, summed over the features, as in the
-/// paper those of the cutter alone; `clear_volume_cm3` tells what of that its reach, shank and holder allow.
+/// paper those of the cutter alone; `clear_volume_cm3` tells what of that its reach, shank and holder allow: none
+/// where `options.clear_of_own_material` turns the tool down.
 /// Removal rate is step-over x step-down x feed, within what the machine can do.
 std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const ToolLibrary& library,
-                                   const Machine& machine, const std::string& material,
+                                   const Machine& machine, const SequenceOptions& options,
                                    const Tolerances& tol);
 
 }  // namespace stepmill

@@ -154,6 +154,89 @@ TEST_F(RankCommand, TheMachinesValueLiesInARangeThatCostsWhatThePlanSays) {
     }
 }
 
+/// The tools of each feature in their order, each visit once, of setups where sharing changed nothing. Not
+/// those below material that stays, which `rank` takes for cut.
+std::map<std::string, std::vector<std::string>> unsharedTools(const Json& plan) {
+    std::set<std::string> shared;
+    for (const Json& setup : plan.at("setups"))
+        if (setup.at("tool_sharing").at("features_changed") != 0) shared.insert(setup.at("id"));
+    std::map<std::string, std::vector<std::string>> tools;
+    std::set<std::string> with_residual;
+    for (const Json& feature : plan.at("features")) {
+        bool below = false;
+        for (const std::string parent : feature.at("parents"))
+            below = below || with_residual.count(parent) != 0;
+        if (below || !feature.at("residual").empty()) with_residual.insert(feature.at("id"));
+        if (!below && shared.count(feature.at("setup")) == 0) tools[feature.at("id")] = {};
+    }
+    for (const Json& operation : plan.at("operations")) {
+        const auto found = tools.find(operation.at("feature"));
+        if (found == tools.end()) continue;
+        if (found->second.empty() || found->second.back() != operation.at("tool"))
+            found->second.push_back(operation.at("tool"));
+    }
+    return tools;
+}
+
+/// The shop's tools set out that far at most, so that deep features are cut in bands.
+Json shortTools(double stick_out_mm) {
+    std::ifstream file(kSource + "/samples/shop_metric_tools.json");
+    Json library = Json::parse(file);
+    for (Json& tool : library.at("tools")) {
+        const double shorter_mm = tool.at("stick_out").get<double>() - stick_out_mm;
+        if (tool.at("type") == "drill" || shorter_mm <= 0) continue;
+        tool["stick_out"] = stick_out_mm;
+        tool["flute_length"] = std::min(tool.at("flute_length").get<double>(), stick_out_mm);
+        for (Json& cutting : tool.at("cutting"))
+            cutting["step_down"] =
+                std::min(cutting.at("step_down").get<double>(), tool["flute_length"].get<double>());
+        if (tool.contains("shank"))
+            tool["shank"]["from"] = std::min(tool["shank"].at("from").get<double>(), stick_out_mm);
+        for (Json& cylinder : tool.at("holder"))
+            for (const char* end : {"bottom", "top"})
+                cylinder[end] = cylinder.at(end).get<double>() - shorter_mm;
+    }
+    return library;
+}
+
+/// The tools that the sensitivity has as best for a feature at a value.
+Json bestAt(double value, const Json& feature) {
+    for (const Json& range : feature.at("ranges"))
+        if (range.at("from") <= value && (range.at("to").is_null() || value < range.at("to")))
+            return range.at("tools");
+    return {};
+}
+
+TEST_F(RankCommand, TheSequenceAtTheMachinesValueIsThePlans) {
+    const std::string short_tools = write("short.json", shortTools(8).dump());
+    const std::vector<std::pair<std::string, bool>> cases{
+        {"bossed_pocket", false},  {"nested_pockets", false}, {"open_slots", false},
+        {"shoulder_block", false}, {"shoulder_block", true},  {"butterfly_pocket", true}};
+    int compared = 0;
+    int bands = 0;
+    for (const auto& [part, with_short_tools] : cases) {
+        std::vector<std::string> arguments{kSource + "/step_parts/" + part + ".step"};
+        if (with_short_tools) arguments.insert(arguments.end(), {"--tools", short_tools});
+        std::vector<std::string> plan{stepmillBinary(), "plan", "--json", "-o",
+                                      (fs::path(folder_.path()) / "plan").string()};
+        plan.insert(plan.end(), arguments.begin(), arguments.end());
+        const ProgramRun run = runProgram(plan);
+        ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
+        const auto planned = unsharedTools(Json::parse(run.out));
+        arguments.insert(arguments.end(), {"--sensitivity", "tool-change"});
+        const Json sensitivity = rankJson(arguments).at("sensitivity");
+        for (const Json& feature : sensitivity.at("features")) {
+            const std::string id = feature.at("feature");
+            if (planned.count(id) == 0) continue;
+            EXPECT_EQ(bestAt(sensitivity.at("now"), feature), planned.at(id)) << part << ' ' << id;
+            ++compared;
+            bands += std::count(id.begin(), id.end(), '.') > 1 ? 1 : 0;
+        }
+    }
+    EXPECT_GE(compared, 8);
+    EXPECT_GE(bands, 2) << "some features should be cut in bands";
+}
+
 TEST_F(RankCommand, GivesTheSameBytesForOneAndTwoThreads) {
     const std::vector<std::string> arguments{kSource + "/step_parts/rounded_pocket.step", "--sensitivity",
                                              "hourly-rate", "--buy", "--json"};

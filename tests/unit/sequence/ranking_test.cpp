@@ -87,13 +87,15 @@ TEST(Ranking, TableOfAPocketHasAccessVolumesAndRemovalRates) {
     const Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(40, 30), 5), 10);
     const ToolLibrary library = makeLibrary({makeMill(10, 1200, 4), makeMill(50), makeDrill(8)});
     const std::vector<AccessRow> rows =
-        accessTable({pocket, pocket}, library, makeMachine(), "aluminium", {});
+        accessTable({pocket, pocket}, library, makeMachine(), inAluminium(), {});
     ASSERT_EQ(rows.size(), 2u);  // drills do not mill
     EXPECT_NEAR(rows[0].volume_cm3, 2 * pocket.volume_mm3 / 1000, 1e-6);
     EXPECT_DOUBLE_EQ(rows[0].mrr_cm3_per_min, 5 * 4 * 1200 / 1000.0);
     EXPECT_DOUBLE_EQ(*rows[0].clear_volume_cm3, rows[0].volume_cm3);
     EXPECT_EQ(rows[1].volume_cm3, 0);
-    EXPECT_TRUE(accessTable({pocket}, library, makeMachine(), "cheese", {}).empty());
+    SequenceOptions in_cheese;
+    in_cheese.material = "cheese";
+    EXPECT_TRUE(accessTable({pocket}, library, makeMachine(), in_cheese, {}).empty());
 }
 
 TEST(Ranking, TableTellsWhatTheHolderTakes) {
@@ -102,10 +104,16 @@ TEST(Ranking, TableTellsWhatTheHolderTakes) {
     held.stick_out_mm = 20;
     held.holder = {{30, 20, 60}};
     const std::vector<AccessRow> rows =
-        accessTable({pocket}, makeLibrary({held}), makeMachine(), "aluminium", {});
+        accessTable({pocket}, makeLibrary({held}), makeMachine(), inAluminium(), {});
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_NEAR(rows[0].volume_cm3, pocket.volume_mm3 / 1000, 1e-6);
+    EXPECT_GT(*rows[0].clear_volume_cm3, 0);
     EXPECT_LT(*rows[0].clear_volume_cm3, rows[0].volume_cm3);
+    // What the holder keeps it from stands in the holder's way, so a plan does not use it at all.
+    SequenceOptions as_planned = inAluminium();
+    as_planned.clear_of_own_material = true;
+    EXPECT_EQ(*accessTable({pocket}, makeLibrary({held}), makeMachine(), as_planned, {})[0].clear_volume_cm3,
+              0);
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "stepmill/access/access.h"
+#include "stepmill/sequence/sequence.h"
+
+namespace stepmill {
+
+/// accessibleArea() of the tool by these options: with `clear_of_own_material` a tool that would meet what it
+/// leaves of the feature is excluded.
+AccessibleArea areaFor(const FeatureGround& ground, const ToolAssembly& tool, const SequenceOptions& options);
+
+}  // namespace stepmill
