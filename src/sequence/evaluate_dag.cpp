@@ -20,9 +20,12 @@ struct EdgeSlot {
     EdgeHelp help;
     double weight = kNoEdge;        ///< kNoEdge until evaluated, and for good if there is no such edge
     double least_weight = kNoEdge;  ///< lower bound of the weight, whatever tool follows
+    bool settled = false;           ///< evaluated or left out
 
     /// The weight before the tool that lets the edge save most.
     double lowestWeight() const { return weight - help.largestSaving(); }
+    /// What a path through it counts at least; kNoEdge where it need not be looked at any more.
+    double bound() const { return settled ? lowestWeight() : least_weight; }
 };
 
 class EdgeTable {
@@ -44,6 +47,7 @@ class EdgeTable {
         std::vector<char> left_out(edges.size(), 0);
         tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
             const auto [m, n] = edges[i];
+            slot(m, n).settled = true;
             left_out[i] = evaluate(m, n, known, slot(m, n)) ? 0 : 1;
         });
         return static_cast<int>(std::count(left_out.begin(), left_out.end(), 1));
@@ -63,29 +67,36 @@ class EdgeTable {
         return edges;
     }
 
-    /// Cheapest conceivable ways to and from every tool, from the edges' lower bounds; the edges from the
-    /// source count with their true weights once these are known.
-    void bound(bool source_known) {
+    /// Cheapest conceivable ways to and from every tool: from true weights where these are known, else from
+    /// the edges' lower bounds.
+    void bound() {
         to_tool_.assign(n_, kNoEdge);
         for (int n = 0; n < n_; ++n) {
-            const EdgeSlot& first = slot(kSource, n);
-            to_tool_[n] = source_known ? first.lowestWeight() : first.least_weight;
+            to_tool_[n] = slot(kSource, n).bound();
             for (int m = 0; m < n; ++m)
-                to_tool_[n] = std::min(to_tool_[n], to_tool_[m] + slot(m, n).least_weight);
+                to_tool_[n] = std::min(to_tool_[n], to_tool_[m] + slot(m, n).bound());
         }
         to_sink_.assign(n_, kNoEdge);
         for (int m = n_; m-- > 0;) {
             if (task_.ends[m]) to_sink_[m] = 0;
             for (int n = m + 1; n < n_; ++n)
-                to_sink_[m] = std::min(to_sink_[m], slot(m, n).least_weight + to_sink_[n]);
+                to_sink_[m] = std::min(to_sink_[m], slot(m, n).bound() + to_sink_[n]);
         }
     }
 
+    /// The edge is not looked at again.
+    void leaveOut(int m, int n) { slot(m, n).settled = true; }
+
     /// Is there such an edge, and could a path through it be as cheap as `known`? \pre bound() was called
     bool mayBeat(int m, int n, double known) const {
-        const double before = m == kSource ? 0 : to_tool_[m];
-        const double least = before + slot(m, n).least_weight + to_sink_[n];
+        const double least = leastThrough(m, n);
         return least < kNoEdge && least <= known;
+    }
+
+    /// What the cheapest conceivable path through the edge weighs. \pre bound() was called
+    double leastThrough(int m, int n) const {
+        const double before = m == kSource ? 0 : to_tool_[m];
+        return before + slot(m, n).least_weight + to_sink_[n];
     }
 
     /// The tool of those wanted with the least bound of its edge from the source; kSource without any.
@@ -188,6 +199,33 @@ class EdgeTable {
     std::vector<double> to_sink_;
 };
 
+/// Where a tool that does all alone is known only what beats it counts, so few edges at a time, the most
+/// promising first, leave out most of the others. Else every way that may pay is worth knowing: tools are
+/// shared between features.
+std::size_t firstPortion(const DagTask& task, std::size_t edges) {
+    constexpr std::size_t kFew = 4;
+    return task.alone_weight < kNoEdge ? kFew : edges;
+}
+
+/// Moves the edges with the least bounds from `open`, in their order there.
+std::vector<std::pair<int, int>> takeMostPromising(const EdgeTable& table, std::size_t count,
+                                                   std::vector<std::pair<int, int>>& open) {
+    if (open.size() <= count) return std::exchange(open, {});
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        order.emplace_back(table.leastThrough(open[i].first, open[i].second), i);
+    std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end());
+    std::vector<char> chosen(open.size(), 0);
+    for (std::size_t i = 0; i < count; ++i)
+        chosen[order[i].second] = 1;
+    std::vector<std::pair<int, int>> taken;
+    std::vector<std::pair<int, int>> left;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        (chosen[i] != 0 ? taken : left).push_back(open[i]);
+    open = std::move(left);
+    return taken;
+}
+
 }  // namespace
 
 DagResult evaluateDag(const DagTask& task) {
@@ -206,37 +244,42 @@ DagResult evaluateDag(const DagTask& task) {
     // First every tool that can do the whole feature alone: that gives a complete path to beat.
     const bool alone_known = task.alone_weight < kNoEdge;
     std::vector<std::pair<int, int>> round;
-    for (int n = 0; n < n_tools && !alone_known; ++n) {
-        if (task.ends[n] && !isHelped(n)) round.emplace_back(kSource, n);
+    for (int n = 0; n < n_tools; ++n) {
+        if (!task.ends[n] || isHelped(n)) continue;
+        if (alone_known)
+            table.leaveOut(kSource, n);
+        else
+            round.emplace_back(kSource, n);
     }
     table.evaluate(round, kNoEdge);
 
     // Then the others, leaving out what cannot beat it; edges that need surrogates cost most to evaluate.
-    const auto addRound = [&](int m_first, int m_last, bool source_known, const auto& wanted) {
-        // The bounds hold for real paths; an area model may be below them, and costs little to evaluate.
-        const double known = needsPaths(task) ? std::min(task.alone_weight, cheapest().cost) : kNoEdge;
-        table.bound(source_known);
-        round.clear();
-        for (int m = m_first; m <= m_last; ++m) {
-            for (int n = m + 1; n < n_tools; ++n) {
-                if (!table.exists(m, n) || !wanted(n)) continue;
-                if (table.mayBeat(m, n, known)) {
-                    round.emplace_back(m, n);
-                } else {
-                    ++result.pruned;
-                }
-            }
+    const auto addRound = [&](int m_first, int m_last, const auto& wanted) {
+        std::vector<std::pair<int, int>> open;
+        for (int m = m_first; m <= m_last; ++m)
+            for (int n = m + 1; n < n_tools; ++n)
+                if (table.exists(m, n) && wanted(n)) open.emplace_back(m, n);
+        for (std::size_t size = firstPortion(task, open.size()); !open.empty(); size *= 2) {
+            // The bounds hold for real paths; an area model may be below them, and costs little to evaluate.
+            const double known = needsPaths(task) ? std::min(task.alone_weight, cheapest().cost) : kNoEdge;
+            table.bound();
+            result.pruned += static_cast<int>(std::erase_if(open, [&](const auto& edge) {
+                const bool may = table.mayBeat(edge.first, edge.second, known);
+                if (!may) table.leaveOut(edge.first, edge.second);
+                return !may;
+            }));
+            round = takeMostPromising(table, size, open);
+            result.pruned += table.evaluate(round, known);
         }
-        result.pruned += table.evaluate(round, known);
     };
-    addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && !isHelped(n); });
+    addRound(kSource, kSource, [&](int n) { return !task.ends[n] && !isHelped(n); });
     // Where only helped tools can end the feature, the one that promises most gives the plan to beat.
     const int promising = table.mostPromising([&](int n) { return task.ends[n] && isHelped(n); });
-    addRound(kSource, kSource, false, [&](int n) { return n == promising; });
-    addRound(kSource, kSource, false, [&](int n) { return n != promising && task.ends[n] && isHelped(n); });
-    addRound(kSource, kSource, false, [&](int n) { return !task.ends[n] && isHelped(n); });
-    addRound(0, n_tools - 1, true, [&](int n) { return !isHelped(n); });
-    addRound(0, n_tools - 1, true, isHelped);
+    addRound(kSource, kSource, [&](int n) { return n == promising; });
+    addRound(kSource, kSource, [&](int n) { return n != promising && task.ends[n] && isHelped(n); });
+    addRound(kSource, kSource, [&](int n) { return !task.ends[n] && isHelped(n); });
+    addRound(0, n_tools - 1, [&](int n) { return !isHelped(n); });
+    addRound(0, n_tools - 1, isHelped);
 
     CheapestPath best = cheapest();
     if (alone_known && best.cost >= task.alone_weight) best = {};
