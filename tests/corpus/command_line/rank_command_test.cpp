@@ -237,6 +237,22 @@ TEST_F(RankCommand, TheSequenceAtTheMachinesValueIsThePlans) {
     EXPECT_GE(bands, 2) << "some features should be cut in bands";
 }
 
+TEST_F(RankCommand, WhatToBuyStartsFromThePlansTimes) {
+    const std::string short_tools = write("short.json", shortTools(8).dump());
+    const std::string part = kSource + "/step_parts/shoulder_block.step";
+    const Json plan = Json::parse(runProgram({stepmillBinary(), "plan", part, "--tools", short_tools,
+                                              "--json", "-o", (fs::path(folder_.path()) / "plan").string()})
+                                      .out);
+    ASSERT_FALSE(unsharedTools(plan).empty());
+    std::map<std::string, double> time_s;
+    for (const Json& feature : plan.at("features"))
+        time_s[feature.at("id")] = feature.at("time_s");
+    const Json purchases = rankJson({part, "--tools", short_tools, "--buy"}).at("purchases");
+    ASSERT_EQ(purchases.size(), time_s.size());
+    for (const Json& purchase : purchases)
+        EXPECT_NEAR(purchase.at("time_s").get<double>(), time_s.at(purchase.at("feature")), 1e-5) << purchase;
+}
+
 TEST_F(RankCommand, GivesTheSameBytesForOneAndTwoThreads) {
     const std::vector<std::string> arguments{kSource + "/step_parts/rounded_pocket.step", "--sensitivity",
                                              "hourly-rate", "--buy", "--json"};

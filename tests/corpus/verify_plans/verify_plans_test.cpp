@@ -338,6 +338,19 @@ TEST_F(SpoiltFinishing, ShowsAFloorThatIsNotFinished) {
     EXPECT_NE(run.out.find("that the plan does not name"), std::string::npos) << run.out;
 }
 
+TEST_F(SpoiltProgram, ShowsCutsDeeperThanPlanned) {
+    // The same program against a plan that wanted smaller depths of cut.
+    std::ifstream file(dir_ / "plan.json");
+    Json plan = Json::parse(file);
+    plan["operations"][1]["step_down_mm"] = 3;
+    std::ofstream(dir_ / "plan.json") << plan;
+    const ProgramRun run = verify(dir_);
+    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_NE(run.out.find("S1.O2: goes more than the planned 3 mm below what was cut before"),
+              std::string::npos)
+        << run.out;
+}
+
 TEST_F(SpoiltProgram, IsNotPosted) {
     replace(find(" G0 Z1.0000"), "Z1.0000", "Z-3.0000");
     verifySpoilt();
