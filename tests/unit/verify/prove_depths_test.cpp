@@ -17,7 +17,7 @@ class ProveDepths : public testing::Test {
         planned_.step_down_mm = kStepDownMm;
         planned_.z_floor_mm = -10;
         state_.feature.floor_z_mm = -10;
-        state_.standing = makeRectangle({-5, -5}, {45, 5});
+        state_.standing = {{-10, makeRectangle({-5, -5}, {45, 5})}};
         operation_.start = {0, 0, 5};
     }
 
@@ -124,11 +124,23 @@ TEST_F(ProveDepths, ARampThatIsTooSteepIsShown) {
 }
 
 TEST_F(ProveDepths, GroundThatWasClearedBeforeIsFree) {
-    state_.standing = makeRectangle({30, -5}, {45, 5});
+    state_.standing = {{-10, makeRectangle({30, -5}, {45, 5})}};
     pass(-10, 0, 24);
     prove();
     EXPECT_TRUE(failures_.empty());
     pass(-10, 0, 26);
+    prove();
+    EXPECT_EQ(failures_.size(), 1U);
+}
+
+TEST_F(ProveDepths, AFloorPassCountsOnWhatRoughingClearedOverIt) {
+    // Roughing left half a millimetre on the floor and nothing else.
+    state_.standing = {{-10, makeRectangle({-5, -5}, {45, 5})}, {-9.5, {}}};
+    planned_.step_down_mm = 0.5;
+    pass(-10);
+    prove();
+    EXPECT_TRUE(failures_.empty());
+    state_.standing.back().z_mm = -9;
     prove();
     EXPECT_EQ(failures_.size(), 1U);
 }
