@@ -201,7 +201,7 @@ void proveMoves(const ReadOperation& operation, const RecordedOperation& planned
     checkClearance(whole, bands.back(), radius_mm, planned.leaves.walls_mm - tol.gouge_mm, tol,
                    findings.proof.clearance_mm,
                    planned.leaves.walls_mm > 0 ? "cuts into the finishing allowance or what must stay"
-                                                  : "cuts into what must stay",
+                                               : "cuts into what must stay",
                    findings);
     // Feeds over the feature's top, where prove() takes for granted that nothing stands.
     const LinedPath above = somePath(operation, 0, [&](const Vec3& from, const Move& move) {
@@ -284,7 +284,9 @@ void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned
         const double flat = length(Vec2(from.head<2>()), {Vec2(move.to.head<2>()), move.arc});
         from = move.to;
         if (move.kind == MoveKind::Rapid) continue;
-        const double sinking = drop > 0 ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
+        // Moves as short as the last decimal have any slope once they are rounded.
+        const double sinking =
+            drop > kSameHeightMm ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
         const double share = std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit);
         findings.proof.feed_share = std::max(findings.proof.feed_share, share);
         if (told || share <= 1 + kFeedRounding) continue;

@@ -67,6 +67,11 @@ TEST(VerifyPlans, EveryPlanningTargetIsProvenWithAFinishingAllowance) {
     proveAll(planningTargets(), kWithAllowance);
 }
 
+TEST(VerifyPlans, MovesAsShortAsALastDecimalAreNoPlunges) {
+    // Walls moved in by so little have edges that short, which ramps run along.
+    proveAll({std::string(STEPMILL_SOURCE_DIR) + "/step_parts/die_cavity.step"}, {"--finish-walls", "0.02"});
+}
+
 TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
     for (const std::string& part : sampleParts()) {
         const TemporaryFolder folder;
