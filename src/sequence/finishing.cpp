@@ -15,20 +15,21 @@
 namespace stepmill {
 namespace {
 
-/// The feature as roughing sees it: walls moved in, floor raised.
-Feature roughedTo(const FeatureGround& ground, const FinishAllowance& allowance) {
+/// The feature with its walls moved in.
+Feature movedIn(const FeatureGround& ground, double walls_mm) {
     Feature feature = ground.feature();
-    if (allowance.walls_mm > 0) {
-        feature.obstruction = ground.obstructionOffset(allowance.walls_mm);
-        feature.target = ground.walledIn()
-                             ? ground.targetOffset(-allowance.walls_mm)
-                             : subtract(feature.target, feature.obstruction, ground.tolerances());
-        feature.area_mm2 = area(feature.target);
-        feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
-    }
-    if (allowance.floors_mm <= 0) return feature;
-    const double floor_z_mm = feature.floor_z_mm + allowance.floors_mm;
-    return withFloor(std::move(feature), floor_z_mm);
+    if (walls_mm <= 0) return feature;
+    feature.obstruction = ground.obstructionOffset(walls_mm);
+    feature.target = ground.walledIn() ? ground.targetOffset(-walls_mm)
+                                       : subtract(feature.target, feature.obstruction, ground.tolerances());
+    feature.area_mm2 = area(feature.target);
+    feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
+    return feature;
+}
+
+/// The feature as roughing sees it: the floor raised too.
+Feature raised(const Feature& feature, double floors_mm) {
+    return floors_mm > 0 ? withFloor(feature, feature.floor_z_mm + floors_mm) : feature;
 }
 
 /// The layer that stays on the floor of a roughed feature.
@@ -48,7 +49,8 @@ class AllowanceTrial {
           tol_(task.ground.tolerances()),
           used_(used),
           allowance_(allowance),
-          rough_(roughedTo(task.ground, allowance), tol_),
+          moved_in_(movedIn(task.ground, allowance.walls_mm), tol_),
+          rough_(raised(moved_in_.feature(), allowance.floors_mm), tol_),
           layer_(layerUnder(rough_.feature(), feature_), tol_) {}
 
     std::vector<SequenceStep> make() {
@@ -80,18 +82,18 @@ class AllowanceTrial {
   private:
     const Candidate& last() const { return *used_.back(); }
 
-    /// What the tools reach of the roughed feature.
+    /// What the tools reach beside the allowance on walls, down to the floor: shank and holder go there too.
     bool findAreas() {
-        if (rough_.feature().target.empty()) {
+        if (moved_in_.feature().target.empty()) {
             trouble_ = "it is too narrow for one";
             return false;
         }
         areas_.reserve(used_.size());
         for (const Candidate* tool : used_) {
-            areas_.push_back(accessibleArea(rough_, *tool->tool, task_.options.material));
+            areas_.push_back(accessibleArea(moved_in_, *tool->tool, task_.options.material));
             AccessibleArea& area = areas_.back();
             if (!area.excluded && task_.options.clear_of_own_material)
-                area.excluded = access::ownMaterialTrouble(rough_, *tool->tool, area);
+                area.excluded = access::ownMaterialTrouble(moved_in_, *tool->tool, area);
             if (area.excluded) {
                 trouble_ = fmt::format("with one {} would not do: {}", tool->tool->id, area.excluded->text);
                 return false;
@@ -130,7 +132,7 @@ class AllowanceTrial {
 
     double stickOut(std::size_t tool) const {
         return std::max(leastStickOutMm(task_.ground, *used_[tool]->tool, used_[tool]->own()),
-                        leastStickOutMm(rough_, *used_[tool]->tool, areas_[tool]));
+                        leastStickOutMm(moved_in_, *used_[tool]->tool, areas_[tool]));
     }
 
     DagTask on(const FeatureGround& ground) const {
@@ -194,9 +196,10 @@ class AllowanceTrial {
     const Tolerances& tol_;
     const std::vector<const Candidate*>& used_;
     FinishAllowance allowance_;
+    FeatureGround moved_in_;
     FeatureGround rough_;
     FeatureGround layer_;
-    std::vector<AccessibleArea> areas_;  ///< on rough_, of each tool; candidates point into it
+    std::vector<AccessibleArea> areas_;  ///< on moved_in_, of each tool; candidates point into it
     std::vector<Candidate> candidates_;
     Region strip_;
     std::string trouble_;
