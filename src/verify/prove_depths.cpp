@@ -31,6 +31,8 @@ Way wayOf(const Vec2& from, const Segment& segment, int line) {
     return way;
 }
 
+/// A step is the difference of two heights, both rounded [mm].
+constexpr double kStepRoundingMm = 2 * kSameHeightMm;
 /// Ramps are looked at in pieces that sink no more than this share of the step-down.
 constexpr double kRampPiece = 1.0 / 64;
 /// A ramp begins this much over the material, so that turn by turn it sinks as much more than the step-down
@@ -91,7 +93,7 @@ class DepthProver {
     /// How high may be what a pass at that height counts on?
     double reachOver(double low_mm) const {
         const double ramp_mm = kRampStartMm + kRampPiece * planned_.step_down_mm;
-        return low_mm + planned_.step_down_mm + kSameHeightMm + (ramping_ ? ramp_mm : 0);
+        return low_mm + planned_.step_down_mm + kStepRoundingMm + (ramping_ ? ramp_mm : 0);
     }
 
     /// Feeds a move; a ramp in pieces.

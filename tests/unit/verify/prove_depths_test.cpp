@@ -71,6 +71,14 @@ TEST_F(ProveDepths, AFirstLevelTooDeepIsShown) {
     EXPECT_EQ(failures_.size(), 1U);
 }
 
+TEST_F(ProveDepths, RoundedHeightsPass) {
+    // Each as far off as words in inches may be that were mm with four decimals before.
+    pass(-4 + 1.7e-4);
+    pass(-8 - 1.7e-4);
+    prove();
+    EXPECT_TRUE(failures_.empty());
+}
+
 TEST_F(ProveDepths, ALevelThatEndsEarlyDoesNotCarryTheNextOne) {
     pass(-4, 0, 20);
     pass(-8);
