@@ -24,6 +24,9 @@ PlanFiles postedFiles(const Plan& plan) {
 namespace {
 
 constexpr const char* kLeftReason = "left between passes";
+/// What passes leave of so little area is named, however small the feature; more is a fault of its path
+/// [mm2].
+constexpr double kCrumbMm2 = 0.01;
 
 /// What our own reader cannot take is a proof that fails.
 Verification verified(const Plan& plan, const Tolerances& tol) {
@@ -77,7 +80,7 @@ Verification provePlan(Plan& plan, const Tolerances& tol) {
     Verification verification = verified(plan, tol);
     bool any_named = false;
     for (const Leftover& leftover : verification.leftovers) {
-        if (leftover.area_mm2 > tol.volume_share * leftover.target_mm2) continue;
+        if (leftover.area_mm2 > std::max(kCrumbMm2, tol.volume_share * leftover.target_mm2)) continue;
         nameLeftover(plan, leftover);
         any_named = true;
     }

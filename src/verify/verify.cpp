@@ -11,6 +11,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/area_models.h"
+#include "toolpath/swept_region.h"
 #include "verify/prove_operation.h"
 
 namespace stepmill {
