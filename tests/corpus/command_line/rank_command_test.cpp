@@ -154,20 +154,18 @@ TEST_F(RankCommand, TheMachinesValueLiesInARangeThatCostsWhatThePlanSays) {
     }
 }
 
-/// The tools of each feature in their order, each visit once, of setups where sharing changed nothing. Not
+/// The tools of each feature in their order, each visit once; nothing where sharing changed some. Not
 /// those below material that stays, which `rank` takes for cut.
 std::map<std::string, std::vector<std::string>> unsharedTools(const Json& plan) {
-    std::set<std::string> shared;
-    for (const Json& setup : plan.at("setups"))
-        if (setup.at("tool_sharing").at("features_changed") != 0) shared.insert(setup.at("id"));
     std::map<std::string, std::vector<std::string>> tools;
+    if (plan.at("tool_sharing").at("features_changed") != 0) return tools;
     std::set<std::string> with_residual;
     for (const Json& feature : plan.at("features")) {
         bool below = false;
         for (const std::string parent : feature.at("parents"))
             below = below || with_residual.count(parent) != 0;
         if (below || !feature.at("residual").empty()) with_residual.insert(feature.at("id"));
-        if (!below && shared.count(feature.at("setup")) == 0) tools[feature.at("id")] = {};
+        if (!below) tools[feature.at("id")] = {};
     }
     for (const Json& operation : plan.at("operations")) {
         const auto found = tools.find(operation.at("feature"));
