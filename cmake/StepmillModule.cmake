@@ -1,9 +1,9 @@
-# stepmill_module(NAME SOURCES ... DEPENDS modules ... LIBRARIES targets ...)
+# stepmill_module(NAME SOURCES ... DEPENDS modules ... LIBRARIES targets ... [PRECOMPILE headers...])
 #
 # One static library `stepmill_<name>` per module. DEPENDS are modules above it in the data flow and are
 # public, since their types stand in this module's headers; LIBRARIES stay private.
 function(stepmill_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES;PRECOMPILE" ${ARGN})
   set(target stepmill_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(stepmill::${name} ALIAS ${target})
@@ -12,5 +12,5 @@ function(stepmill_module name)
   foreach(module ${ARG_DEPENDS})
     target_link_libraries(${target} PUBLIC stepmill_${module})
   endforeach()
-  target_precompile_headers(${target} PRIVATE ${STEPMILL_PRECOMPILED})
+  target_precompile_headers(${target} PRIVATE ${STEPMILL_PRECOMPILED} ${ARG_PRECOMPILE})
 endfunction()

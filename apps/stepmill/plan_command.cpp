@@ -31,9 +31,12 @@ int exitCodeOf(const Plan& plan, const Verification& verification, const PlanOpt
 }
 
 void tellFailures(const Verification& verification) {
-    for (const ProofFailure& failure : verification.failures)
-        fmt::print(stderr, "stepmill: no program is written: {} of {}, line {}: {}\n", failure.operation,
-                   failure.file, failure.line, failure.text);
+    for (const ProofFailure& failure : verification.failures) {
+        const std::string operation = failure.operation.empty() ? "" : failure.operation + " of ";
+        const std::string line = failure.line > 0 ? fmt::format(", line {}", failure.line) : "";
+        fmt::print(stderr, "stepmill: no program is written: {}{}{}: {}\n", operation, failure.file, line,
+                   failure.text);
+    }
 }
 
 int planAll(const PlanOptions& options, const fs::path& out_folder, ProgressLine& progress) {

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +14,9 @@ namespace stepmill {
 namespace {
 
 using nlohmann::json;
+
+/// No machine has a fixture farther off: a unit gone wrong [mm].
+constexpr double kFarthestMm = 1e5;
 
 /// Reads a document that keeps the schema.
 class FixtureReader {
@@ -43,13 +48,19 @@ class FixtureReader {
         throw Error(ErrorCode::InvalidCatalog, file_name_ + pointer, what);
     }
 
-    double length(const json& value) const { return value.get<double>() * mm_per_unit_; }
+    double length(const json& value, const std::string& pointer) const {
+        const double length_mm = value.get<double>() * mm_per_unit_;
+        if (std::abs(length_mm) > kFarthestMm)
+            fail(pointer,
+                 fmt::format("expected no more than {:g} m, found {}", kFarthestMm / 1000, value.dump()));
+        return length_mm;
+    }
 
     Fixture fixture(const json& from, const std::string& pointer) const {
         Fixture fixture;
         fixture.name = from["name"];
-        fixture.bottom_z_mm = length(from["bottom"]);
-        fixture.top_z_mm = length(from["top"]);
+        fixture.bottom_z_mm = length(from["bottom"], pointer + "/bottom");
+        fixture.top_z_mm = length(from["top"], pointer + "/top");
         if (fixture.top_z_mm <= fixture.bottom_z_mm)
             fail(pointer + "/top", fmt::format("expected a top above the bottom ({}), found {}",
                                                from["bottom"].dump(), from["top"].dump()));
@@ -59,8 +70,10 @@ class FixtureReader {
 
     Region outline(const json& from, const std::string& pointer) const {
         std::vector<Vec2> corners;
-        for (const json& corner : from)
-            corners.emplace_back(length(corner[0]), length(corner[1]));
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const std::string corner = fmt::format("{}/{}", pointer, i);
+            corners.emplace_back(length(from[i][0], corner + "/0"), length(from[i][1], corner + "/1"));
+        }
         Region section = makePolygon(corners);
         if (const auto fault = diagnose(section))
             fail(pointer, "expected corners of an outline that does not cross itself: " + *fault);

@@ -42,6 +42,16 @@ void requireOutside(const Fixture& fixture, const FixtureFile& given, const Laye
     }
 }
 
+/// What stands under the stock is set against it and does not grow into it.
+void capUnderStock(const Fixture& fixture, const LayerStack& layers, const Tolerances& tol, Fixture& larger) {
+    for (const Layer& layer : layers.layers) {
+        const bool over = layer.bottom_z_mm >= fixture.top_z_mm - kTouchMm;
+        if (!over || layer.bottom_z_mm >= larger.top_z_mm) continue;
+        if (area(intersect(fixture.section, layer.stock, tol)) > tol.area_mm2)
+            larger.top_z_mm = std::max(fixture.top_z_mm, layer.bottom_z_mm);
+    }
+}
+
 }  // namespace
 
 void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
@@ -51,7 +61,9 @@ void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) 
     std::vector<std::string> names;
     for (const Fixture& fixture : found->second) {
         requireOutside(fixture, given, stage.layers, stage.setup.id, tol);
-        stage.setup.fixtures.push_back(grown(fixture, given.growth, tol));
+        Fixture larger = grown(fixture, given.growth, tol);
+        capUnderStock(fixture, stage.layers, tol, larger);
+        stage.setup.fixtures.push_back(std::move(larger));
         names.push_back(fixture.name);
     }
     stage.clamping = {};

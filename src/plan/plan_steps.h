@@ -10,6 +10,12 @@
 
 namespace stepmill {
 
+/// Reason of what the passes leave of a feature's target that its tools reach.
+inline constexpr const char* kLeftBetweenPasses = "left between passes";
+/// What passes leave of so little area is named, however small the feature; more than a small share of it is
+/// a fault of its path [mm2].
+inline constexpr double kCrumbMm2 = 0.01;
+
 /// A feature as it can be planned below others that left material standing and beside fixtures.
 struct ReducedFeature {
     Feature feature;                ///< with an empty target when nothing of it is free
@@ -26,9 +32,9 @@ std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const Pla
 
 /// Takes what the features above left, and the fixtures that reach above its floor, out of a feature's target
 /// and adds them to what cutter and holder must keep clear of: no tool meets material that was believed gone,
-/// nor what holds the part.
-/// \param parents    the feature's own parents, planned
-/// \param ancestors  all features it waits for, planned
+/// nor what holds the part. A through hole with a fixture under it is through no more: drills stop at its
+/// floor. \param parents    the feature's own parents, planned \param ancestors  all features it waits for,
+/// planned
 ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
                        const std::vector<const PlannedFeature*>& ancestors,
                        const std::vector<Fixture>& fixtures, const Tolerances& tol);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "plan/plan_steps.h"
+#include "sequence/drilling.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -21,6 +22,8 @@ std::vector<Standing> standingOf(const std::vector<const PlannedFeature*>& plann
         for (const Residual& residual : feature->sequence.residual) {
             // What an ancestor could not take below others lies below what those left, and they are here too.
             if (residual.reason.starts_with(kBelow)) continue;
+            // A crumb in the mouth of the next feature is cut with that.
+            if (residual.reason == kLeftBetweenPasses && residual.area_mm2 <= kCrumbMm2) continue;
             if (!residual.region.empty()) found.push_back({residual.region, feature->feature.top_z_mm});
         }
     }
@@ -73,6 +76,9 @@ std::string namesOf(const std::vector<const PlannedFeature*>& parents) {
     return names;
 }
 
+/// Heights closer than this are one: jaws end where the lowest cut beside them begins, but for rounding [mm].
+constexpr double kSameHeightMm = 1e-6;
+
 struct InTheWay {
     std::vector<Standing> standing;
     std::string names;
@@ -82,11 +88,21 @@ struct InTheWay {
 InTheWay inTheWay(const std::vector<Fixture>& fixtures, const Feature& feature) {
     InTheWay found;
     for (const Fixture& fixture : fixtures) {
-        if (fixture.top_z_mm <= feature.floor_z_mm) continue;
+        if (fixture.top_z_mm <= feature.floor_z_mm + kSameHeightMm) continue;
         found.standing.push_back({fixture.section, fixture.top_z_mm});
         found.names += (found.names.empty() ? "" : ", ") + fixture.name;
     }
     return found;
+}
+
+/// A drill goes below the floor of a through hole, unless a fixture lies there: then it stops at the floor.
+void stopAboveFixtures(Feature& feature, const std::vector<Fixture>& fixtures, const Tolerances& tol) {
+    if (!feature.through || !isHole(feature.feature_class)) return;
+    const double tip_mm = deepestDrillTipZ(feature);
+    feature.through = std::none_of(fixtures.begin(), fixtures.end(), [&](const Fixture& fixture) {
+        return fixture.bottom_z_mm < feature.floor_z_mm && fixture.top_z_mm > tip_mm &&
+               area(intersect(fixture.section, feature.target, tol)) > 0;
+    });
 }
 
 /// Adds what stands to what the feature's tools keep clear of, and takes it off the target as a residual.
@@ -140,10 +156,11 @@ ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFe
                        const std::vector<const PlannedFeature*>& ancestors,
                        const std::vector<Fixture>& fixtures, const Tolerances& tol) {
     ReducedFeature found{feature, {}};
-    const std::string names = namesOf(parents);
-    keepClear(found, standingOf(ancestors), kBelow + names, "what " + names + " needs", tol);
+    stopAboveFixtures(found.feature, fixtures, tol);
     const InTheWay held = inTheWay(fixtures, feature);
     keepClear(found, held.standing, "fixture", "another clamping than " + held.names, tol);
+    const std::string names = namesOf(parents);
+    keepClear(found, standingOf(ancestors), kBelow + names, "what " + names + " needs", tol);
     return found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/plan_steps.h"
 #include "report/posted_files.h"
 #include "stepmill/core/error.h"
 #include "stepmill/report/report.h"
@@ -23,11 +24,6 @@ PlanFiles postedFiles(const Plan& plan) {
 
 namespace {
 
-constexpr const char* kLeftReason = "left between passes";
-/// What passes leave of so little area is named, however small the feature; more is a fault of its path
-/// [mm2].
-constexpr double kCrumbMm2 = 0.01;
-
 /// What our own reader cannot take is a proof that fails.
 Verification verified(const Plan& plan, const Tolerances& tol) {
     const PlanFiles files = report::postedFiles(plan);
@@ -44,11 +40,11 @@ void moveToResidual(VolumeBalance& books, double volume_mm3) {
     books.planned_mm3 -= volume_mm3;
     books.residual_mm3 += volume_mm3;
     for (ReasonVolume& entry : books.residual_by_reason) {
-        if (entry.reason != kLeftReason) continue;
+        if (entry.reason != kLeftBetweenPasses) continue;
         entry.volume_mm3 += volume_mm3;
         return;
     }
-    books.residual_by_reason.push_back({kLeftReason, volume_mm3});
+    books.residual_by_reason.push_back({kLeftBetweenPasses, volume_mm3});
     std::sort(books.residual_by_reason.begin(), books.residual_by_reason.end(),
               [](const ReasonVolume& a, const ReasonVolume& b) { return a.reason < b.reason; });
 }
@@ -58,7 +54,7 @@ void nameLeftover(Plan& plan, const Leftover& leftover) {
     residual.region = leftover.region;
     residual.area_mm2 = leftover.area_mm2;
     residual.volume_mm3 = leftover.area_mm2 * leftover.height_mm;
-    residual.reason = kLeftReason;
+    residual.reason = kLeftBetweenPasses;
     residual.advice = "a finishing pass, or a smaller step-over in the cutting data";
     for (PlannedSetup& setup : plan.setups) {
         for (PlannedFeature& planned : setup.features) {

@@ -16,6 +16,15 @@ double holeRadiusMm(const Feature& feature) {
     return std::sqrt(area(feature.target) / kPi);
 }
 
+double pointLengthMm(double drill_radius_mm) {
+    return drill_radius_mm / std::tan(degToRad(kHalfPointAngleDeg));
+}
+
+double tipZ(const Feature& feature, double drill_radius_mm) {
+    return feature.through ? feature.floor_z_mm - pointLengthMm(drill_radius_mm) - kBreakThroughMm
+                           : feature.floor_z_mm;
+}
+
 /// Does a cylinder around the hole's axis meet what stands over its bottom?
 bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm, double radius_mm) {
     for (const Obstacle& obstacle : feature.obstacles) {
@@ -44,11 +53,15 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
 }  // namespace
 
 double pointLengthMm(const ToolAssembly& drill) {
-    return drill.radius_mm() / std::tan(degToRad(kHalfPointAngleDeg));
+    return pointLengthMm(drill.radius_mm());
 }
 
 double drillTipZ(const Feature& feature, const ToolAssembly& drill) {
-    return feature.through ? feature.floor_z_mm - pointLengthMm(drill) - kBreakThroughMm : feature.floor_z_mm;
+    return tipZ(feature, drill.radius_mm());
+}
+
+double deepestDrillTipZ(const Feature& feature) {
+    return tipZ(feature, holeRadiusMm(feature));
 }
 
 DrillCheck drillCheck(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {

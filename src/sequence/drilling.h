@@ -28,6 +28,9 @@ double pointLengthMm(const ToolAssembly& drill);
 /// How deep the tip goes: to the floor, or through it by the point and a little where nothing is below.
 double drillTipZ(const Feature& feature, const ToolAssembly& drill);
 
+/// The same for the largest drill that could make the hole. \pre isHole(feature.feature_class)
+double deepestDrillTipZ(const Feature& feature);
+
 /// The drilled hole as the feature's only step.
 SequenceStep drillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,
                        double retract_z_mm, const Machine& machine);

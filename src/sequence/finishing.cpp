@@ -7,7 +7,6 @@
 #include "access/collision.h"
 #include "access/slivers.h"
 #include "sequence/holder_limits.h"
-#include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "toolpath/finish_walls.h"
 #include "toolpath/passes.h"
@@ -59,16 +58,22 @@ class AllowanceTrial {
         for (std::size_t i = 0; i < candidates_.size(); ++i) {
             const Candidate* before = i == 0 ? nullptr : &candidates_[i - 1];
             addStep(steps, roughStep(before, candidates_[i]), i);
-            if (allowance_.floors_mm > 0) addStep(steps, floorStep(before, candidates_[i]), i);
+            if (allowance_.floors_mm <= 0) continue;
+            SequenceStep floor = floorStep(before, candidates_[i]);
+            left_on_floor_ = toolpath::leftBy(floor.path, left_on_floor_, feature_.floor_z_mm,
+                                              candidates_[i].tool->radius_mm(), tol_);
+            addStep(steps, std::move(floor), i);
+        }
+        if (isMuch(left_on_floor_)) {
+            trouble_ = "passes over the floor leave some of it";
+            return {};
         }
         if (!strip_.empty()) {
             SequenceStep walls = wallStep();
-            const Region left = access::withoutSliverComponents(
-                toolpath::leftBy(walls.path, strip_, feature_.floor_z_mm, last().tool->radius_mm(), tol_),
-                tol_);
-            if (area(left) > sameArea(feature_, tol_)) {
-                trouble_ = fmt::format("a pass along the walls by {} leaves {:.3g} mm2 of it",
-                                       last().tool->id, area(left));
+            if (!trouble_.empty()) return {};
+            if (isMuch(toolpath::leftBy(walls.path, strip_, feature_.floor_z_mm, last().tool->radius_mm(),
+                                        tol_))) {
+                trouble_ = fmt::format("a pass along the walls by {} leaves some of it", last().tool->id);
                 return {};
             }
             addStep(steps, std::move(walls), candidates_.size() - 1);
@@ -105,14 +110,19 @@ class AllowanceTrial {
         return true;
     }
 
-    /// What roughing leaves along the walls and the last tool can reach.
+    bool isMuch(const Region& left) const {
+        return area(access::withoutSliverComponents(left, tol_)) > sameArea(feature_, tol_);
+    }
+
+    /// What roughing leaves on the floor, and along the walls where the last tool can reach.
     bool findStrip() {
-        if (allowance_.walls_mm <= 0) return true;
-        std::vector<Region> roughed;
+        std::vector<Region> coverable;
         for (const AccessibleArea& area : areas_)
-            roughed.push_back(area.coverable);
-        strip_ = access::withoutSliverComponents(subtract(last().area->coverable, unite(roughed, tol_), tol_),
-                                                 tol_);
+            coverable.push_back(area.coverable);
+        const Region roughed = unite(coverable, tol_);
+        if (allowance_.floors_mm > 0) left_on_floor_ = roughed;
+        if (allowance_.walls_mm <= 0) return true;
+        strip_ = access::withoutSliverComponents(subtract(last().area->coverable, roughed, tol_), tol_);
         if (strip_.empty()) return true;
         const auto widest = ClearanceDiagram(strip_, tol_).largestInscribedDisc();
         if (!widest || 2 * widest->radius_mm <= kWidestFinishAllowances * allowance_.walls_mm) return true;
@@ -160,7 +170,8 @@ class AllowanceTrial {
         return step;
     }
 
-    SequenceStep wallStep() const {
+    /// Sets `trouble_` where the moves are not proven.
+    SequenceStep wallStep() {
         const AccessibleArea& reached = last().own();
         ClearingTask clearing;
         clearing.free_centres = reached.free_centres;
@@ -185,9 +196,8 @@ class AllowanceTrial {
                                           *last().tool, last().cutting, task_.machine, tol_);
         step.proof = prove(step.path, clearing, last().tool->radius_mm(), tol_);
         if (step.proof.least_clearance_mm < -tol_.gouge_mm || !step.proof.rapids_clear)
-            throw Error(ErrorCode::Internal, feature_.id,
-                        fmt::format("the finishing pass of {} is not clear of what stands: {:.4f} mm",
-                                    last().tool->id, step.proof.least_clearance_mm));
+            trouble_ =
+                fmt::format("a pass along the walls by {} is not clear of what stands", last().tool->id);
         return step;
     }
 
@@ -201,6 +211,7 @@ class AllowanceTrial {
     FeatureGround layer_;
     std::vector<AccessibleArea> areas_;  ///< on moved_in_, of each tool; candidates point into it
     std::vector<Candidate> candidates_;
+    Region left_on_floor_;  ///< until the floor steps are made: all of it
     Region strip_;
     std::string trouble_;
 };

@@ -56,13 +56,16 @@ class SetupProver {
         verify::proveDepths(operation, planned, state, tol_, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
         for (verify::StandingAbove& above : state.standing)
-            if (!cleared.empty() && above.z_mm >= planned.z_floor_mm)
+            if (!cleared.empty() && above.z_mm >= planned.z_floor_mm - verify::kSameHeightMm)
                 above.region = subtract(above.region, cleared, tol_);
-        const std::vector<Region> left = leftOf(planned, state);
+        done_.insert(operation.id);
+        const bool last = isLastOfFeature(planned);
+        // At the end what roughing left on the floor must be gone too.
+        const double floor_z_mm = last ? state.standing.front().z_mm : planned.z_floor_mm;
+        const std::vector<Region> left = leftOf(planned.feature_id, floor_z_mm, state);
         for (const Region& piece : left)
             proof.left_mm2 += area(piece);
-        done_.insert(operation.id);
-        if (isLastOfFeature(planned)) checkLeft(operation, planned, state, left, findings);
+        if (last) checkLeft(operation, planned.feature_id, floor_z_mm, state, left, findings);
         into_.operations.push_back(proof);
     }
 
@@ -89,9 +92,11 @@ class SetupProver {
         state.safe_z_mm = highestFixtureMm(setup_.fixtures);
         std::set<double> heights;
         for (const auto& [operation_id, operation] : record_.operations)
-            if (operation.feature_id == id) heights.insert(operation.z_floor_mm);
+            if (operation.feature_id == id)
+                heights.insert({operation.z_floor_mm, operation.z_floor_mm - operation.leaves.floors_mm});
         for (const double z_mm : heights)
-            state.standing.push_back({z_mm, state.feature.target});
+            if (state.standing.empty() || z_mm > state.standing.back().z_mm + verify::kSameHeightMm)
+                state.standing.push_back({z_mm, state.feature.target});
         return states_.emplace(id, std::move(state)).first->second;
     }
 
@@ -117,18 +122,19 @@ class SetupProver {
             });
     }
 
-    /// What stands, less what the plan names as standing down to this operation's floor; pieces too small to
-    /// be anything left out, the largest first.
-    std::vector<Region> leftOf(const RecordedOperation& planned, const FeatureState& state) const {
+    /// What stands over a height, less what the plan names as standing down to there; pieces too small to be
+    /// anything left out, the largest first.
+    std::vector<Region> leftOf(const std::string& feature_id, double floor_z_mm,
+                               const FeatureState& state) const {
         std::vector<Region> named;
-        const double depth_mm = state.feature.top_z_mm - planned.z_floor_mm;
-        for (const Residual& residual : record_.features.at(planned.feature_id).sequence.residual) {
+        const double depth_mm = state.feature.top_z_mm - floor_z_mm;
+        for (const Residual& residual : record_.features.at(feature_id).sequence.residual) {
             // Area, height and volume are rounded in the file.
             const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm + 2 * residual.area_mm2);
             if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
                 named.push_back(residual.region);
         }
-        const Region& standing = state.standingAt(planned.z_floor_mm);
+        const Region& standing = state.standingAt(floor_z_mm);
         const bool all_named = standing.empty() || named.empty();
         std::vector<Region> pieces = toolpath::piecesBeyondSkins(
             all_named ? standing : subtract(standing, unite(named, tol_), tol_), tol_);
@@ -137,16 +143,16 @@ class SetupProver {
         return pieces;
     }
 
-    void checkLeft(const ReadOperation& operation, const RecordedOperation& planned,
+    void checkLeft(const ReadOperation& operation, const std::string& feature_id, double floor_z_mm,
                    const FeatureState& state, const std::vector<Region>& left,
                    const verify::Findings& findings) const {
         // As much as the planner takes for full access.
         if (left.empty() || findings.proof.left_mm2 <= kFullAccessShare * area(state.feature.target)) return;
         Leftover leftover{setup_.id,
-                          planned.feature_id,
+                          feature_id,
                           {},
                           findings.proof.left_mm2,
-                          state.feature.top_z_mm - planned.z_floor_mm,
+                          state.feature.top_z_mm - floor_z_mm,
                           area(state.feature.target)};
         for (const Region& piece : left)
             leftover.region.loops.insert(leftover.region.loops.end(), piece.loops.begin(), piece.loops.end());

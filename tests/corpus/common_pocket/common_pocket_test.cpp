@@ -4,6 +4,7 @@
 
 #include <fstream>
 #include <map>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,30 @@ TEST(CommonPocketPlan, IsHardlyEverInAir) {
         const double air_s = operation.at("air_length_mm").get<double>() / 5000 * 60 +
                              operation.at("feed_air_length_mm").get<double>() / 300 * 60;
         EXPECT_LT(air_s, 0.05 * operation.at("time_s").get<double>());
+    }
+}
+
+/// Of all feed motion in closed pockets, rest material in their corners included, less than that is in air.
+constexpr double kMostAirShare = 0.05;
+
+TEST(ClosedPockets, AreCutWithHardlyAnyFeedInAir) {
+    const TemporaryFolder folder;
+    for (const std::string& part : sampleParts()) {
+        const ProgramRun run =
+            runProgram({stepmillBinary(), "plan", part, "--json", "-o", folder.path() + "/plan"});
+        ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
+        const Json plan = Json::parse(run.out);
+        std::set<std::string> pockets;
+        for (const Json& feature : plan.at("features"))
+            if (feature.at("class") == "closed pocket") pockets.insert(feature.at("id"));
+        double cut_mm = 0;
+        double air_mm = 0;
+        for (const Json& operation : plan.at("operations")) {
+            if (pockets.count(operation.at("feature")) == 0) continue;
+            cut_mm += operation.at("cut_length_mm").get<double>();
+            air_mm += operation.at("feed_air_length_mm").get<double>();
+        }
+        EXPECT_LE(air_mm, kMostAirShare * cut_mm) << part;
     }
 }
 

@@ -332,6 +332,43 @@ TEST_F(SpoiltFinishing, ShowsAPassAlongTheWallsThatIsNotRun) {
     expectFails(comment, "that the plan does not name");
 }
 
+TEST_F(SpoiltFinishing, ShowsAPlanThatForgetsTheFloor) {
+    // Neither plan nor program has a finishing operation: roughing's allowance would stay.
+    std::ifstream file(dir_ / "plan.json");
+    Json plan = Json::parse(file);
+    const std::set<std::string> finish = [&] {
+        std::set<std::string> ids;
+        for (const Json& operation : plan["operations"])
+            if (operation["role"] == "finish") ids.insert(operation["id"]);
+        return ids;
+    }();
+    ASSERT_FALSE(finish.empty());
+    const auto is_finish = [&](const Json& id) { return finish.count(id.get<std::string>()) > 0; };
+    Json kept = Json::array();
+    for (const Json& operation : plan["operations"])
+        if (!is_finish(operation["id"])) kept.push_back(operation);
+    plan["operations"] = kept;
+    Json ids = Json::array();
+    for (const Json& id : plan["setups"][0]["operations"])
+        if (!is_finish(id)) ids.push_back(id);
+    plan["setups"][0]["operations"] = ids;
+    std::ofstream(dir_ / "plan.json") << plan;
+    // In the program their comments and motions go; changes of the tool for what follows stay.
+    bool finishing = false;
+    std::erase_if(lines_, [&](const std::string& line) {
+        const std::size_t comment = line.find("(S1.O");
+        if (comment != std::string::npos)
+            finishing = finish.count(line.substr(comment + 1, line.find(' ', comment) - comment - 1)) > 0;
+        const bool moves = line.find(" X") != std::string::npos || line.find(" Y") != std::string::npos ||
+                           line.find(" Z") != std::string::npos;
+        return finishing && (moves || comment != std::string::npos);
+    });
+    const ProgramRun run = verifySpoilt();
+    EXPECT_NE(run.exit_code, 0) << run.out;
+    EXPECT_NE((run.out + run.err).find("that the plan does not name"), std::string::npos)
+        << run.out << run.err;
+}
+
 TEST_F(SpoiltFinishing, ShowsAFloorThatIsNotFinished) {
     const std::size_t comment = find("(S1.O2 ");
     const std::size_t end = find("(S1.O3 ");

@@ -48,6 +48,10 @@ TEST(ReadFixtures, NamesThePlaceOfWhatIsWrong) {
             fileWith(R"({"name": "a", "outline": [[0, 0], [4, 4], [4, 0], [0, 4]], "bottom": 0, "top": 5})"))
             .find("an outline that does not cross itself"),
         std::string::npos);
+    EXPECT_NE(
+        refusal(fileWith(R"({"name": "a", "outline": [[0, 0], [1e9, 0], [1, 1]], "bottom": 0, "top": 5})"))
+            .find("#/setups/0/fixtures/0/outline/1/0: expected no more than 100 m, found"),
+        std::string::npos);
     EXPECT_NE(refusal(R"({"format": 1, "unit": "mm", "setups": [{"setup": "S1", "fixtures": []},
                           {"setup": "S1", "fixtures": []}]})")
                   .find("#/setups/1/setup: expected every setup once"),

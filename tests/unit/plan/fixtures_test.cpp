@@ -44,8 +44,8 @@ double closestMm(const Plan& plan, const Region& region, double z_mm) {
 TEST(Fixtures, AClampOverAPocketLeavesWhatIsUnderIt) {
     const Fixture clamp{"clamp", makeRectangle(Vec2(-20, 30), Vec2(35, 50)), 0, 25};
     const Plan plan = planWith("rounded_pocket.step", {clamp});
-    // 20 mm of the pocket's length; the clamp is planned with half of 5 % of its 20 mm larger on each side, round
-    // at its corners.
+    // 20 mm of the pocket's length; the clamp is planned with half of 5 % of its 20 mm larger on each side,
+    // round at its corners.
     EXPECT_NEAR(residualMm3(plan, "fixture"), (20.5 * 21 - 0.5 * 0.25 * (4 - kPi)) * 12, 1e-3);
     EXPECT_FALSE(plan.complete(kTol));
     EXPECT_LT(plan.balance.gapShare(), 1e-3);
@@ -80,6 +80,17 @@ TEST(Fixtures, AreRefusedInTheStockAndNamedWhereTheSetupDoesNotExist) {
     EXPECT_TRUE(std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const Warning& warning) {
         return warning.code == "fixtures-unused" && warning.subject == "S9";
     }));
+}
+
+TEST(Fixtures, NothingGoesIntoAPlateUnderThePart) {
+    // 10 mm thick with through holes, on a plate that touches it. Touching it does not grow into it.
+    const Plan plan = planWith("plate_with_holes.step",
+                               {{"plate", makeRectangle(Vec2(-50, -50), Vec2(400, 400)), -60, -10}});
+    EXPECT_EQ(residualMm3(plan, "fixture"), 0);
+    for (const Operation& operation : plan.setups.front().operations)
+        for (const Move& move : operation.path.moves)
+            EXPECT_GE(move.to.z(), -10) << operation.id;
+    EXPECT_LT(plan.balance.gapShare(), 1e-3);
 }
 
 TEST(Fixtures, HoldersPassBesideHighOnes) {

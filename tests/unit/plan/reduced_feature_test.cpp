@@ -91,6 +91,19 @@ TEST(Reduced, AFixtureBelowTheFloorIsInNobodysWay) {
     EXPECT_FALSE(contains(free.feature.obstruction, Vec2(35, 50)));
 }
 
+TEST(Reduced, JawsThatEndWhereACutBeginsAreInNobodysWayWhateverTheRounding) {
+    const Fixture jaw{"jaw", makeRectangle(Vec2(20, 20), Vec2(40, 80)), -50, -30 + 4e-15};
+    EXPECT_TRUE(reduced(child(), {}, {}, {jaw}, kTol).blocked.empty());
+}
+
+TEST(Reduced, CrumbsOfParentsAreCutWithTheFeature) {
+    PlannedFeature parent = parentLeaving(makeRectangle(Vec2(50, 50), Vec2(50.09, 50.09)));
+    parent.sequence.residual.front().reason = kLeftBetweenPasses;
+    EXPECT_TRUE(reduced(child(), {&parent}, {&parent}, {}, kTol).blocked.empty());
+    parent.sequence.residual.front().reason = "corner radius";
+    EXPECT_FALSE(reduced(child(), {&parent}, {&parent}, {}, kTol).blocked.empty());
+}
+
 TEST(VolumeBalance, HasNoGapWhereThereIsNothingToRemove) {
     Plan plan;
     plan.balance.stock_minus_part_mm3 = kVolumeRoundingMm3 / 2;
