@@ -21,9 +21,9 @@ bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol
 }
 
 /// Books that do not close and proofs that fail are bugs of ours: warnings and proofs say where.
-int exitCodeOf(const Plan& plan, const Verification& verification, const PlanOptions& options,
-               const Tolerances& tol) {
-    if (!verification.proven()) return kBug;
+int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Tolerances& tol) {
+    const Plan& plan = proven.plan;
+    if (!proven.verification.proven()) return kBug;
     const bool books_open = std::any_of(plan.warnings.begin(), plan.warnings.end(),
                                         [](const Warning& warning) { return warning.code == "books"; });
     if (books_open) return kBug;
@@ -48,21 +48,20 @@ int planAll(const PlanOptions& options, const fs::path& out_folder, ProgressLine
 
     int exit_code = kComplete;
     for (const Part& part : parts) {
-        Plan plan = planPart(part, request, shop.library, shop.machine, tol,
-                             [&](const std::string& stage, double share) { progress.show(stage, share); });
-        progress.show("proving the programs", 1);
-        const Verification verification = provePlan(plan, tol);
+        const ProvenPlan proven =
+            planProven(part, request, shop.library, shop.machine, tol,
+                       [&](const std::string& stage, double share) { progress.show(stage, share); });
         fs::path folder = out_folder;
         if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
         progress.show("writing the report", 1);
-        writePlan(plan, verification, folder, tol);
+        writePlan(proven, folder, tol);
         progress.show("done", 1);
         if (options.json)
-            fmt::print("{}\n", planJson(plan));
+            fmt::print("{}\n", proven.files.plan_json);
         else
-            fmt::print("{}\nReport: {}\n", summaryText(plan), (folder / "report.html").string());
-        tellFailures(verification);
-        exit_code = std::max(exit_code, exitCodeOf(plan, verification, options, tol));
+            fmt::print("{}\nReport: {}\n", summaryText(proven.plan), (folder / "report.html").string());
+        tellFailures(proven.verification);
+        exit_code = std::max(exit_code, exitCodeOf(proven, options, tol));
     }
     return exit_code;
 }

@@ -5,6 +5,9 @@
 namespace stepmill {
 namespace {
 
+/// Setup coordinates have their zero on the stock's top.
+constexpr double kStockTopZMm = 0;
+
 /// What the cutting data say beyond feeds and speeds.
 void takeShopData(Operation& operation, const ToolLibrary& library, const std::string& material) {
     const CuttingData* cutting = library.tool(operation.tool_id).cuttingFor(material);
@@ -13,14 +16,23 @@ void takeShopData(Operation& operation, const ToolLibrary& library, const std::s
     if (operation.role == Role::Drill) operation.dwell_s = cutting->dwell_s;
 }
 
+/// Drills come with cycles, whose rapids stay in the hole.
+bool getsPlainRapids(const Operation& operation, const Cautions& cautions) {
+    const auto caution = cautions.find(operation.feature_id);
+    return operation.role != Role::Drill && caution != cautions.end() && caution->second.plain_ways;
+}
+
 /// The step's path moves to the operation.
-Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& plan) {
+Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& plan,
+                      const Cautions& cautions) {
     Operation operation;
     operation.setup_id = planned.feature.setup_id;
     operation.feature_id = planned.feature.id;
     operation.tool_id = step.tool_id;
     operation.role = step.role;
     operation.path = std::move(step.path);
+    if (getsPlainRapids(operation, cautions))
+        operation.path = withPlainRapids(operation.path, kStockTopZMm, plan.machine);
     operation.proof = step.proof;
     operation.leaves = step.leaves;
     operation.z_floor_mm = planned.sequence.floor_z_mm + step.leaves.floors_mm;
@@ -38,13 +50,13 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& p
 
 }  // namespace
 
-void makeOperations(Plan& plan) {
+void makeOperations(Plan& plan, const Cautions& cautions) {
     std::vector<Operation> operations;
     std::vector<std::size_t> setup_of;
     for (std::size_t s = 0; s < plan.setups.size(); ++s) {
         for (PlannedFeature& planned : plan.setups[s].features) {
             for (SequenceStep& step : planned.sequence.steps) {
-                operations.push_back(operationOf(planned, step, plan));
+                operations.push_back(operationOf(planned, step, plan, cautions));
                 setup_of.push_back(s);
             }
         }

@@ -17,12 +17,39 @@ constexpr double kSequencesShare = 0.35;
 /// A residual of which less than this lies outside earlier ones is not new.
 constexpr double kNewResidualShare = 0.1;
 
+/// The libraries of the features that do without some tools, by feature id.
+using SmallerLibraries = std::map<std::string, ToolLibrary>;
+
+SmallerLibraries smallerLibraries(const Cautions& cautions, const ToolLibrary& library) {
+    SmallerLibraries smaller;
+    for (const auto& [feature, caution] : cautions) {
+        if (caution.without_tools.empty()) continue;
+        ToolLibrary left = library;
+        std::erase_if(left.tools,
+                      [&](const ToolAssembly& tool) { return caution.without_tools.count(tool.id) > 0; });
+        smaller.emplace(feature, std::move(left));
+    }
+    return smaller;
+}
+
 struct Request {
     const PlanRequest& options;
     const ToolLibrary& library;
+    const SmallerLibraries& smaller;
     const Machine& machine;
     const Tolerances& tol;
     const Progress& progress;
+
+    const ToolLibrary& libraryOf(const std::string& feature) const {
+        const auto found = smaller.find(feature);
+        return found != smaller.end() ? found->second : library;
+    }
+    /// Of the feature; one that asks for nothing where there is none.
+    const FeatureCaution& cautionOf(const std::string& feature) const {
+        static const FeatureCaution kNone;
+        const auto found = options.cautions.find(feature);
+        return found != options.cautions.end() ? found->second : kNone;
+    }
 
     void report(const std::string& stage, double share) const {
         if (progress) progress(stage, share);
@@ -148,15 +175,27 @@ class FeaturePlanner {
             const ReducedFeature free =
                 reduced(planned.feature, parentsOf(planned.feature, by_id),
                         ancestorsOf(planned.feature, by_id), setup_.fixtures, request_.tol);
-            ToolSequence sequence;
-            sequence.feature_id = planned.feature.id;
-            sequence.floor_z_mm = planned.feature.floor_z_mm;
-            if (!free.feature.target.empty())
-                sequence = sequenceTools(free.feature, request_.library, request_.machine,
-                                         sequenceOptions(planned.feature), request_.tol);
+            ToolSequence sequence = sequenceOf(free.feature, planned.feature);
             sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
             return sequence;
         });
+    }
+
+    /// \param free  what of the feature is free to be cut
+    ToolSequence sequenceOf(const Feature& free, const Feature& feature) const {
+        const FeatureCaution& caution = request_.cautionOf(feature.id);
+        ToolSequence sequence;
+        sequence.feature_id = feature.id;
+        sequence.floor_z_mm = feature.floor_z_mm;
+        if (free.target.empty()) return sequence;
+        if (caution.dropped) {
+            sequence.residual.push_back(wholeAsResidual(free, kNotProven, "a report of this part"));
+            return sequence;
+        }
+        sequence = sequenceTools(free, request_.libraryOf(feature.id), request_.machine,
+                                 sequenceOptions(feature), request_.tol);
+        sequence.residual.insert(sequence.residual.end(), caution.left.begin(), caution.left.end());
+        return sequence;
     }
 
     /// Does the same target go on below? Then its floor is no face of the part.
@@ -171,6 +210,7 @@ class FeaturePlanner {
     SequenceOptions sequenceOptions(const Feature& feature) const {
         SequenceOptions options = asPlanned(request_.options.sequence);
         if (isUpperBand(feature)) options.finish.floors_mm = 0;
+        if (request_.cautionOf(feature.id).plain_ways) options.pattern = Pattern::ContourInsideOut;
         const double fixture_mm = highestFixtureMm(setup_.fixtures);
         if (fixture_mm > 0) options.retract_mm = fixture_mm + request_.machine.safe_height_mm;
         return options;
@@ -285,7 +325,8 @@ void warnOfPart(Plan& plan) {
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress) {
     requireMaterial(library, request.sequence.material);
-    const Request job{request, library, machine, tol, progress};
+    const SmallerLibraries smaller = smallerLibraries(request.cautions, library);
+    const Request job{request, library, smaller, machine, tol, progress};
     Plan plan;
     plan.part = part;
     plan.machine = machine;
@@ -312,7 +353,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     }
     warnOfUnusedFixtures(plan, request.fixtures);
     shareTools(plan);
-    makeOperations(plan);
+    makeOperations(plan, request.cautions);
     setStickOuts(plan);
     addUpTotals(plan);
     const double removable_mm3 = plan.stock.volume_mm3 - part.volume_mm3;
@@ -321,6 +362,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     warnOfUnreachable(plan);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup);
+    warnOfCautions(plan, request.cautions);
     warnOfMagazine(plan);
     warnOfShape(plan);
     warnOfBooks(plan, accounts, tol);

@@ -12,6 +12,8 @@ namespace stepmill {
 
 /// Reason of what the passes leave of a feature's target that its tools reach.
 inline constexpr const char* kLeftBetweenPasses = "left between passes";
+/// Reason of what stays because no program that cuts it was proven.
+inline constexpr const char* kNotProven = "proof";
 /// What passes leave of so little area is named, however small the feature; more than a small share of it is
 /// a fault of its path [mm2].
 inline constexpr double kCrumbMm2 = 0.01;
@@ -94,7 +96,8 @@ SharedChoice shareTools(const std::vector<Precedence>& features,
 void shareTools(Plan& plan);
 
 /// The steps of all features become operations, in machining order and numbered in it.
-void makeOperations(Plan& plan);
+/// \param cautions  features whose mills get plain rapids
+void makeOperations(Plan& plan, const Cautions& cautions);
 
 /// Sets every tool of a range out as short as all its steps in the plan allow.
 void setStickOuts(Plan& plan);
@@ -158,6 +161,8 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
 
 /// Doubts about the part file and the slicing.
 void warnOfInput(Plan& plan, const LayerStack& layers);
+/// What was planned anew or dropped, and what the proof had said.
+void warnOfCautions(Plan& plan, const Cautions& cautions);
 /// More tools than the magazine has places.
 void warnOfMagazine(Plan& plan);
 /// Residuals, travel, slow steps.

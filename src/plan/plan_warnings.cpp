@@ -2,6 +2,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "plan/plan_steps.h"
 
@@ -71,6 +72,15 @@ void warnOfTravel(Plan& plan, const PlannedSetup& setup) {
     }
 }
 
+/// What is done about a program that was not proven, the strongest measure.
+std::string measuresOf(const FeatureCaution& caution) {
+    if (caution.dropped) return "nothing of the feature is cut";
+    if (!caution.left.empty()) return "what its tools leave is named as staying";
+    if (!caution.without_tools.empty())
+        return fmt::format("planned without {}", fmt::join(caution.without_tools, ", "));
+    return "planned with plain rapids";
+}
+
 }  // namespace
 
 void warnOfInput(Plan& plan, const LayerStack& layers) {
@@ -133,6 +143,13 @@ void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
     }
     warnOfSlowSteps(plan, setup);
     warnOfTravel(plan, setup);
+}
+
+void warnOfCautions(Plan& plan, const Cautions& cautions) {
+    for (const auto& [feature, caution] : cautions)
+        plan.warnings.push_back(
+            {kNotProven, feature,
+             fmt::format("a first program was not proven ({}); now {}", caution.why, measuresOf(caution))});
 }
 
 void warnOfMagazine(Plan& plan) {

@@ -1,15 +1,18 @@
-// The plan's programs, proven before they are written.
+// Plans whose programs are proven before they are written.
 
 #include <fmt/format.h>
 
 #include "plan/plan_steps.h"
-#include "report/posted_files.h"
 #include "stepmill/core/error.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
+namespace {
 
-namespace report {
+/// So many tools are taken from a feature one after another before it is dropped.
+constexpr std::size_t kMostToolsWithheld = 3;
+/// So often what stays is named before the feature is dropped.
+constexpr std::size_t kMostLeftNamed = 3;
 
 PlanFiles postedFiles(const Plan& plan) {
     PlanFiles files;
@@ -20,21 +23,18 @@ PlanFiles postedFiles(const Plan& plan) {
     return files;
 }
 
-}  // namespace report
-
-namespace {
-
 /// What our own reader cannot take is a proof that fails.
-Verification verified(const Plan& plan, const Tolerances& tol) {
-    const PlanFiles files = report::postedFiles(plan);
+Verification verified(const PlanFiles& files, const Tolerances& tol, const Prover& prover) {
     try {
-        return verifyPlan(files, tol);
+        return prover(files, tol);
     } catch (const Error& error) {
         Verification verification;
         verification.failures.push_back({error.subject(), 0, "", error.what()});
         return verification;
     }
 }
+
+// What passes leave ---------------------------------------------------------------------------------------
 
 void moveToResidual(VolumeBalance& books, double volume_mm3) {
     books.planned_mm3 -= volume_mm3;
@@ -49,13 +49,18 @@ void moveToResidual(VolumeBalance& books, double volume_mm3) {
               [](const ReasonVolume& a, const ReasonVolume& b) { return a.reason < b.reason; });
 }
 
-void nameLeftover(Plan& plan, const Leftover& leftover) {
+Residual residualOf(const Leftover& leftover) {
     Residual residual;
     residual.region = leftover.region;
     residual.area_mm2 = leftover.area_mm2;
     residual.volume_mm3 = leftover.area_mm2 * leftover.height_mm;
     residual.reason = kLeftBetweenPasses;
     residual.advice = "a finishing pass, or a smaller step-over in the cutting data";
+    return residual;
+}
+
+void nameLeftover(Plan& plan, const Leftover& leftover) {
+    const Residual residual = residualOf(leftover);
     for (PlannedSetup& setup : plan.setups) {
         for (PlannedFeature& planned : setup.features) {
             if (planned.feature.id != leftover.feature) continue;
@@ -70,17 +75,105 @@ void nameLeftover(Plan& plan, const Leftover& leftover) {
     }
 }
 
-}  // namespace
-
-Verification provePlan(Plan& plan, const Tolerances& tol) {
-    Verification verification = verified(plan, tol);
+/// Small places that stay are named in the plan as it is: nothing that it counts on changes.
+bool nameCrumbs(ProvenPlan& proven, const Tolerances& tol) {
     bool any_named = false;
-    for (const Leftover& leftover : verification.leftovers) {
+    for (const Leftover& leftover : proven.verification.leftovers) {
         if (leftover.area_mm2 > std::max(kCrumbMm2, tol.volume_share * leftover.target_mm2)) continue;
-        nameLeftover(plan, leftover);
+        nameLeftover(proven.plan, leftover);
         any_named = true;
     }
-    return any_named ? verified(plan, tol) : verification;
+    return any_named;
+}
+
+ProvenPlan proved(Plan&& plan, const Tolerances& tol, const Prover& prover) {
+    ProvenPlan proven{std::move(plan), {}, {}};
+    proven.files = postedFiles(proven.plan);
+    proven.verification = verified(proven.files, tol, prover);
+    if (!nameCrumbs(proven, tol)) return proven;
+    proven.files = postedFiles(proven.plan);
+    proven.verification = verified(proven.files, tol, prover);
+    return proven;
+}
+
+// More caution --------------------------------------------------------------------------------------------
+
+/// What failed in one feature.
+struct FailedFeature {
+    std::set<std::string> tools;
+    std::string first;  ///< failure, for people
+    int failures = 0;
+    std::vector<Residual> left;  ///< each is one of the failures
+
+    bool onlyLeaves() const { return failures == static_cast<int>(left.size()); }
+};
+using FailedFeatures = std::map<std::string, FailedFeature>;
+
+FailedFeatures failedIn(const PlannedSetup& setup, const Verification& verification) {
+    FailedFeatures failed;
+    for (const Operation& operation : setup.operations) {
+        for (const ProofFailure& failure : verification.failures) {
+            if (failure.operation != operation.id) continue;
+            FailedFeature& feature = failed[operation.feature_id];
+            feature.tools.insert(operation.tool_id);
+            if (feature.failures++ == 0)
+                feature.first = fmt::format("{}, {}, line {}: {}", operation.tool_id, failure.file,
+                                            failure.line, failure.text);
+        }
+    }
+    for (const Leftover& leftover : verification.leftovers)
+        if (const auto found = failed.find(leftover.feature); found != failed.end())
+            found->second.left.push_back(residualOf(leftover));
+    return failed;
+}
+
+/// The next safer way to plan the feature. \pre it is not dropped
+void addCaution(FeatureCaution& caution, const FailedFeature& failed) {
+    if (caution.why.empty()) caution.why = failed.first;
+    if (!caution.plain_ways) {
+        caution.plain_ways = true;
+    } else if (failed.onlyLeaves() && caution.left.size() < kMostLeftNamed) {
+        caution.left.insert(caution.left.end(), failed.left.begin(), failed.left.end());
+    } else if (!failed.onlyLeaves() && caution.without_tools.size() < kMostToolsWithheld) {
+        caution.without_tools.insert(failed.tools.begin(), failed.tools.end());
+    } else {
+        caution.dropped = true;
+    }
+}
+
+/// Forgets what was found out of setups after this one: their stock is another now.
+void forgetLater(const Plan& plan, std::size_t setup, Cautions& cautions) {
+    for (std::size_t later = setup + 1; later < plan.setups.size(); ++later)
+        std::erase_if(cautions, [&](const auto& entry) {
+            return entry.first.starts_with(plan.setups[later].setup.id + ".");
+        });
+}
+
+/// More caution in the first setup that has failures; false where nothing can be done.
+bool addCautions(const ProvenPlan& proven, Cautions& cautions) {
+    for (std::size_t s = 0; s < proven.plan.setups.size(); ++s) {
+        const FailedFeatures failed = failedIn(proven.plan.setups[s], proven.verification);
+        if (failed.empty()) continue;
+        for (const auto& [id, feature] : failed)
+            addCaution(cautions[id], feature);
+        forgetLater(proven.plan, s, cautions);
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+                      const Machine& machine, const Tolerances& tol, const Progress& progress,
+                      const Prover& prover) {
+    PlanRequest careful = request;
+    for (;;) {
+        Plan plan = planPart(part, careful, library, machine, tol, progress);
+        if (progress) progress("proving the programs", 1);
+        ProvenPlan proven = proved(std::move(plan), tol, prover);
+        if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
+    }
 }
 
 }  // namespace stepmill

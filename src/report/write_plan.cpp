@@ -1,6 +1,5 @@
 #include <system_error>
 
-#include "report/posted_files.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/report/report.h"
@@ -70,13 +69,12 @@ void removeUnfinished(const fs::path& dir) {
     fs::remove_all(workFolder(dir), ignored);
 }
 
-void writePlan(const Plan& plan, const Verification& verification, const fs::path& dir,
-               const Tolerances& tol) {
+void writePlan(const ProvenPlan& proven, const fs::path& dir, const Tolerances& tol) {
     std::vector<std::pair<std::string, std::string>> files;
-    const PlanFiles posted = report::postedFiles(plan);
+    const PlanFiles& posted = proven.files;
     files.emplace_back("plan.json", posted.plan_json);
-    files.emplace_back("report.html", reportHtml(plan, tol));
-    if (verification.proven())
+    files.emplace_back("report.html", reportHtml(proven.plan, tol));
+    if (proven.verification.proven())
         for (const auto& [setup, programs] : posted.programs)
             for (const PostedProgram& program : programs)
                 files.emplace_back(program.file, program.text);
@@ -92,7 +90,7 @@ void writePlan(const Plan& plan, const Verification& verification, const fs::pat
         fs::rename(work.path() / name, dir / name, why);
         if (why) failWriting(dir / name, why);
     }
-    if (!verification.proven()) removePrograms(posted, dir);
+    if (!proven.verification.proven()) removePrograms(posted, dir);
     work.keepParents();
 }
 

@@ -351,7 +351,7 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
     const Tolerances& tol = task.ground.tolerances();
     if (n.drill()) return drilledBy(task, n);
     SequenceStep step = stepOf(task, m, n);
-    step.path = pathBy(Pattern::Best, task, n, step.area, nullptr);
+    step.path = pathBy(task.options.pattern, task, n, step.area, nullptr);
     // Regions choose for themselves; what lies between them may cost more than they save.
     Toolpath weighed = pathBy(kWeighedPattern, task, n, step.area, nullptr);
     const auto weight = [&](const Toolpath& path) {
@@ -361,7 +361,7 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
     step.proof =
-        prove(step.path, clearingTask(task, n, step.area, Pattern::Best, nullptr), n.tool->radius_mm(), tol);
+        prove(step.path, clearingTask(task, n, step.area, task.options.pattern, nullptr), n.tool->radius_mm(), tol);
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,
                     fmt::format("the path of tool {} would cut {:.4f} mm into what must stay", n.tool->id,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -123,11 +125,24 @@ struct Plan {
     bool complete(const Tolerances& tol) const;
 };
 
+/// How a feature is planned after a plan whose programs were not proven in it. Later fields are safer.
+struct FeatureCaution {
+    std::string why;          ///< what the proof said first, and where
+    bool plain_ways = false;  ///< one pattern of rings, and rapids as withPlainRapids() makes them
+    std::set<std::string> without_tools;  ///< ids
+    std::vector<Residual> left;  ///< what its tools were found to leave: it stays, and what lies below it
+    bool dropped = false;        ///< no tool touches it
+};
+
+/// By feature id.
+using Cautions = std::map<std::string, FeatureCaution>;
+
 struct PlanRequest {
     SetupRequest setup;
     SliceOptions slicing;
     SequenceOptions sequence;
     FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
+    Cautions cautions;     ///< none in the first plan of a part
 };
 
 /// Called at the start of each stage ("slicing S1", "S1.F2") with the share done in [0, 1].
@@ -136,9 +151,9 @@ using Progress = std::function<void(const std::string& stage, double share)>;
 /// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books.
 /// Every setup is planned on the stock that the paths of those before it leave (plan/stages.h). A chosen
 /// setup in which no tool finds anything new to do is left out. A feature whose planning fails becomes a
-/// residual with a warning; the rest of the plan stands. Books that do not close are a warning "books" that
-/// says where. \throws Error for input the plan cannot go on with (stock too small, a part many times larger
-/// than the
+/// residual with a warning; the rest of the plan stands; so does one that the cautions drop ("proof"). Books
+/// that do not close are a warning "books" that says where. \throws Error for input the plan cannot go on
+/// with (stock too small, a part many times larger than the
 ///         machine, no tool for the material).
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});

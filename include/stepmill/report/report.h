@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "stepmill/plan/plan.h"
@@ -18,18 +19,37 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol);
 /// The short table for the terminal: features, tools, times, what stays.
 std::string summaryText(const Plan& plan);
 
-/// Reads the programs the plan would be written with back and proves them (verify.h). Small places that the
-/// paths are found to leave (no more of a feature than books may miss, `tol.volume_share`) become residuals
-/// of the plan, "left between passes", with their volume in its books, so that nothing is lost silently; more
-/// than that is a proof that fails.
-Verification provePlan(Plan& plan, const Tolerances& tol);
+/// A plan with its files, and what their proof said.
+struct ProvenPlan {
+    Plan plan;
+    PlanFiles files;  ///< the very bytes that were proven
+    Verification verification;
+};
+
+/// Proves the files of a plan; verifyPlan() but in tests.
+using Prover = std::function<Verification(const PlanFiles&, const Tolerances&)>;
+
+/// Plans a part and proves the programs it would be written with (verify.h).
+///
+/// Small places that the paths are found to leave (no more of a feature than books may miss,
+/// `tol.volume_share`) become residuals of the plan, "left between passes", with their volume in its books.
+/// Where the proof fails otherwise, the part is planned again with more caution in the features that failed,
+/// step by step until all is proven: plain rings and rapids, then without the tools that failed, at last with
+/// the feature as a residual ("proof"). Where only material stays that the plan does not name, it is named.
+/// The first setup that fails is mended first: those after it see another stock then. Each measure taken is a
+/// warning "proof".
+///
+/// The result is unproven only where the failure belongs to no operation: a bug of ours. Costs one plan a
+/// round; nearly all parts take one.
+/// \throws what planPart() throws
+ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+                      const Machine& machine, const Tolerances& tol, const Progress& progress = {},
+                      const Prover& prover = verifyPlan);
 
 /// Writes plan.json, report.html and one program per setup into `dir` (made if absent). All files are
 /// complete or none is there. Without a proof no program is written and none of an earlier plan stays.
-/// \param verification  what provePlan() said of this plan
 /// \throws Error(OutputUnwritable)
-void writePlan(const Plan& plan, const Verification& verification, const std::filesystem::path& dir,
-               const Tolerances& tol);
+void writePlan(const ProvenPlan& proven, const std::filesystem::path& dir, const Tolerances& tol);
 
 /// Removes what a killed writePlan(…, dir, …) may have left beside `dir`. Does nothing where all is tidy.
 void removeUnfinished(const std::filesystem::path& dir);

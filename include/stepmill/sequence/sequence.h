@@ -46,6 +46,8 @@ struct SequenceOptions {
     /// Turn down tools whose shank or holder would meet what they leave of the feature itself. [DSouza2006]
     /// looks at the stock right after the feature and does not; a plan must.
     bool clear_of_own_material = false;
+    /// How the steps' regions are gone over.
+    Pattern pattern = Pattern::Best;
     /// What the chosen sequence leaves on walls and floors, and then takes off in finishing steps. The choice
     /// itself is made without: finishing adds about the same to every sequence.
     FinishAllowance finish;

@@ -158,6 +158,11 @@ PathTotals measure(const Toolpath& path, const Machine& machine);
 /// \see docs/algorithms/costs.md
 double motionTimeS(const Toolpath& path, const Machine& machine);
 
+/// The same path with rapids that rest on nothing the planner believes of what stands: they cross at the
+/// path's retract height alone, and what was a rapid down is fed at the plunge feed from just over the stock.
+/// \pre the path starts at its retract height; not for drills, whose cycles bring their own rapids. O(moves).
+Toolpath withPlainRapids(const Toolpath& path, double stock_top_z_mm, const Machine& machine);
+
 /// Checks the moves themselves, independently of how they were made.
 PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm, const Tolerances& tol);
 

@@ -34,6 +34,14 @@ const Plan& shoulderPlan() {
     return plan;
 }
 
+ProvenPlan provenShoulder() {
+    PlanFiles files;
+    files.plan_json = planJson(shoulderPlan());
+    for (const PlannedSetup& setup : shoulderPlan().setups)
+        files.programs[setup.setup.id] = post(jobOf(shoulderPlan(), setup), {files.dialect});
+    return {shoulderPlan(), files, {}};
+}
+
 int countOf(const std::string& text, const std::string& word) {
     int count = 0;
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
@@ -97,7 +105,7 @@ TEST(SummaryText, NamesToolsTimesAndBooks) {
 
 TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     const test::TemporaryFolder folder;
-    writePlan(shoulderPlan(), Verification{}, fs::path(folder.path()) / "a" / "job", Tolerances());
+    writePlan(provenShoulder(), fs::path(folder.path()) / "a" / "job", Tolerances());
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) names.insert(entry.path().filename().string());
@@ -110,7 +118,7 @@ TEST(WritePlan, LeavesNothingBehindWhereItCannotWrite) {
     writeFile(fs::path(folder.path()) / "file", "in the way");
     const fs::path target = fs::path(folder.path()) / "file" / "job";
     try {
-        writePlan(shoulderPlan(), Verification{}, target, Tolerances());
+        writePlan(provenShoulder(), target, Tolerances());
         FAIL() << "a folder below a file cannot be made";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::OutputUnwritable);
