@@ -1,10 +1,12 @@
 # Short names for the CMake presets; CI uses these same words.
-.PHONY: all plan test test-all asan fuzz tidy format bench golden clean deps
+.PHONY: all plan test test-all asan fuzz tidy format check-style bench golden install clean deps test-deps
 PART ?= step_parts/rounded_pocket.step
 OUT ?= out/$(basename $(notdir $(PART)))
+PREFIX ?= /usr/local
 STEPMILL = build/release/bin/stepmill
+SOURCES = $$(git ls-files '*.h' '*.cpp')
 
-all: build/release/build.ninja
+all: build/release/tests.configured
 	cmake --build --preset release
 
 plan: build/release/build.ninja
@@ -17,20 +19,24 @@ test: all
 test-all: all
 	ctest --test-dir build/release --output-on-failure -j2
 
-asan: build/dev/build.ninja
+asan: build/dev/tests.configured
 	cmake --build --preset dev --target unit_tests
 	LSAN_OPTIONS=suppressions=$(CURDIR)/tests/lsan.supp \
 	  ctest --test-dir build/dev -L 'unit' --output-on-failure -j2
 
-fuzz: build/dev/build.ninja
+fuzz: build/dev/tests.configured
 	cmake --build --preset dev --target region_text_fuzz
 	ctest --test-dir build/dev -L fuzz --output-on-failure
 
-tidy: build/tidy/build.ninja
+tidy: build/tidy/tests.configured
 	cmake --build --preset tidy
 
-format:
-	clang-format -i $$(git ls-files '*.h' '*.cpp')
+format: test-deps
+	clang-format-14 -i $(SOURCES)
+
+check-style: test-deps
+	clang-format-14 --dry-run --Werror $(SOURCES)
+	scripts/check-includes
 
 bench: all
 	build/release/bin/stepmill_bench
@@ -38,11 +44,23 @@ bench: all
 golden: all
 	STEPMILL_REWRITE_GOLDEN=1 ctest --test-dir build/release -L golden --output-on-failure
 
+install: build/release/build.ninja
+	cmake --build --preset release --target stepmill-app
+	cmake --install build/release --prefix $(PREFIX)
+
+# The program alone needs fewer packages than its tests.
 build/%/build.ninja: | deps
 	cmake --preset $*
 
+build/%/tests.configured: | test-deps
+	cmake --preset $* -DBUILD_TESTING=ON
+	touch $@
+
 deps:
 	@scripts/install-dependencies
+
+test-deps:
+	@scripts/install-dependencies --tests
 
 clean:
 	rm -rf build out

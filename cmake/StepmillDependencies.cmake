@@ -13,11 +13,8 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(GEOS REQUIRED)
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(GTest REQUIRED)
-find_package(benchmark REQUIRED)
 find_path(VALIJSON_INCLUDE_DIR valijson/validator.hpp REQUIRED)
 
 # GEOS' C++ interface (OverlayNG, index trees) lives in libgeos beside the C one.
@@ -45,9 +42,6 @@ target_compile_options(stepmill_warnings INTERFACE
 if(STEPMILL_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
-endif()
-if(STEPMILL_COSTLY_CHECKS)
-  add_compile_definitions(STEPMILL_COSTLY_CHECKS=1)
 endif()
 
 # The standard headers nearly every file needs, compiled once per module.

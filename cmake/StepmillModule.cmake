@@ -7,8 +7,11 @@ function(stepmill_module name)
   set(target stepmill_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(stepmill::${name} ALIAS ${target})
-  target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/include PRIVATE ${CMAKE_SOURCE_DIR}/src)
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE stepmill_warnings ${ARG_LIBRARIES})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(${target}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${CMAKE_SOURCE_DIR}/src)
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:stepmill_warnings> ${ARG_LIBRARIES})
   foreach(module ${ARG_DEPENDS})
     target_link_libraries(${target} PUBLIC stepmill_${module})
   endforeach()
