@@ -25,8 +25,8 @@ asan: build/dev/tests.configured
 	  ctest --test-dir build/dev -L 'unit' --output-on-failure -j2
 
 fuzz: build/dev/tests.configured
-	cmake --build --preset dev --target region_text_fuzz
-	ctest --test-dir build/dev -L fuzz --output-on-failure
+	cmake --build --preset dev --target fuzz_targets
+	ctest --test-dir build/dev -L fuzz --output-on-failure -j2
 
 tidy: build/tidy/tests.configured
 	cmake --build --preset tidy
