@@ -31,12 +31,21 @@ void StepLexer::advance() {
     if (c == '\n' || (c == '\r' && at(0) != '\n')) ++line_;
 }
 
+void StepLexer::checkLength(std::size_t begin, int line, const std::string& what) const {
+    if (pos_ - begin > kLongestToken)
+        fail(ErrorCode::StepDamaged, line,
+             "a " + what + " of " + std::to_string(pos_ - begin) +
+                 " bytes begins here; the geometry reader takes up to " + std::to_string(kLongestToken));
+}
+
 void StepLexer::skipComment() {
     const int start = line_;
+    const std::size_t begin = pos_;
     pos_ += 2;
     while (pos_ < text_.size()) {
         if (at(0) == '*' && at(1) == '/') {
             pos_ += 2;
+            checkLength(begin, start, "comment");
             return;
         }
         advance();
@@ -69,6 +78,7 @@ StepToken StepLexer::quoted(char quote, StepToken::Kind kind) {
             pos_ += 2;
         } else {
             ++pos_;
+            checkLength(begin, start, "string");
             return make(kind, begin, start);
         }
     }

@@ -18,8 +18,12 @@ struct StepToken {
     bool isWord(std::string_view word) const { return kind == Kind::Word && text == word; }
 };
 
+/// Geometry readers have a buffer of 16384 bytes for a comment or string and give up beyond it.
+inline constexpr std::size_t kLongestToken = 16000;
+
 /// Cuts the text of a STEP file into tokens; skips blanks and comments, counts lines (LF, CRLF or CR).
-/// \throws Error(StepDamaged) for a string or comment without end and for bytes no token may hold
+/// \throws Error(StepDamaged) for a string or comment without end or longer than kLongestToken and for bytes
+/// no token may hold
 class StepLexer {
   public:
     StepLexer(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -39,6 +43,7 @@ class StepLexer {
     StepToken number();
     StepToken reference();
     StepToken enumeration();
+    void checkLength(std::size_t begin, int line, const std::string& what) const;
     StepToken make(StepToken::Kind kind, std::size_t begin, int line) const;
 
     std::string_view text_;
