@@ -48,6 +48,11 @@ const DialectRules& rulesOf(Dialect dialect) {
                                         .goes_home = false,
                                         .dwell_in_ms = false,
                                         .any_program_name = true,
+                                        .own_words = true,
+                                        .blends_corners = true,
+                                        .sticks_to_point = false,
+                                        .semicolon_comments = true,
+                                        .longest_block = 252,
                                         .safe_start = "G17 G40 G49 G80 G90 G94",
                                         .extension = ".ngc"};
     static const DialectRules kFanuc{.cycles = true,
@@ -57,6 +62,11 @@ const DialectRules& rulesOf(Dialect dialect) {
                                      .goes_home = true,
                                      .dwell_in_ms = true,
                                      .any_program_name = false,
+                                     .own_words = false,
+                                     .blends_corners = false,
+                                     .sticks_to_point = true,
+                                     .semicolon_comments = false,
+                                     .longest_block = 252,
                                      .safe_start = "G17 G40 G49 G80 G90 G94",
                                      .extension = ".nc"};
     // GRBL 1.1 refuses H words and M6; G49 and G80 it takes.
@@ -67,6 +77,11 @@ const DialectRules& rulesOf(Dialect dialect) {
                                     .goes_home = false,
                                     .dwell_in_ms = false,
                                     .any_program_name = true,
+                                    .own_words = false,
+                                    .blends_corners = true,
+                                    .sticks_to_point = false,
+                                    .semicolon_comments = true,
+                                    .longest_block = 79,
                                     .safe_start = "G17 G40 G49 G80 G90 G94",
                                     .extension = ".gcode"};
     switch (dialect) {

@@ -1,340 +1,210 @@
+// What a machine does, sorted into a plan's operations.
+
 #include "stepmill/post/read_program.h"
 
-#include <charconv>
-#include <map>
+#include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "post/dialect.h"
+#include "post/reader/interpreter.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
 namespace {
 
-/// Controllers refuse arcs whose ends are less equally far from the centre (LinuxCNC: 0.028 mm or 0.1 %).
-constexpr double kArcDisagreementMm = 0.02;
-/// From where LinuxCNC feeds again after a peck: a hundredth of an inch over its bottom [mm].
-constexpr double kOverPeckMm = 0.01 * kMillimetresPerInch;
+using reader::Action;
+using reader::Comment;
+using reader::Motion;
+using reader::MotionKind;
+using reader::Place;
 
-struct Word {
-    char letter = 0;
-    double value = 0;
-};
+/// "S1.O3" of "S1.O3 feature ..."; empty for other comments.
+std::string operationOf(const std::string& comment) {
+    std::string first = comment.substr(0, comment.find(' '));
+    std::transform(first.begin(), first.end(), first.begin(),
+                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+    return first.starts_with("S") && first.find(".O") != std::string::npos ? first : "";
+}
 
-/// A line in parts: the words, and the text of its last comment.
-struct Line {
-    std::vector<Word> words;
-    std::string comment;
-};
+MoveKind kindOf(const Vec3& from, const Vec3& to, bool arc) {
+    if (to.z() >= from.z()) return MoveKind::Feed;
+    return !arc && to.head<2>() == from.head<2>() ? MoveKind::Plunge : MoveKind::Ramp;
+}
 
-class Reader {
+/// The highest place that the program names: stands for the top of the machine's travel.
+double highestMm(const reader::Run& run) {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Action& action : run.actions)
+        if (const auto* motion = std::get_if<Motion>(&action.doing))
+            highest = std::max(highest, motion->to.z.value_or(highest));
+    return std::isfinite(highest) ? highest : 0;
+}
+
+class Gatherer {
   public:
-    Reader(std::string_view text, const std::string& file, Dialect dialect)
-        : text_(text), rules_(rulesOf(dialect)) {
+    Gatherer(const reader::Run& run, const std::string& file) : run_(run), home_mm_(highestMm(run)) {
         program_.file = file;
+        program_.states = run.states;
     }
 
-    ReadProgram read() {
-        bool ended = false;
-        for (std::size_t from = 0; from < text_.size() && !ended;) {
-            const std::size_t end = std::min(text_.find('\n', from), text_.size());
-            ++line_;
-            const Line line = split(text_.substr(from, end - from));
-            if (!line.comment.empty()) noteOperation(line.comment);
-            ended = !line.words.empty() && obey(line.words);
-            from = end + 1;
+    ReadProgram gather() {
+        for (const Action& action : run_.actions) {
+            action_ = &action;
+            std::visit([this](const auto& doing) { take(doing); }, action.doing);
         }
-        if (!ended) fail("the program has no end (M30)");
         return std::move(program_);
     }
 
   private:
-    [[noreturn]] void fail(const std::string& what) const {
-        throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", program_.file, line_), what);
-    }
-
-    Line split(std::string_view text) const {
-        Line line;
-        for (std::size_t i = 0; i < text.size();) {
-            const char c = text[i];
-            if (c == ' ' || c == '\t' || c == '\r' || c == '%') {
-                ++i;
-            } else if (c == '(') {
-                const std::size_t end = text.find(')', i);
-                if (end == std::string_view::npos) fail("a comment without an end");
-                line.comment = text.substr(i + 1, end - i - 1);
-                i = end + 1;
-            } else {
-                line.words.push_back(word(text, i));
-            }
-        }
-        return line;
-    }
-
-    Word word(std::string_view text, std::size_t& at) const {
-        const char letter = text[at];
-        if (letter < 'A' || letter > 'Z') fail(fmt::format("expected a word, found '{}'", text.substr(at)));
-        double value = 0;
-        const char* begin = text.data() + at + 1;
-        const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-        if (error != std::errc{} || !std::isfinite(value))
-            fail(fmt::format("expected a number after {}, found '{}'", letter, text.substr(at + 1)));
-        at = static_cast<std::size_t>(end - text.data());
-        return {letter, value};
-    }
-
-    /// "S1.O3 feature ..." starts an operation.
-    void noteOperation(const std::string& comment) {
-        const std::string first = comment.substr(0, comment.find(' '));
-        const std::size_t dot = first.find(".O");
-        if (first.empty() || first[0] != 'S' || dot == std::string::npos) return;
+    void take(const Comment& comment) {
+        const std::string id = operationOf(comment.text);
+        if (id.empty()) return;
         ReadOperation operation;
-        operation.id = first;
-        operation.line = line_;
-        operation.start = Vec3(x_.value_or(0), y_.value_or(0), z_.value_or(0));
+        operation.id = id;
+        operation.line = action_->line;
+        operation.start = at_.value_or(Vec3::Zero());
         program_.operations.push_back(operation);
     }
 
-    ReadOperation& operation() {
-        if (program_.operations.empty()) fail("a motion before the first operation's comment");
-        return program_.operations.back();
+    void take(const reader::Dwell& dwell) {
+        if (!program_.operations.empty())
+            program_.operations.back().dwells.push_back({dwell.seconds, action_->line, dwell.z_mm});
     }
 
-    /// What the machine is set to at a motion.
-    void takeState(ReadOperation& operation) const {
-        operation.tool_number = tool_;
-        operation.speed_rpm = spindle_on_ ? speed_rpm_ : 0;
-        operation.coolant = coolant_;
+    void take(const reader::ToolChange&) {
+        stop(false);
+        at_.reset();
+    }
+    void take(const reader::ProgramEnd&) { stop(true); }
+
+    void stop(bool is_end) {
+        ReadStop stop;
+        stop.line = last_line_ > 0 ? last_line_ : action_->line;
+        stop.operation = operationId();
+        stop.z_mm = left_at_mm_;
+        stop.is_end = is_end;
+        program_.stops.push_back(stop);
+        left_at_mm_.reset();
+        last_line_ = 0;
     }
 
-    /// Does what a block says; true at the program's end.
-    bool obey(const std::vector<Word>& words) {
-        std::map<char, double> values;
-        std::vector<int> g_words;
-        std::vector<int> m_words;
-        for (const Word& word : words) {
-            if (word.letter == 'G' || word.letter == 'M') {
-                if (word.value != std::floor(word.value))
-                    fail(fmt::format("{}{} is unknown", word.letter, word.value));
-                (word.letter == 'G' ? g_words : m_words).push_back(static_cast<int>(word.value));
-            } else if (!values.emplace(word.letter, word.value).second) {
-                fail(fmt::format("{} stands twice in a block", word.letter));
-            }
+    void take(const Motion& motion) {
+        const std::optional<Vec3> from = placeOf(motion.from);
+        at_ = placeOf(motion.to);
+        if (from && at_) {
+            addMoves(motion, *from, *at_);
+        } else {
+            addLeap(motion);
+            if (at_) arrive(*at_, motion.to.z_home);
         }
-        if (const auto s = values.find('S'); s != values.end()) speed_rpm_ = s->second;
-        if (const auto t = values.find('T'); t != values.end()) changeTool(static_cast<int>(t->second));
-        for (const auto& [letter, value] : values)
-            if (std::string_view("NXYZIJFSTHRQPO").find(letter) == std::string_view::npos)
-                fail(fmt::format("no post writes a word {}", letter));
-        for (const int m : m_words)
-            if (obeyM(m)) return true;
-        obeyG(g_words, values);
-        return false;
+        left_at_mm_ = motion.to.z;
+        last_line_ = action_->line;
     }
 
-    void changeTool(int number) {
-        tool_ = number;
-        x_ = y_ = z_ = std::nullopt;
-        if (!program_.operations.empty()) program_.operations.back().after_tool_change = true;
+    std::optional<Vec3> placeOf(const Place& place) const {
+        if (!place.knowsXY() || !(place.z || place.z_home)) return std::nullopt;
+        return Vec3(*place.x, *place.y, place.z.value_or(home_mm_));
     }
 
-    bool obeyM(int m) {
-        switch (m) {
-            case 0:
-            case 6:
-                return false;
-            case 3:
-                spindle_on_ = true;
-                return false;
-            case 5:
-                spindle_on_ = false;
-                return false;
-            case 7:
-                coolant_ = Coolant::Mist;
-                return false;
-            case 8:
-                coolant_ = Coolant::Flood;
-                return false;
-            case 9:
-                coolant_ = Coolant::Off;
-                return false;
-            case 30:
-                return true;
-            default:
-                fail(fmt::format("no post writes M{}", m));
-        }
+    std::string operationId() const {
+        return program_.operations.empty() ? "" : program_.operations.back().id;
     }
 
-    void obeyG(const std::vector<int>& g_words, const std::map<char, double>& values) {
-        int cycle = 0;
-        for (const int g : g_words) {
-            switch (g) {
-                case 0:
-                case 1:
-                case 2:
-                case 3:
-                    motion_ = g;
-                    break;
-                case 20:
-                case 21:
-                    mm_per_unit_ = g == 20 ? kMillimetresPerInch : 1;
-                    break;
-                case 4:
-                    operation().dwell_s += values.count('P') ? dwell(values.at('P')) : 0;
-                    return;
-                case 28:
-                    z_ = std::nullopt;  // home, over everything
-                    return;
-                case 81:
-                case 82:
-                case 83:
-                    cycle = g;
-                    break;
-                case 17:
-                case 40:
-                case 43:
-                case 49:
-                case 54:
-                case 61:
-                case 80:
-                case 90:
-                case 94:
-                case 98:
-                    break;
-                case 91:
-                    if (std::find(g_words.begin(), g_words.end(), 28) != g_words.end()) break;
-                    [[fallthrough]];
-                default:
-                    fail(fmt::format("no post writes G{}", g));
-            }
-        }
-        if (const auto f = values.find('F'); f != values.end()) feed_ = f->second * unit();
-        const bool moves = values.count('X') || values.count('Y') || values.count('Z');
-        if (cycle != 0) return drill(cycle, values);
-        if (moves || values.count('I') || values.count('J')) move(values);
+    void addLeap(const Motion& motion) {
+        ReadLeap leap;
+        leap.line = action_->line;
+        leap.state = action_->state;
+        leap.operation = operationId();
+        leap.from_z_mm = motion.from.z;
+        leap.to_z_mm = motion.to.z;
+        leap.to_home = motion.to.z_home;
+        leap.across = motion.across;
+        leap.names_place = motion.names_place;
+        program_.leaps.push_back(leap);
     }
 
-    double unit() const {
-        if (mm_per_unit_ == 0) fail("a length before G20 or G21");
-        return mm_per_unit_;
-    }
-    double dwell(double p) const { return rules_.dwell_in_ms ? p / 1000 : p; }
-
-    /// The word's length on the grid, or what stood before.
-    std::optional<double> place(const std::map<char, double>& values, char letter,
-                                const std::optional<double>& before) const {
-        const auto found = values.find(letter);
-        return found == values.end() ? before : snapToGrid(found->second * unit());
-    }
-
-    bool placeKnown() const { return x_ && y_ && z_; }
-    Vec3 at() const { return {*x_, *y_, *z_}; }
-
-    void move(const std::map<char, double>& values) {
-        const auto x = place(values, 'X', x_);
-        const auto y = place(values, 'Y', y_);
-        const auto z = place(values, 'Z', z_);
-        if (!placeKnown()) {
-            comeFromNowhere(values, x, y, z);
+    /// The tool comes back to a place that is known, over everything.
+    void arrive(const Vec3& to, bool home) {
+        if (program_.operations.empty()) return;
+        ReadOperation& operation = program_.operations.back();
+        if (operation.moves.empty()) {
+            operation.start = to;
             return;
         }
-        const Vec3 to(*x, *y, *z);
-        if (motion_ < 2) {
-            go(motion_ == 0 ? MoveKind::Rapid : kindOf(to, false), to, std::nullopt);
-        } else {
-            go(kindOf(to, true), to, arcTo(to.head<2>(), values));
+        const Vec3 last = operation.moves.back().fed.move.to;
+        addRapid(operation, {last.x(), last.y(), home_mm_}, true);
+        addRapid(operation, {to.x(), to.y(), home_mm_}, true);
+        addRapid(operation, to, home);
+    }
+
+    void addRapid(ReadOperation& operation, const Vec3& to, bool home) {
+        const Vec3 from = operation.moves.empty() ? operation.start : operation.moves.back().fed.move.to;
+        if (to == from) return;
+        Move move;
+        move.to = to;
+        operation.moves.push_back({{move, 0}, action_->line, action_->state, 0, home});
+    }
+
+    void addMoves(const Motion& motion, const Vec3& from, const Vec3& to) {
+        const bool home = motion.to.z_home;
+        if (program_.operations.empty()) {
+            if (motion.from.known() && !home)
+                throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", program_.file, action_->line),
+                            "a motion before the first operation's comment");
+            return;
         }
+        ReadOperation& operation = program_.operations.back();
+        if (motion.kind == MotionKind::Rapid) return addRapid(operation, to, home);
+        if (motion.kind == MotionKind::Arc) return addArc(operation, motion, from, to);
+        if (to != from) addFeed(operation, motion, kindOf(from, to, false), to, std::nullopt);
     }
 
-    /// After a tool change: a rapid to a height, then one over to the first place.
-    void comeFromNowhere(const std::map<char, double>& values, const std::optional<double>& x,
-                         const std::optional<double>& y, const std::optional<double>& z) {
-        if (motion_ != 0) fail("a feed from a place that is not known");
-        if (!z_ && (values.count('X') || values.count('Y'))) fail("moves across before its height is known");
-        x_ = x;
-        y_ = y;
-        z_ = z;
-        ReadOperation& current = operation();
-        current.after_tool_change = true;
-        if (placeKnown()) current.start = at();
-    }
-
-    Arc arcTo(const Vec2& to, const std::map<char, double>& values) const {
-        const auto offset = [&](char letter) {
-            const auto found = values.find(letter);
-            return found == values.end() ? 0.0 : found->second * unit();
-        };
-        const Vec2 from = at().head<2>();
-        const Vec2 centre = snapToGrid(Vec2(from + Vec2(offset('I'), offset('J'))));
-        const double start_mm = (from - centre).norm();
-        const double end_mm = (to - centre).norm();
-        if (start_mm == 0) fail("an arc without I and J");
-        if (std::abs(start_mm - end_mm) > kArcDisagreementMm)
-            fail(fmt::format("the arc's ends are {:.4f} and {:.4f} mm from its centre", start_mm, end_mm));
-        return {centre, snapToGrid((start_mm + end_mm) / 2), motion_ == 3};
-    }
-
-    MoveKind kindOf(const Vec3& to, bool arc) const {
-        if (to.z() >= *z_) return MoveKind::Feed;
-        return !arc && to.head<2>() == at().head<2>() ? MoveKind::Plunge : MoveKind::Ramp;
-    }
-
-    void go(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc) {
-        if (kind != MoveKind::Rapid && feed_ <= 0) fail("a feed without F");
-        if (kind != MoveKind::Rapid && !spindle_on_) fail("a feed with the spindle off");
-        if (to == at() && !arc) return;
-        takeState(operation());
-        operation().moves.push_back({{{kind, to, arc, false}, kind == MoveKind::Rapid ? 0 : feed_}, line_});
-        x_ = to.x();
-        y_ = to.y();
-        z_ = to.z();
-    }
-
-    void goTo(MoveKind kind, double z) { go(kind, {*x_, *y_, z}, std::nullopt); }
-
-    void drill(int cycle, const std::map<char, double>& values) {
-        if (!placeKnown()) fail("a hole from a place that is not known");
-        for (const char letter : {'Z', 'R'})
-            if (!values.count(letter)) fail(fmt::format("a cycle without {}", letter));
-        const double initial = *z_;
-        const double bottom = *place(values, 'Z', z_);
-        const double r = *place(values, 'R', z_);
-        const double peck = cycle == 83 && values.count('Q') ? values.at('Q') * unit() : r - bottom;
-        if (peck <= 0 || r <= bottom || r > initial) fail("the heights of the hole are out of order");
-        go(MoveKind::Rapid, {*place(values, 'X', x_), *place(values, 'Y', y_), initial}, std::nullopt);
-        goTo(MoveKind::Rapid, r);
-        for (double depth = r; depth > bottom;) {
-            depth = std::max(bottom, depth - peck);
-            goTo(MoveKind::Plunge, depth);
-            if (depth == bottom) break;
-            goTo(MoveKind::Rapid, r);
-            goTo(MoveKind::Rapid, std::min(r, depth + kOverPeckMm));
+    /// Whole turns first, each a circle; all rise evenly.
+    void addArc(ReadOperation& operation, const Motion& motion, const Vec3& from, const Vec3& to) {
+        const Vec2 start = from.head<2>();
+        const Vec2 end = to.head<2>();
+        const Vec2 centre = snapToGrid(motion.centre);
+        const double radius_mm = snapToGrid(((start - centre).norm() + (end - centre).norm()) / 2);
+        const Arc arc{centre, radius_mm, motion.ccw};
+        const MoveKind kind = kindOf(from, to, true);
+        const double sweep = std::abs(sweepAngle(start, end, arc));
+        const double all = sweep + 2 * kPi * (motion.turns - 1);
+        for (int turn = 1; turn < motion.turns; ++turn) {
+            const double z = from.z() + (to.z() - from.z()) * 2 * kPi * turn / all;
+            addFeed(operation, motion, kind, {start.x(), start.y(), snapToGrid(z)}, arc);
         }
-        if (cycle == 82 && values.count('P')) operation().dwell_s += dwell(values.at('P'));
-        goTo(MoveKind::Rapid, initial);
+        addFeed(operation, motion, kind, to, arc);
     }
 
-    std::string_view text_;
-    const DialectRules& rules_;
+    void addFeed(ReadOperation& operation, const Motion& motion, MoveKind kind, const Vec3& to,
+                 const std::optional<Arc>& arc) {
+        operation.moves.push_back({{{kind, to, arc, false}, motion.feed_mm_per_min},
+                                   action_->line,
+                                   action_->state,
+                                   motion.radii_differ_mm,
+                                   false});
+    }
+
+    const reader::Run& run_;
+    double home_mm_;
+    const Action* action_ = nullptr;
     ReadProgram program_;
-    int line_ = 0;
-    std::optional<double> x_;
-    std::optional<double> y_;
-    std::optional<double> z_;
-    int motion_ = 0;
-    double mm_per_unit_ = 0;
-    double feed_ = 0;
-    double speed_rpm_ = 0;
-    bool spindle_on_ = false;
-    Coolant coolant_ = Coolant::Off;
-    int tool_ = 0;
+    std::optional<Vec3> at_;
+    std::optional<double> left_at_mm_;
+    int last_line_ = 0;
 };
 
 }  // namespace
 
 ReadProgram readProgram(std::string_view text, const std::string& file, Dialect dialect) {
-    return Reader(text, file, dialect).read();
+    const reader::Run run = reader::runProgram(text, file, dialect);
+    ReadProgram program = Gatherer(run, file).gather();
+    program.has_length_offsets = rulesOf(dialect).tool_lengths;
+    program.blends_corners = rulesOf(dialect).blends_corners;
+    return program;
 }
 
 }  // namespace stepmill

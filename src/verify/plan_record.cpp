@@ -131,8 +131,17 @@ Machine machine(const Json& json) {
     machine.name = json["name"];
     machine.rapid_mm_per_min = json["rapid_mm_per_min"];
     machine.max_feed_mm_per_min = json.value("max_feed_mm_per_min", 0.0);
+    if (json.contains("travel_mm"))
+        machine.travel_mm = json["travel_mm"].get<std::array<double, 3>>();
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     return machine;
+}
+
+/// Who plans for a machine that is too small is told so.
+void noteTravel(const Json& plan, PlanRecord& record) {
+    for (const Json& warning : plan["warnings"])
+        for (RecordedSetup& setup : record.setups)
+            if (warning["code"] == "travel" && warning["subject"] == setup.id) setup.within_travel = false;
 }
 
 void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
@@ -187,6 +196,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     }
     for (const Json& one : plan["setups"])
         record.setups.push_back(setup(one));
+    noteTravel(plan, record);
     readBalance(plan, tol, record);
     checkNames(record);
     return record;

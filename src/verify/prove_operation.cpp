@@ -24,6 +24,18 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
 constexpr double kFeedRounding = 1e-3;
 
+/// How far the ends of an arc may be unequally far from its centre, rounded to decimals of an inch or not [mm].
+constexpr double kSpiralMm = 2e-3;
+/// The spindle may turn this much slower than planned at the planned feed: what a tooth cuts then is within the
+/// scatter of cutting data.
+constexpr double kSlowSpindle = 0.9;
+
+/// How much less the feed must be because the spindle turns slower than planned.
+double slowSpindleShare(double speed_rpm, double planned_rpm) {
+    if (planned_rpm <= 0 || speed_rpm <= 0) return 1;  // told elsewhere
+    return std::min(1.0, speed_rpm / (kSlowSpindle * planned_rpm));
+}
+
 double lowOf(const Vec3& from, const Move& move) {
     return std::min(from.z(), move.to.z());
 }
@@ -56,6 +68,16 @@ double lowestZ(const RecordedOperation& planned, const Feature& feature) {
                                   : planned.z_floor_mm;
 }
 
+/// The path of an arc whose ends are not equally far from its centre is no circle: LinuxCNC spirals.
+void checkArcs(const ReadOperation& operation, const Findings& findings) {
+    for (const ReadMove& read : operation.moves) {
+        if (std::abs(read.radii_differ_mm) <= kSpiralMm) continue;
+        findings.add(read.line, fmt::format("an arc ends {:.4f} mm nearer to its centre than it starts",
+                                            read.radii_differ_mm));
+        return;
+    }
+}
+
 void checkFloor(const ReadOperation& operation, double lowest_mm, const Tolerances& tol,
                 const Findings& findings) {
     for (const ReadMove& read : operation.moves) {
@@ -64,22 +86,6 @@ void checkFloor(const ReadOperation& operation, double lowest_mm, const Toleranc
                                             read.fed.move.to.z(), lowest_mm));
         return;
     }
-}
-
-/// Tools come and go over stock and fixtures.
-void checkEnds(const ReadOperation& operation, double safe_z_mm, bool last_before_change,
-               const Findings& findings) {
-    if (operation.after_tool_change && operation.start.z() < safe_z_mm)
-        findings.add(operation.line,
-                     fmt::format("comes from the tool change at Z{:.4f}, below the top of stock and fixtures",
-                                 operation.start.z()));
-    if (!last_before_change || operation.moves.empty()) return;
-    const ReadMove& last = operation.moves.back();
-    if (last.fed.move.to.z() < safe_z_mm)
-        findings.add(
-            last.line,
-            fmt::format("ends at Z{:.4f}, below the top of stock and fixtures, before the tool changes",
-                        last.fed.move.to.z()));
 }
 
 bool isLevelBelow(const Vec3& from, const Move& move, double z_mm) {
@@ -190,11 +196,11 @@ const Region& FeatureState::standingAt(double z_mm) const {
 }
 
 void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
-                bool last_before_change, const Tolerances& tol, const Findings& findings) {
+                const Tolerances& tol, const Findings& findings) {
     const Feature& feature = state.feature;
     const double radius_mm = planned.tool.radius_mm();
-    checkEnds(operation, state.safe_z_mm, last_before_change, findings);
     checkFloor(operation, lowestZ(planned, feature), tol, findings);
+    checkArcs(operation, findings);
 
     const std::vector<ClearingTask> bands = bandsOf(state, planned);
     const LinedPath whole = wholePath(operation);
@@ -263,14 +269,8 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
     }
 }
 
-void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned, double max_feed_mm_per_min,
-                const Findings& findings) {
-    if (operation.tool_number != planned.tool.number)
-        findings.add(operation.line, fmt::format("runs with T{}, planned is T{} {}", operation.tool_number,
-                                                 planned.tool.number, planned.tool.id));
-    if (std::abs(operation.speed_rpm - planned.speed_rpm) > 1)
-        findings.add(operation.line, fmt::format("runs at S{:.0f}, planned is S{:.0f}", operation.speed_rpm,
-                                                 planned.speed_rpm));
+void proveFeeds(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
+                double max_feed_mm_per_min, const Findings& findings) {
     // Cutting data without a feed down mean the cutting feed.
     const double sink_limit =
         planned.plunge_feed_mm_per_min > 0 ? planned.plunge_feed_mm_per_min : planned.feed_mm_per_min;
@@ -287,14 +287,19 @@ void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned
         // Moves as short as the last decimal have any slope once they are rounded.
         const double sinking =
             drop > kSameHeightMm ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
-        const double share = std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit);
+        const double slow = slowSpindleShare(program.states[read.state].speed_rpm, planned.speed_rpm);
+        const double share =
+            std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit) / slow;
         findings.proof.feed_share = std::max(findings.proof.feed_share, share);
         if (told || share <= 1 + kFeedRounding) continue;
         told = true;
         findings.add(read.line,
                      fmt::format("feeds at {:.1f} mm/min ({:.1f} down); planned are {:.1f} at most and "
-                                 "{:.1f} down",
-                                 read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit));
+                                 "{:.1f} down{}",
+                                 read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit,
+                                 slow < 1 ? fmt::format(", less at S{:.0f}",
+                                                        program.states[read.state].speed_rpm)
+                                          : std::string()));
     }
 }
 

@@ -37,10 +37,9 @@ struct Findings {
     }
 };
 
-/// Cutter against obstruction and floor, rapids against what stands, at its start, over its moves and at its
-/// end. `last_before_change`: the tool changes or the program ends after it, so it must end over the stock.
+/// Cutter against obstruction and floor, rapids against what stands.
 void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
-                bool last_before_change, const Tolerances& tol, const Findings& findings);
+                const Tolerances& tol, const Findings& findings);
 
 /// Shank and holder against what stands over the floor, the feature's own material included until it is cut.
 void proveHolder(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
@@ -52,9 +51,9 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
 void proveDepths(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                  const Tolerances& tol, const Findings& findings);
 
-/// Feeds, spindle speed and tool as planned.
-void proveFeeds(const ReadOperation& operation, const RecordedOperation& planned, double max_feed_mm_per_min,
-                const Findings& findings);
+/// Feeds no higher than planned; where the spindle turns slower, so much less.
+void proveFeeds(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
+                double max_feed_mm_per_min, const Findings& findings);
 
 /// What the operation clears down to its floor.
 Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol);

@@ -13,6 +13,7 @@
 #include "stepmill/sequence/area_models.h"
 #include "toolpath/swept_region.h"
 #include "verify/prove_operation.h"
+#include "verify/prove_state.h"
 
 namespace stepmill {
 namespace {
@@ -30,13 +31,14 @@ class SetupProver {
         : record_(record), setup_(setup), file_(setup.program), tol_(tol), into_(into) {}
 
     void prove(const std::vector<ReadProgram>& programs) {
+        verify::TravelProver travel(record_.machine, into_.failures);
         for (const ReadProgram& program : programs) {
+            program_ = &program;
             file_ = program.file;
-            for (std::size_t i = 0; i < program.operations.size(); ++i) {
-                const bool last =
-                    i + 1 == program.operations.size() || program.operations[i + 1].after_tool_change;
-                proveOne(program.operations[i], last);
-            }
+            if (setup_.within_travel) travel.prove(program);
+            verify::proveLeaps(program, highestFixtureMm(setup_.fixtures), into_.failures);
+            for (const ReadOperation& operation : program.operations)
+                proveOne(operation);
         }
         for (const std::string& id : setup_.operation_ids)
             if (done_.count(id) == 0)
@@ -44,14 +46,16 @@ class SetupProver {
     }
 
   private:
-    void proveOne(const ReadOperation& operation, bool last_before_change) {
+    void proveOne(const ReadOperation& operation) {
         const RecordedOperation& planned = plannedOf(operation);
         FeatureState& state = stateOf(planned.feature_id);
         OperationProof proof{operation.id, planned.feature_id, planned.tool.id, file_, operation.line};
         const verify::Findings findings{file_, proof, into_.failures};
         checkOrder(operation, planned, findings);
-        verify::proveFeeds(operation, planned, record_.machine.max_feed_mm_per_min, findings);
-        verify::proveMoves(operation, planned, state, last_before_change, tol_, findings);
+        verify::proveStates(*program_, operation, planned, findings);
+        verify::proveFeeds(*program_, operation, planned, record_.machine.max_feed_mm_per_min, findings);
+        verify::proveMoves(operation, planned, state, tol_, findings);
+        verify::proveDrilling(operation, planned, state, findings);
         verify::proveHolder(operation, planned, state, tol_, findings);
         verify::proveDepths(operation, planned, state, tol_, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
@@ -172,6 +176,7 @@ class SetupProver {
         return record_.features.at(id);
     };
     const RecordedSetup& setup_;
+    const ReadProgram* program_ = nullptr;
     std::string file_;
     const Tolerances& tol_;
     Verification& into_;

@@ -39,6 +39,8 @@ struct RecordedSetup {
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< parents before children
     std::vector<std::string> operation_ids;  ///< in machining order
+    /// The machine travels as far as the programs go: all but those the plan warns of.
+    bool within_travel = true;
 };
 
 /// What plan.json says that programs are proven against.

@@ -63,6 +63,9 @@ struct Verification {
 /// - that a mill goes nowhere deeper than the planned step-down below what it or others cut there before,
 /// - that rapids meet no material that is still there when they run,
 /// - that shank and holder keep off material that is still there,
+/// - that drills go as deep as planned, in pecks no deeper than planned, and stay at the bottom as planned,
+/// - that the machine is set as planned at every motion: tool, length offset, work offset, modes, spindle,
+///   coolant; that tools change over stock and fixtures and all is within the machine's travel,
 /// - that feeds, speeds, tools and the order of operations are the plan's.
 ///
 /// Nothing of how paths were made is used. Skins thinner than two `tol.sliver_mm` count as cut.

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "stepmill/verify/verify.h"
+#include "verify/prove_operation.h"
+
+namespace stepmill::verify {
+
+/// What the machine is set to at every motion of an operation: the planned tool with its length offset, the
+/// planned work offset, G17, G40, G94, a path that is kept to, and at feeds the spindle and the coolant as
+/// planned. Each fault is told where it shows first.
+void proveStates(const ReadProgram& program, const ReadOperation& operation,
+                 const RecordedOperation& planned, const Findings& findings);
+
+/// Rapids from or to places that the program does not say stay over stock and fixtures, with the right offsets;
+/// tools change and programs end there too.
+void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofFailure>& failures);
+
+/// How far the tool goes along each axis over a setup's programs; a failure where that is first more than the
+/// machine travels.
+class TravelProver {
+  public:
+    TravelProver(const Machine& machine, std::vector<ProofFailure>& failures)
+        : machine_(machine), failures_(failures) {}
+
+    void prove(const ReadProgram& program);
+
+  private:
+    void extend(const Vec3& place, const std::string& file, int line, const std::string& operation);
+
+    const Machine& machine_;
+    std::vector<ProofFailure>& failures_;
+    Box3 box_;
+    std::array<bool, 3> told_{};
+};
+
+/// A drill goes as deep as planned, in pecks no deeper than planned, and stays at the bottom as long as planned.
+void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                   const Findings& findings);
+
+}  // namespace stepmill::verify
