@@ -5,6 +5,9 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
+#include <iomanip>
+#include <sstream>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,6 +22,7 @@ namespace {
 class Descriptor {
   public:
     explicit Descriptor(int fd) : fd_(fd) {}
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     ~Descriptor() {
@@ -41,9 +45,9 @@ std::string systemReason(int error_number) {
     return std::strerror(error_number);
 }
 
-bool writeAll(int fd, std::string_view bytes) {
+bool writeAll(int fd, std::string_view bytes, Disk& disk) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        const ssize_t written = disk.write(fd, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) return false;
         bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -98,17 +102,53 @@ void compress(HashState& state, const unsigned char* block) {
 
 }  // namespace
 
-std::string readFile(const std::filesystem::path& path) {
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.open()) throw Error(ErrorCode::FileUnreadable, path.string(), systemReason(errno));
-    struct stat status {};
-    if (::fstat(file.get(), &status) != 0)
-        throw Error(ErrorCode::FileUnreadable, path.string(), systemReason(errno));
-    if (S_ISDIR(status.st_mode))
-        throw Error(ErrorCode::FileUnreadable, path.string(), "is a folder, not a file");
+namespace {
 
+/// What a name stands for that is no file; empty for a file.
+std::string kindBeside(mode_t mode) {
+    if (S_ISREG(mode)) return {};
+    if (S_ISDIR(mode)) return "is a folder, not a file";
+    if (S_ISFIFO(mode)) return "is a pipe, not a file";
+    if (S_ISSOCK(mode)) return "is a socket, not a file";
+    return "is a device, not a file";
+}
+
+void requireFile(const std::filesystem::path& path, int result, const struct stat& status) {
+    if (result != 0) throw Error(ErrorCode::FileUnreadable, path.string(), systemReason(errno));
+    const std::string kind = kindBeside(status.st_mode);
+    if (!kind.empty()) throw Error(ErrorCode::FileUnreadable, path.string(), kind);
+}
+
+std::string megabytes(std::uintmax_t bytes) {
+    std::ostringstream text;
+    text << std::setprecision(4) << static_cast<double>(bytes) / (1 << 20) << " MB";
+    return text.str();
+}
+
+void requireSize(const std::filesystem::path& path, std::uintmax_t bytes, std::uintmax_t max_bytes) {
+    if (bytes <= max_bytes) return;
+    throw Error(
+        ErrorCode::FileUnreadable, path.string(),
+        "is larger than the " + megabytes(max_bytes) + " a file may have; allow more with --max-file-size");
+}
+
+/// Looks before it opens, since opening some devices does something; looks again at what was opened. A pipe
+/// that took the file's place in between does not hang it.
+Descriptor openFile(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+    struct stat status {};
+    requireFile(path, ::stat(path.c_str(), &status), status);
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+    if (!file.open()) throw Error(ErrorCode::FileUnreadable, path.string(), systemReason(errno));
+    requireFile(path, ::fstat(file.get(), &status), status);
+    requireSize(path, static_cast<std::uintmax_t>(status.st_size), max_bytes);
+    return file;
+}
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+    const Descriptor file = openFile(path, max_bytes);
     std::string bytes;
-    if (status.st_size > 0) bytes.reserve(static_cast<std::size_t>(status.st_size));
     std::array<char, 65536> buffer;
     while (true) {
         const ssize_t got = ::read(file.get(), buffer.data(), buffer.size());
@@ -116,6 +156,7 @@ std::string readFile(const std::filesystem::path& path) {
         if (got < 0) throw Error(ErrorCode::FileUnreadable, path.string(), systemReason(errno));
         if (got == 0) return bytes;
         bytes.append(buffer.data(), static_cast<std::size_t>(got));
+        requireSize(path, bytes.size(), max_bytes);  // it may grow while it is read
     }
 }
 
@@ -131,9 +172,27 @@ void writeFile(const std::filesystem::path& path, std::string_view bytes) {
     ::unlink(temporary.c_str());  // left over from a killed run with our process id
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.open()) throw Error(ErrorCode::OutputUnwritable, path.string(), systemReason(errno));
-    if (!writeAll(file.get(), bytes)) fail(errno);
+    if (!writeAll(file.get(), bytes, systemDisk())) fail(errno);
     if (!file.close()) fail(errno);
     if (::rename(temporary.c_str(), path.c_str()) != 0) fail(errno);
+}
+
+void writeNewFile(const std::filesystem::path& path, std::string_view bytes, Disk& disk) {
+    Descriptor file(disk.create(path));
+    const bool written =
+        file.open() && writeAll(file.get(), bytes, disk) && disk.sync(file.get()) == 0 && file.close();
+    const int why = errno;
+    if (!written)
+        throw Error(ErrorCode::OutputUnwritable, path.string(), "cannot be written: " + systemReason(why));
+}
+
+void syncFolder(const std::filesystem::path& folder, Disk& disk) {
+    const Descriptor file(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (file.open() && disk.sync(file.get()) == 0) return;
+    const int why = errno;
+    const bool cannot = why == EINVAL || why == ENOTSUP || why == EACCES;
+    if (!cannot)
+        throw Error(ErrorCode::OutputUnwritable, folder.string(), "cannot be written: " + systemReason(why));
 }
 
 std::string sha256(std::string_view bytes) {

@@ -1,50 +1,71 @@
 #include "stepmill/core/supervise.h"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
-#include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <iostream>
-#include <thread>
+#include <new>
 
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "stepmill/core/error.h"
 
 namespace stepmill {
+
+struct SharedBoard {
+    static constexpr std::size_t kStageBytes = 256;
+    char stage[kStageBytes] = {};
+    std::atomic<bool> out_of_memory = false;
+
+    std::string text() const { return {stage, ::strnlen(stage, kStageBytes)}; }
+};
+
 namespace {
 
-constexpr std::size_t kStageBytes = 256;
 constexpr int kExitBug = 3;
 
-/// Anonymous memory that parent and child both see.
-class SharedText {
+/// The board in anonymous memory that parent and child both see.
+class SharedMemory {
   public:
-    SharedText() {
+    SharedMemory() {
         void* memory =
-            ::mmap(nullptr, kStageBytes, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+            ::mmap(nullptr, sizeof(SharedBoard), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
         if (memory == MAP_FAILED) throw Error(ErrorCode::Internal, "supervisor", std::strerror(errno));
-        text_ = static_cast<char*>(memory);
+        board_ = new (memory) SharedBoard;
     }
-    SharedText(const SharedText&) = delete;
-    SharedText& operator=(const SharedText&) = delete;
-    ~SharedText() { ::munmap(text_, kStageBytes); }
+    SharedMemory(const SharedMemory&) = delete;
+    SharedMemory& operator=(const SharedMemory&) = delete;
+    ~SharedMemory() { ::munmap(board_, sizeof(SharedBoard)); }
 
-    char* data() { return text_; }
-    std::string read() const { return {text_, ::strnlen(text_, kStageBytes)}; }
+    SharedBoard* board() { return board_; }
 
   private:
-    char* text_ = nullptr;
+    SharedBoard* board_ = nullptr;
 };
+
+/// A new-handler has no arguments: this is where it finds its process' board.
+SharedBoard* board_of_this_child = nullptr;
+
+/// Ends the child at the first allocation that fails. An exception instead could be caught on its way, as the
+/// failure of one feature say, and the plan would depend on how much memory there was.
+[[noreturn]] void endOutOfMemory() {
+    board_of_this_child->out_of_memory = true;
+    ::_exit(kExitBug);
+}
 
 int runGuarded(const std::function<int(StageBoard&)>& work, StageBoard& board) {
     try {
         return work(board);
+    } catch (const std::bad_alloc&) {
+        endOutOfMemory();  // thrown by hand: malloc's failures call no handler
     } catch (const std::exception& error) {
         std::cerr << "internal error: " << error.what() << '\n';
     } catch (...) {
@@ -60,14 +81,25 @@ void flushStreams() {
     std::fflush(nullptr);
 }
 
+void limitMemory(std::uint64_t bytes) {
+    if (bytes == 0) return;
+    rlimit limit{};
+    ::getrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
+
 /// The child's whole life. Ends with _exit so that neither static destructors nor a test framework's
 /// exit handlers run a second time.
-[[noreturn]] void childMain(const std::function<int(StageBoard&)>& work, StageBoard& board, pid_t parent) {
+[[noreturn]] void childMain(const std::function<int(StageBoard&)>& work, StageBoard& stage,
+                            SharedBoard* board, pid_t parent) {
     ::setpgid(0, 0);
     // A parent that is killed takes the child with it: its own group does not get the terminal's Ctrl-C.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(kExitBug);
-    const int code = runGuarded(work, board);
+    board_of_this_child = board;
+    std::set_new_handler(endOutOfMemory);
+    const int code = runGuarded(work, stage);
     flushStreams();
     ::_exit(code);
 }
@@ -80,18 +112,21 @@ bool hasEnded(pid_t child) {
     return info.si_pid == child;
 }
 
-/// False when time ran out first.
-bool waitUntil(pid_t child, double timeout_s) {
+enum class Wait { Ended, TimeOver, Signal };
+
+/// Waits for the child's end, the end of time or a signal, which it stores.
+Wait waitUntil(pid_t child, double timeout_s, const StopSignals& stop, int& signal) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     auto pause = std::chrono::microseconds(200);
     while (!hasEnded(child)) {
         const std::chrono::duration<double> elapsed = Clock::now() - start;
-        if (std::isfinite(timeout_s) && elapsed.count() >= timeout_s) return false;
-        std::this_thread::sleep_for(pause);
+        if (elapsed.count() >= timeout_s) return Wait::TimeOver;
+        signal = stop.waitFor(pause);
+        if (signal != 0) return Wait::Signal;
         pause = std::min(pause * 2, std::chrono::microseconds(5000));
     }
-    return true;
+    return Wait::Ended;
 }
 
 int reap(pid_t child) {
@@ -101,49 +136,96 @@ int reap(pid_t child) {
     return status;
 }
 
+/// Signals that a process' own code raises; all others come from outside.
+bool isCrash(int signal) {
+    constexpr std::array kOwn = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
+    return std::find(kOwn.begin(), kOwn.end(), signal) != kOwn.end();
+}
+
+void describeEnd(int status, Supervised& result) {
+    if (!WIFSIGNALED(status)) {
+        result.exit_code = WEXITSTATUS(status);
+        return;
+    }
+    result.signal = WTERMSIG(status);
+    result.end = isCrash(result.signal) ? Supervised::End::Crashed : Supervised::End::Killed;
+}
+
 }  // namespace
 
 /// Gives the supervisor alone the right to point a board at shared memory.
 struct SupervisedProcess {
-    static StageBoard board(char* text) {
+    static StageBoard stageOn(SharedBoard* board) {
         StageBoard result;
-        result.text_ = text;
+        result.board_ = board;
         return result;
     }
 };
 
 void StageBoard::set(const std::string& stage) noexcept {
-    if (text_ == nullptr) return;
-    const std::size_t length = std::min(stage.size(), kStageBytes - 1);
-    std::memcpy(text_, stage.data(), length);
-    std::memset(text_ + length, 0, kStageBytes - length);
+    if (board_ == nullptr) return;
+    const std::size_t length = std::min(stage.size(), SharedBoard::kStageBytes - 1);
+    std::memcpy(board_->stage, stage.data(), length);
+    std::memset(board_->stage + length, 0, SharedBoard::kStageBytes - length);
 }
 
-Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s) {
-    SharedText stage;
+StopSignals::StopSignals() {
+    ::sigemptyset(&held_);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action {};
+        ::sigaction(signal, nullptr, &action);
+        if (action.sa_handler != SIG_IGN) ::sigaddset(&held_, signal);
+    }
+    ::sigprocmask(SIG_BLOCK, &held_, &before_);
+}
+
+StopSignals::~StopSignals() {
+    ::sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void StopSignals::letThrough() const {
+    ::sigprocmask(SIG_UNBLOCK, &held_, nullptr);
+}
+
+int StopSignals::waitFor(std::chrono::nanoseconds time) const {
+    constexpr std::int64_t kSecond = 1000000000;
+    const timespec limit{static_cast<time_t>(time.count() / kSecond),
+                         static_cast<long>(time.count() % kSecond)};
+    const int signal = ::sigtimedwait(&held_, nullptr, &limit);
+    return std::max(signal, 0);
+}
+
+Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
+                         std::uint64_t memory_bytes) {
+    STEPMILL_CHECK(timeout_s > 0, "a time limit is a number");
+    SharedMemory shared;
+    const StopSignals stop;
     flushStreams();  // else the child would write the parent's unwritten output again
     const pid_t parent = ::getpid();
     const pid_t child = ::fork();
     if (child < 0) throw Error(ErrorCode::Internal, "supervisor", std::strerror(errno));
     if (child == 0) {
-        StageBoard board = SupervisedProcess::board(stage.data());
-        childMain(work, board, parent);
+        stop.letThrough();
+        std::signal(SIGXFSZ, SIG_IGN);
+        limitMemory(memory_bytes);
+        StageBoard stage = SupervisedProcess::stageOn(shared.board());
+        childMain(work, stage, shared.board(), parent);
     }
     ::setpgid(child, child);  // both sides set it, so that it holds whoever runs first
 
     Supervised result;
-    const bool in_time = waitUntil(child, timeout_s);
+    const Wait wait = waitUntil(child, timeout_s, stop, result.signal);
     ::kill(-child, SIGKILL);  // also what the child may have started and left behind
     const int status = reap(child);
-    result.last_stage = stage.read();
-    if (!in_time) {
+    result.last_stage = shared.board()->text();
+    if (wait == Wait::TimeOver)
         result.end = Supervised::End::TimedOut;
-    } else if (WIFSIGNALED(status)) {
-        result.end = Supervised::End::Crashed;
-        result.signal = WTERMSIG(status);
-    } else {
-        result.exit_code = WEXITSTATUS(status);
-    }
+    else if (wait == Wait::Signal)
+        result.end = Supervised::End::Stopped;
+    else if (shared.board()->out_of_memory)
+        result.end = Supervised::End::OutOfMemory;
+    else
+        describeEnd(status, result);
     return result;
 }
 

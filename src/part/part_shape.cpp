@@ -1,5 +1,8 @@
 #include "stepmill/part/part_shape.h"
 
+#include <new>
+
+#include <Standard_OutOfMemory.hxx>
 #include <TopoDS.hxx>
 
 #include "measure.h"
@@ -9,6 +12,8 @@ namespace stepmill {
 void guardOcct(ErrorCode code, const std::string& subject, const std::function<void()>& work) {
     try {
         work();
+    } catch (const Standard_OutOfMemory&) {
+        throw std::bad_alloc();  // says nothing about the shape
     } catch (const Standard_Failure& failure) {
         const char* text = failure.GetMessageString();
         const std::string kind = failure.DynamicType()->Name();

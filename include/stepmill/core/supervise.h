@@ -1,11 +1,18 @@
 #pragma once
 
+#include <chrono>
+#include <csignal>
+#include <cstdint>
 #include <functional>
 #include <string>
 
 namespace stepmill {
 
-/// Where a supervised run stands; shared memory, so that the parent can read it after the child has died.
+/// What supervisor and child both see; lives in shared memory, so that the parent can read it after the child
+/// has died.
+struct SharedBoard;
+
+/// Where a supervised run stands.
 class StageBoard {
   public:
     /// Names what is being done now ("importing part.step"). At most 255 bytes are kept.
@@ -13,22 +20,55 @@ class StageBoard {
 
   private:
     friend struct SupervisedProcess;
-    char* text_ = nullptr;
+    SharedBoard* board_ = nullptr;
 };
 
 /// How a supervised child ended.
 struct Supervised {
-    enum class End { Exited, TimedOut, Crashed };
+    enum class End {
+        Exited,       ///< by itself, with exit_code
+        TimedOut,     ///< the time limit ended it
+        OutOfMemory,  ///< it asked for more than its limit, or than the system has
+        Stopped,      ///< the caller got a signal that ends it (StopSignals); the child was ended for that
+        Killed,       ///< a signal from outside ended the child: the system short of memory, a user, a limit
+        Crashed       ///< a signal that its own code raised: a bug
+    };
     End end = End::Exited;
     int exit_code = 0;       ///< when Exited
-    int signal = 0;          ///< when Crashed
-    std::string last_stage;  ///< what the child was doing last
+    int signal = 0;          ///< when Stopped, Killed or Crashed
+    std::string last_stage;  ///< what the child was doing last; empty when it named nothing
 };
 
 /// Runs `work` in a child process and really ends it after `timeout_s` (SIGKILL to its process group), so
 /// that neither an endless loop nor a crash inside a geometry kernel can take the program with it.
-/// Standard streams are shared with the child. `work`'s return value becomes the exit code.
-/// \pre no other thread runs in the calling process (fork)
-Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s);
+/// Standard streams are shared with the child. `work`'s return value becomes the exit code. SIGINT, SIGTERM
+/// and SIGHUP to the caller end the child and are told in the result: the caller may then tidy up, and is to
+/// end by that signal. Writing beyond a file size limit fails in the child and does not end it.
+/// \param timeout_s     infinite: no limit
+/// \param memory_bytes  private memory the child may have (RLIMIT_DATA: heap and stacks, not what is merely
+///                      mapped); 0: no limit but the caller's own
+/// \pre no other thread runs in the calling process (fork); timeout_s is a number above 0
+Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
+                         std::uint64_t memory_bytes = 0);
+
+/// Holds SIGINT, SIGTERM and SIGHUP back while it lives, so that what must be tidied up is tidied up before
+/// one of them ends the process. Those that are ignored stay ignored.
+class StopSignals {
+  public:
+    StopSignals();
+    /// What is still held back takes effect.
+    ~StopSignals();
+    StopSignals(const StopSignals&) = delete;
+    StopSignals& operator=(const StopSignals&) = delete;
+
+    /// Waits for one of them and takes it; 0 when none came in time.
+    int waitFor(std::chrono::nanoseconds time) const;
+    /// For a child process: they take effect again.
+    void letThrough() const;
+
+  private:
+    sigset_t held_;
+    sigset_t before_;
+};
 
 }  // namespace stepmill

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 #include "stepmill/core/error.h"
 
@@ -61,6 +65,34 @@ TEST_F(FileTest, WritingReplacesTheOldFileAndLeavesNothingElse) {
 TEST_F(FileTest, MissingFileAndFolderAreUnreadable) {
     EXPECT_EQ(codeOf([&] { readFile(folder_ / "missing"); }), ErrorCode::FileUnreadable);
     EXPECT_EQ(codeOf([&] { readFile(folder_); }), ErrorCode::FileUnreadable);
+}
+
+TEST_F(FileTest, PipesDevicesAndSocketsAreNoFilesAndAreNotWaitedFor) {
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    EXPECT_EQ(codeOf([&] { readFile(folder_ / "pipe"); }), ErrorCode::FileUnreadable);
+    for (const char* device : {"/dev/zero", "/dev/null", "/dev/tty"})
+        EXPECT_EQ(codeOf([&] { readFile(device); }), ErrorCode::FileUnreadable) << device;
+    const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::snprintf(address.sun_path, sizeof(address.sun_path), "%s", (folder_ / "socket").c_str());
+    ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    EXPECT_EQ(codeOf([&] { readFile(folder_ / "socket"); }), ErrorCode::FileUnreadable);
+    ::close(socket);
+}
+
+TEST_F(FileTest, AFileLargerThanTheLimitIsNotRead) {
+    writeFile(folder_ / "x", "12345");
+    EXPECT_EQ(readFile(folder_ / "x", 5), "12345");
+    EXPECT_EQ(codeOf([&] { readFile(folder_ / "x", 4); }), ErrorCode::FileUnreadable);
+    fs::resize_file(folder_ / "x", std::uintmax_t{100} << 30);  // a hole
+    EXPECT_EQ(codeOf([&] { readFile(folder_ / "x"); }), ErrorCode::FileUnreadable);
+}
+
+TEST_F(FileTest, ANewFileDoesNotReplaceOne) {
+    writeNewFile(folder_ / "x", "first");
+    EXPECT_EQ(codeOf([&] { writeNewFile(folder_ / "x", "second"); }), ErrorCode::OutputUnwritable);
+    EXPECT_EQ(readFile(folder_ / "x"), "first");
 }
 
 TEST_F(FileTest, UnreadableErrorNamesTheFile) {

@@ -1,8 +1,12 @@
 #include "stepmill/core/supervise.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <new>
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -58,17 +62,93 @@ TEST(Supervise, AChildThatIgnoresTerminationIsEndedToo) {
     EXPECT_EQ(run.end, Supervised::End::TimedOut);
 }
 
-TEST(Supervise, ReportsACrashWithItsSignal) {
+TEST(Supervise, TellsACrashFromAKillWithTheSignal) {
+    const auto endBy = [](int signal) {
+        return runSupervised(
+            [=](StageBoard& stage) {
+                stage.set("dying");
+                std::signal(signal, SIG_DFL);
+                ::raise(signal);
+                return 0;
+            },
+            30);
+    };
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) {
+        const Supervised run = endBy(signal);
+        EXPECT_EQ(run.end, Supervised::End::Crashed);
+        EXPECT_EQ(run.signal, signal);
+        EXPECT_EQ(run.last_stage, "dying");
+    }
+    for (const int signal : {SIGKILL, SIGTERM, SIGPIPE, SIGXCPU}) {
+        const Supervised run = endBy(signal);
+        EXPECT_EQ(run.end, Supervised::End::Killed);
+        EXPECT_EQ(run.signal, signal);
+    }
+}
+
+TEST(Supervise, TellsThatMemoryRanOut) {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "the sanitizer's allocator calls no new-handler";
+#endif
+    constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
+    const auto allocate = [&](std::size_t bytes) {
+        return runSupervised(
+            [=](StageBoard&) {
+                try {
+                    const std::vector<char> block(bytes, 'x');
+                    return static_cast<int>(std::count(block.begin(), block.end(), 'y'));
+                } catch (const std::exception&) {
+                    return 2;  // swallowed on its way, as the failure of one feature
+                }
+            },
+            30, kLimit);
+    };
+    EXPECT_EQ(allocate(kLimit / 2).end, Supervised::End::Exited);
+    EXPECT_EQ(allocate(kLimit / 2).exit_code, 0);
+    EXPECT_EQ(allocate(kLimit).end, Supervised::End::OutOfMemory);
+}
+
+TEST(Supervise, BadAllocThrownByHandIsMemoryThatRanOut) {
+    const Supervised run = runSupervised([](StageBoard&) -> int { throw std::bad_alloc(); }, 30);
+    EXPECT_EQ(run.end, Supervised::End::OutOfMemory);
+}
+
+TEST(Supervise, ASignalToTheParentEndsTheChildAndIsTold) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        const pid_t parent = ::getpid();
+        const Clock::time_point start = Clock::now();
+        const Supervised run = runSupervised(
+            [=](StageBoard& stage) {
+                stage.set("waiting");
+                ::kill(parent, signal);
+                ::sleep(60);
+                return 0;
+            },
+            60);
+        EXPECT_EQ(run.end, Supervised::End::Stopped);
+        EXPECT_EQ(run.signal, signal);
+        EXPECT_EQ(run.last_stage, "waiting");
+        EXPECT_LT(secondsSince(start), 20);
+    }
+}
+
+TEST(Supervise, AnIgnoredSignalStaysIgnored) {
+    std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    const pid_t parent = ::getpid();
     const Supervised run = runSupervised(
-        [](StageBoard& stage) {
-            stage.set("crashing");
-            ::raise(SIGKILL);
-            return 0;
+        [=](StageBoard&) {
+            ::kill(parent, SIGHUP);
+            ::usleep(20000);
+            return 5;
         },
         30);
-    EXPECT_EQ(run.end, Supervised::End::Crashed);
-    EXPECT_EQ(run.signal, SIGKILL);
-    EXPECT_EQ(run.last_stage, "crashing");
+    std::signal(SIGHUP, SIG_DFL);
+    EXPECT_EQ(run.end, Supervised::End::Exited);
+    EXPECT_EQ(run.exit_code, 5);
+}
+
+TEST(Supervise, ATimeLimitThatIsNoNumberIsRefused) {
+    EXPECT_ANY_THROW(runSupervised([](StageBoard&) { return 0; }, std::nan("")));
 }
 
 TEST(Supervise, AnUncaughtExceptionIsABugWithAMessage) {
