@@ -96,6 +96,8 @@ std::string_view schemaText(SchemaName name) {
             return embedded::kFixturesSchema;
         case SchemaName::Verify:
             return embedded::kVerifySchema;
+        case SchemaName::Manifest:
+            return embedded::kManifestSchema;
     }
     return {};
 }

@@ -7,7 +7,7 @@
 namespace stepmill {
 
 /// Names of the schemas compiled in from schemas/.
-enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify };
+enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify, Manifest };
 std::string_view schemaText(SchemaName name);
 
 /// Breaches of a schema by a JSON text, each "#/json/pointer: what was expected". A text that is not JSON

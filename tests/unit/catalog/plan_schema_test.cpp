@@ -197,6 +197,7 @@ TEST(SchemaText, IsTheFileInTheSchemasFolder) {
     EXPECT_EQ(schemaText(SchemaName::Inspect), readFile(folder / "inspect.schema.json"));
     EXPECT_EQ(schemaText(SchemaName::Rank), readFile(folder / "rank.schema.json"));
     EXPECT_EQ(schemaText(SchemaName::Verify), readFile(folder / "verify.schema.json"));
+    EXPECT_EQ(schemaText(SchemaName::Manifest), readFile(folder / "manifest.schema.json"));
 }
 
 }  // namespace
