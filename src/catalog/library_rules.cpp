@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/json_text.h"
+#include "stepmill/core/units.h"
 
 namespace stepmill {
 namespace {
@@ -23,13 +24,38 @@ std::string lengthText(double value) {
     return fmt::format("{}", value);
 }
 
+/// Smallest and largest sensible length or feed, as the schema's descriptions tell them [mm, mm/min].
+struct Limits {
+    double least;
+    double most;
+};
+constexpr Limits kCutterDiameter{0.01, 500};
+constexpr Limits kDiameter{0.01, 2000};
+constexpr Limits kHeight{0.01, 5000};
+constexpr Limits kStep{0.001, 1000};
+constexpr Limits kFeed{1, 100000};
+/// Conversion from inches rounds.
+constexpr double kLimitRounding = 1e-9;
+
+/// Passes closer together than this share of the diameter cut nothing worth the time, and a wide pocket takes
+/// more of them than fit in memory.
+constexpr double kLeastStepOverShare = 1e-3;
+/// A life shorter than this makes a tool's wear cost more than any part [min].
+constexpr double kShortestLifeMin = 0.1;
+
 /// Checks one tool; findings carry pointers into the file.
 class ToolRules {
   public:
-    ToolRules(const json& tool, std::string pointer, std::vector<CatalogFinding>& findings)
-        : tool_(tool), pointer_(std::move(pointer)), findings_(findings), diameter_(tool["diameter"]) {}
+    ToolRules(const json& tool, std::string pointer, double mm_per_unit,
+              std::vector<CatalogFinding>& findings)
+        : tool_(tool),
+          pointer_(std::move(pointer)),
+          mm_per_unit_(mm_per_unit),
+          findings_(findings),
+          diameter_(tool["diameter"]) {}
 
     void check() {
+        checkLimits();
         checkCornerRadius();
         checkLengths();
         checkShank();
@@ -44,6 +70,51 @@ class ToolRules {
 
     void doubt(const std::string& pointer, const std::string& text) {
         findings_.push_back({pointer, text, true});
+    }
+
+    /// A number of an object, where it is given.
+    void checkLimit(const json& from, const char* field, const Limits& limits, const std::string& pointer) {
+        if (!from.contains(field) || !from[field].is_number()) return;
+        const double value = from[field].get<double>() * mm_per_unit_;
+        const bool within =
+            value >= limits.least * (1 - kLimitRounding) && value <= limits.most * (1 + kLimitRounding);
+        expect(within, childPointer(pointer, field),
+               fmt::format("{:g} to {:g} mm{}", limits.least, limits.most, &limits == &kFeed ? "/min" : ""),
+               from[field]);
+    }
+
+    void checkLimits() {
+        checkLimit(tool_, "diameter", kCutterDiameter, pointer_);
+        for (const char* field : {"flute_length", "stick_out"})
+            checkLimit(tool_, field, kHeight, pointer_);
+        if (isRange())
+            for (const char* field : {"min", "max"})
+                checkLimit(tool_["stick_out"], field, kHeight, childPointer(pointer_, "stick_out"));
+        if (tool_.contains("shank")) {
+            checkLimit(tool_["shank"], "diameter", kDiameter, childPointer(pointer_, "shank"));
+            checkLimit(tool_["shank"], "from", kHeight, childPointer(pointer_, "shank"));
+        }
+        checkEach("holder", [this](const json& cylinder, const std::string& at) {
+            checkLimit(cylinder, "diameter", kDiameter, at);
+            checkLimit(cylinder, "bottom", kHeight, at);
+            checkLimit(cylinder, "top", kHeight, at);
+        });
+        checkEach("cutting", [this](const json& data, const std::string& at) {
+            for (const char* field : {"step_over", "step_down"})
+                checkLimit(data, field, kStep, at);
+            for (const char* field : {"feed", "plunge_feed", "slot_feed"})
+                checkLimit(data, field, kFeed, at);
+        });
+        const double life_min = tool_.value("life_min", 0.0);
+        expect(life_min == 0 || life_min >= kShortestLifeMin, childPointer(pointer_, "life_min"),
+               fmt::format("0 (not given) or at least {:g} minutes", kShortestLifeMin), life_min);
+    }
+
+    template <typename Check>
+    void checkEach(const char* list, const Check& check) {
+        if (!tool_.contains(list)) return;
+        for (std::size_t i = 0; i < tool_[list].size(); ++i)
+            check(tool_[list][i], childPointer(childPointer(pointer_, list), i));
     }
 
     void checkCornerRadius() {
@@ -142,9 +213,14 @@ class ToolRules {
             if (mills && !data.contains(name))
                 findings_.push_back(
                     {at, "expected the field \"" + std::string(name) + "\" of a milling cutter, found none"});
-        if (data.contains("step_over"))
+        if (data.contains("step_over")) {
             expect(data["step_over"] <= diameter_, childPointer(at, "step_over"),
                    "at most the diameter, " + lengthText(diameter_), data["step_over"]);
+            expect(data["step_over"] >= kLeastStepOverShare * diameter_, childPointer(at, "step_over"),
+                   fmt::format("at least {:g} of the diameter, {:g}", kLeastStepOverShare,
+                               kLeastStepOverShare * diameter_),
+                   data["step_over"]);
+        }
         if (data.contains("step_down"))
             expect(data["step_down"] <= flutes, childPointer(at, "step_down"),
                    "at most the flute length, " + lengthText(flutes), data["step_down"]);
@@ -152,6 +228,7 @@ class ToolRules {
 
     const json& tool_;
     std::string pointer_;
+    double mm_per_unit_;
     std::vector<CatalogFinding>& findings_;
     double diameter_;
 };
@@ -173,10 +250,11 @@ void checkUnique(const json& tools, const char* field, std::vector<CatalogFindin
 std::vector<CatalogFinding> checkLibraryRules(const json& library) {
     std::vector<CatalogFinding> findings;
     const json& tools = library["tools"];
+    const double mm_per_unit = library["unit"] == "inch" ? kMillimetresPerInch : 1.0;
     checkUnique(tools, "id", findings);
     checkUnique(tools, "number", findings);
     for (std::size_t i = 0; i < tools.size(); ++i)
-        ToolRules(tools[i], childPointer("#/tools", i), findings).check();
+        ToolRules(tools[i], childPointer("#/tools", i), mm_per_unit, findings).check();
     return findings;
 }
 

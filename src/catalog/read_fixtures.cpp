@@ -17,6 +17,8 @@ using nlohmann::json;
 
 /// No machine has a fixture farther off: a unit gone wrong [mm].
 constexpr double kFarthestMm = 1e5;
+/// A fixture as thin is a slip of the pen: heights in plan.json have six decimals [mm].
+constexpr double kThinnestMm = 1e-3;
 
 /// Reads a document that keeps the schema.
 class FixtureReader {
@@ -61,7 +63,7 @@ class FixtureReader {
         fixture.name = from["name"];
         fixture.bottom_z_mm = length(from["bottom"], pointer + "/bottom");
         fixture.top_z_mm = length(from["top"], pointer + "/top");
-        if (fixture.top_z_mm <= fixture.bottom_z_mm)
+        if (fixture.top_z_mm < fixture.bottom_z_mm + kThinnestMm)
             fail(pointer + "/top", fmt::format("expected a top above the bottom ({}), found {}",
                                                from["bottom"].dump(), from["top"].dump()));
         fixture.section = outline(from["outline"], pointer + "/outline");

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <regex>
 
+#include <fmt/format.h>
+
 #include "catalog/json_text.h"
 
 namespace stepmill {
@@ -25,25 +27,39 @@ std::vector<std::string> typesOf(const json& schema) {
 }
 
 std::string numberWords(const json& schema, const std::string& noun) {
+    const auto limit = [&schema](const char* name) {
+        return fmt::format("{:.15g}", schema[name].get<double>());
+    };
+    if (schema.contains("minimum") && schema.contains("maximum"))
+        return noun + " from " + limit("minimum") + " to " + limit("maximum");
     std::vector<std::string> limits;
-    if (schema.contains("exclusiveMinimum"))
-        limits.push_back("greater than " + schema["exclusiveMinimum"].dump());
-    if (schema.contains("minimum")) limits.push_back("of at least " + schema["minimum"].dump());
-    if (schema.contains("exclusiveMaximum"))
-        limits.push_back("less than " + schema["exclusiveMaximum"].dump());
-    if (schema.contains("maximum")) limits.push_back("of at most " + schema["maximum"].dump());
+    if (schema.contains("exclusiveMinimum")) limits.push_back("greater than " + limit("exclusiveMinimum"));
+    if (schema.contains("minimum")) limits.push_back("of at least " + limit("minimum"));
+    if (schema.contains("exclusiveMaximum")) limits.push_back("less than " + limit("exclusiveMaximum"));
+    if (schema.contains("maximum")) limits.push_back("of at most " + limit("maximum"));
     return limits.empty() ? noun : noun + " " + joined(limits, " and ");
 }
 
+/// "of 3 items", "of 1 to 100 items", "of at most 100 items", "of at least 1 item(s)"; empty without limits.
+std::string countWords(const json& schema, const char* fewest_field, const char* most_field,
+                       const std::string& noun) {
+    const std::size_t fewest = schema.value(fewest_field, std::size_t{0});
+    if (!schema.contains(most_field))
+        return fewest == 0 ? "" : " of at least " + std::to_string(fewest) + " " + noun + "(s)";
+    const std::size_t most = schema[most_field].get<std::size_t>();
+    const std::string end = std::to_string(most) + " " + noun + "s";
+    if (fewest == most) return " of " + end;
+    return fewest == 0 ? " of at most " + end : " of " + std::to_string(fewest) + " to " + end;
+}
+
 std::string arrayWords(const json& schema) {
-    const std::size_t fewest = schema.value("minItems", std::size_t{0});
-    if (schema.contains("maxItems") && schema["maxItems"] == fewest)
-        return "a list of " + std::to_string(fewest) + " items";
-    return fewest == 0 ? "a list" : "a list of at least " + std::to_string(fewest) + " item(s)";
+    return "a list" + countWords(schema, "minItems", "maxItems", "item");
 }
 
 std::string stringWords(const json& schema) {
     if (schema.contains("pattern")) return "a text like " + schema["pattern"].get<std::string>();
+    if (schema.contains("maxLength"))
+        return "a text" + countWords(schema, "minLength", "maxLength", "character");
     return schema.contains("minLength") ? "a text that is not empty" : "a text";
 }
 
@@ -75,6 +91,21 @@ bool withinLimits(const json& schema, double value) {
            !(schema.contains("maximum") && value > limit("maximum"));
 }
 
+/// Characters, not bytes, as JSON schema counts them. \pre the text is UTF-8
+std::size_t lengthOf(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Patterns in schemas/ repeat nothing without bound, so that std::regex needs no deep stack for long texts.
+bool textFits(const json& schema, const std::string& text) {
+    const std::size_t length = lengthOf(text);
+    if (length < schema.value("minLength", std::size_t{0})) return false;
+    if (schema.contains("maxLength") && length > schema["maxLength"].get<std::size_t>()) return false;
+    return !schema.contains("pattern") ||
+           std::regex_search(text, std::regex(schema["pattern"].get<std::string>()));
+}
+
 /// The value's own type, limits and length; fields and items are looked at on their own.
 bool fits(const json& schema, const json& value) {
     if (schema.contains("const") && value != schema["const"]) return false;
@@ -90,13 +121,7 @@ bool fits(const json& schema, const json& value) {
     if (value.is_array())
         return value.size() >= schema.value("minItems", std::size_t{0}) &&
                !(schema.contains("maxItems") && value.size() > schema["maxItems"].get<std::size_t>());
-    if (value.is_string()) {
-        const std::string text = value.get<std::string>();
-        if (text.size() < schema.value("minLength", std::size_t{0})) return false;
-        return !schema.contains("pattern") ||
-               std::regex_search(text, std::regex(schema["pattern"].get<std::string>()));
-    }
-    return true;
+    return !value.is_string() || textFits(schema, value.get_ref<const std::string&>());
 }
 
 /// How many letters must be added, removed, changed or swapped with a neighbour's to turn one word into the

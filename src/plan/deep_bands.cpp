@@ -13,6 +13,9 @@
 namespace stepmill {
 namespace {
 
+/// A mill that reaches less than this share of a feature's depth clears it in no number of bands.
+constexpr double kMostBands = 100;
+
 /// Of the widest mill, which does most of the work; of several the longest. 0: there is no mill.
 double bandMm(const ToolLibrary& library, const std::string& material) {
     double widest_mm = 0;
@@ -40,7 +43,8 @@ std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLib
             if (const auto parted = last_band.find(parent); parted != last_band.end())
                 parent = parted->second;
         const bool whole = band_mm <= 0 || isHole(feature.feature_class) || feature.depth_mm() <= band_mm;
-        const int count = whole ? 1 : static_cast<int>(std::ceil(feature.depth_mm() / band_mm));
+        const int count =
+            whole ? 1 : static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostBands)));
         for (int i = 0; i < count && !whole; ++i) {
             band.id = fmt::format("{}.{}", feature.id, i + 1);
             band.top_z_mm = feature.top_z_mm - feature.depth_mm() * i / count;

@@ -325,22 +325,22 @@ void warnOfPart(Plan& plan) {
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress) {
     requireMaterial(library, request.sequence.material);
-    const SmallerLibraries smaller = smallerLibraries(request.cautions, library);
-    const Request job{request, library, smaller, machine, tol, progress};
     Plan plan;
     plan.part = part;
     plan.machine = machine;
-    plan.library = library;
     plan.material = request.sequence.material;
     plan.objective = request.sequence.objective;
     plan.cost_model = request.sequence.cost_model;
     warnOfPart(plan);
 
-    job.report("setups", 0);
+    if (progress) progress("setups", 0);
     const std::vector<Setup> setups = chooseSetups(part, request.setup);
     STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
     requireMachinableSize(part, setups, machine);
+    plan.library = usableLibrary(library, request.sequence, machine, tallestStockMm(setups), plan.warnings);
     plan.stock = setups.front().stock;
+    const SmallerLibraries smaller = smallerLibraries(request.cautions, plan.library);
+    const Request job{request, plan.library, smaller, machine, tol, progress};
 
     StagePlanner planner(job, setups.size());
     const WalkedSetups walked =

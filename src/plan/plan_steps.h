@@ -48,6 +48,15 @@ void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol);
 /// Height of the highest over the stock's top; 0 where none stands over it [mm].
 double highestFixtureMm(const std::vector<Fixture>& fixtures);
 
+/// The library less cutting data that no program can be made with: feeds that the machine's spindle slows
+/// to nothing, and depths of cut so thin that the stock's height takes more than toolpath::kMostLayers of
+/// them. Each tool that loses its data is a warning "tool-unusable".
+ToolLibrary usableLibrary(const ToolLibrary& library, const SequenceOptions& options, const Machine& machine,
+                          double deepest_mm, std::vector<Warning>& warnings);
+
+/// Height of the stock in the setup where it stands tallest [mm].
+double tallestStockMm(const std::vector<Setup>& setups);
+
 /// What must be machined before a feature.
 struct Precedence {
     std::string feature_id;

@@ -20,6 +20,18 @@ constexpr double kStraightMm = 0.5e-4;
 /// rounded.
 constexpr double kLongestSweepRad = 1.5 * kPi;
 
+/// Rounding raises no feed by more than this share: slow ones are cut off instead.
+constexpr double kFeedRaise = 5e-4;
+
+/// Inches have less in front of the point, so one decimal more.
+std::string feedWord(double feed_mm_per_min, bool inch) {
+    const double feed = inch ? mmToInch(feed_mm_per_min) : feed_mm_per_min;
+    const int decimals = inch ? 3 : 2;
+    const double steps = feed * std::pow(10.0, decimals);
+    const bool raised = std::round(steps) > steps * (1 + kFeedRaise);
+    return fmt::format(" F{:.{}f}", raised ? std::floor(steps) / std::pow(10.0, decimals) : feed, decimals);
+}
+
 /// How far the arc bulges from its chord.
 double sagitta(double radius_mm, double sweep_rad) {
     return radius_mm * (1 - std::cos(std::abs(sweep_rad) / 2));
@@ -70,9 +82,7 @@ void MotionWriter::begin(int g_word) {
 
 void MotionWriter::feed(double feed_mm_per_min) {
     if (feed_mm_per_min == feed_) return;
-    // Inches have less in front of the point, so one decimal more.
-    out_ +=
-        inch_ ? fmt::format(" F{:.3f}", mmToInch(feed_mm_per_min)) : fmt::format(" F{:.2f}", feed_mm_per_min);
+    out_ += feedWord(feed_mm_per_min, inch_);
     feed_ = feed_mm_per_min;
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
+#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/report/rank.h"
@@ -89,12 +90,15 @@ Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequ
 
 }  // namespace
 
-RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibrary& library,
+RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibrary& all_tools,
                     const Machine& machine, const Tolerances& tol,
                     const std::function<void(const std::string& stage, double share)>& progress) {
     const auto tell = [&](const std::string& stage, double share) {
         if (progress) progress(stage, share);
     };
+    std::vector<Warning> unusable;
+    const ToolLibrary library =
+        usableLibrary(all_tools, request.sequence, machine, part.bbox_mm.sizes().maxCoeff(), unusable);
     RankReport report;
     report.is_part = true;
     report.file = part.file;

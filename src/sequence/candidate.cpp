@@ -3,6 +3,7 @@
 #include "sequence/drilling.h"
 #include "stepmill/core/units.h"
 #include "stepmill/sequence/area_models.h"
+#include "toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
@@ -38,7 +39,8 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
         const double feed = std::max(cutting.plunge_feed_mm_per_min, cutting.feed_mm_per_min);
         return std::max(disc_mm2, feature.area_mm2) * feed / kSecondsPerMinute;
     }
-    const double depth_of_cut = feature.depth_mm() / depthsOfCut(feature.depth_mm(), cutting.step_down_mm);
+    const double depth_of_cut =
+        feature.depth_mm() / toolpath::layersFor(feature.depth_mm(), cutting.step_down_mm);
     const double slot_mm2 = tool.diameter_mm * depth_of_cut;
     const double swept = slot_mm2 * cutting.feed_mm_per_min + disc_mm2 * cutting.plunge_feed_mm_per_min;
     return swept / kSecondsPerMinute;
@@ -59,13 +61,6 @@ CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
             std::min(cutting.plunge_feed_mm_per_min, machine.max_feed_mm_per_min);
     }
     return cutting;
-}
-
-int depthsOfCut(double depth_mm, double step_down_mm) {
-    if (step_down_mm <= 0) return 1;
-    // A depth that is a whole number of step-downs must not gain a layer by rounding.
-    constexpr double kRounding = 1e-9;
-    return std::max(1, static_cast<int>(std::ceil(depth_mm / step_down_mm - kRounding)));
 }
 
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library) {

@@ -46,9 +46,6 @@ CuttingData limitedBy(const Machine& machine, CuttingData cutting);
 /// held to that (rampFeed). The sum of both is an upper bound for every mixture. A drill only descends.
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
 
-/// Depths of cut for a depth: as few equal ones as the step-down allows, at least one.
-int depthsOfCut(double depth_mm, double step_down_mm);
-
 /// Tools by falling diameter, ties by rising stick-out, then in the library's order [algorithms.md,
 /// section 7].
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "toolpath/passes.h"
 
@@ -22,7 +25,11 @@ double rampAngle(const CuttingData& cutting) {
 
 int layersFor(double depth_mm, double step_down_mm) {
     if (step_down_mm <= 0) return 1;
-    return std::max(1, static_cast<int>(std::ceil(depth_mm / step_down_mm - kLayerExcess)));
+    const double layers = std::ceil(depth_mm / step_down_mm - kLayerExcess);
+    if (!(layers <= kMostLayers))
+        throw Error(ErrorCode::InvalidCatalog, fmt::format("step-down {:g} mm", step_down_mm),
+                    fmt::format("would take more than {} cuts for {:g} mm", kMostLayers, depth_mm));
+    return std::max(1, static_cast<int>(layers));
 }
 
 Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const CuttingData& cutting,

@@ -7,7 +7,11 @@ namespace stepmill::toolpath {
 /// Angle of descents through material: the cutting data's, else a usual one.
 double rampAngle(const CuttingData& cutting);
 
+/// More depths of cut than this are no way to clear anything; a path of them would not fit in memory.
+inline constexpr int kMostLayers = 1000;
+
 /// As few equal depths of cut as the step-down allows, at least one; without a step-down one.
+/// \throws Error(InvalidCatalog) for more than kMostLayers
 int layersFor(double depth_mm, double step_down_mm);
 
 /// A path without moves from the task's top to its floor in that many depths, with the cutting data's feeds

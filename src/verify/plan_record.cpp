@@ -8,6 +8,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/planar/region_json.h"
+#include "verify/plan_rules.h"
 
 namespace stepmill {
 namespace {
@@ -16,12 +17,22 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kPlanFile = "plan.json";
 
-[[noreturn]] void fail(const std::string& pointer, const std::string& what) {
-    throw Error(ErrorCode::InvalidCatalog, kPlanFile + pointer, what);
+using verify::failAt;
+
+/// The loops as written, checked: a region that crosses itself or runs the wrong way proves anything.
+Region region(const Json& json, const std::string& pointer) {
+    try {
+        Region region = regionFromJson(json, kPlanFile + pointer);
+        if (const auto fault = diagnose(region)) failAt(pointer, "is no region: " + *fault);
+        return region;
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::InvalidRegion) throw;
+        failAt(pointer, std::string(error.what()).substr(error.subject().size() + 2));
+    }
 }
 
-Region region(const Json& json, const std::string& subject) {
-    return regionFromJson(json, kPlanFile + (" " + subject));
+void requireUpright(double bottom_z_mm, double top_z_mm, const std::string& pointer) {
+    if (top_z_mm <= bottom_z_mm) failAt(pointer + "/top_z_mm", "expected a top above the bottom");
 }
 
 HolderCylinder cylinder(const Json& json) {
@@ -44,7 +55,7 @@ ToolAssembly tool(const Json& json) {
     return tool;
 }
 
-PlannedFeature feature(const Json& json) {
+PlannedFeature feature(const Json& json, const std::string& pointer) {
     PlannedFeature planned;
     Feature& feature = planned.feature;
     feature.id = json["id"];
@@ -59,38 +70,34 @@ PlannedFeature feature(const Json& json) {
     if (name == toString(FeatureClass::HoleBlind)) feature.feature_class = FeatureClass::HoleBlind;
     feature.area_mm2 = json["area_mm2"];
     feature.volume_mm3 = json["volume_mm3"];
-    feature.target = region(json["target"], feature.id + " target");
-    feature.obstruction = region(json["obstruction"], feature.id + " obstruction");
-    for (const Json& obstacle : json["obstacles"])
-        feature.obstacles.push_back({obstacle["bottom_z_mm"], obstacle["top_z_mm"],
-                                     region(obstacle["section"], feature.id + " obstacle")});
-    for (const Json& from : json["residual"]) {
+    feature.target = region(json["target"], pointer + "/target");
+    feature.obstruction = region(json["obstruction"], pointer + "/obstruction");
+    for (std::size_t i = 0; i < json["obstacles"].size(); ++i) {
+        const Json& from = json["obstacles"][i];
+        const std::string at = fmt::format("{}/obstacles/{}", pointer, i);
+        requireUpright(from["bottom_z_mm"], from["top_z_mm"], at);
+        feature.obstacles.push_back(
+            {from["bottom_z_mm"], from["top_z_mm"], region(from["section"], at + "/section")});
+    }
+    for (std::size_t i = 0; i < json["residual"].size(); ++i) {
+        const Json& from = json["residual"][i];
         Residual residual;
-        residual.region = region(from["region"], feature.id + " residual");
+        residual.region = region(from["region"], fmt::format("{}/residual/{}/region", pointer, i));
         residual.area_mm2 = from["area_mm2"];
         residual.volume_mm3 = from["volume_mm3"];
         residual.reason = from["reason"];
         planned.sequence.residual.push_back(std::move(residual));
     }
+    verify::checkFeature(planned, pointer);
     return planned;
 }
 
-/// Entries of a list by their id.
-template <typename Value>
-const Value& known(const std::map<std::string, Value>& all, const std::string& id, const std::string& pointer,
-                   const char* what) {
-    const auto found = all.find(id);
-    if (found == all.end()) fail(pointer, fmt::format("expected {} of this plan, found '{}'", what, id));
-    return found->second;
-}
-
-RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools,
-                            const std::string& pointer) {
+RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools) {
     RecordedOperation operation;
     operation.id = json["id"];
     operation.setup_id = json["setup"];
     operation.feature_id = json["feature"];
-    operation.tool = known(tools, json["tool"], pointer + "/tool", "a tool");
+    operation.tool = tools.at(json["tool"]);
     operation.role = json["role"];
     operation.pattern = json["pattern"];
     operation.layers = json["layers"];
@@ -105,7 +112,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     return operation;
 }
 
-RecordedSetup setup(const Json& json) {
+RecordedSetup setup(const Json& json, const std::string& pointer) {
     RecordedSetup setup;
     setup.id = json["id"];
     setup.axis_name = json.value("axis_name", "");
@@ -114,15 +121,16 @@ RecordedSetup setup(const Json& json) {
         for (int i = 0; i < 3; ++i)
             setup.stock_size_mm[i] = json["stock"]["size_mm"][i];
     if (json.contains("fixtures"))
-        for (const Json& one : json["fixtures"])
-            setup.fixtures.push_back({one["name"], region(one["section"], setup.id + " fixture"),
-                                      one["bottom_z_mm"], one["top_z_mm"]});
+        for (std::size_t i = 0; i < json["fixtures"].size(); ++i) {
+            const Json& one = json["fixtures"][i];
+            const std::string at = fmt::format("{}/fixtures/{}", pointer, i);
+            requireUpright(one["bottom_z_mm"], one["top_z_mm"], at);
+            setup.fixtures.push_back(
+                {one["name"], region(one["section"], at + "/section"), one["bottom_z_mm"], one["top_z_mm"]});
+        }
     setup.time_s = json["time_s"];
     setup.feature_ids = json["features"].get<std::vector<std::string>>();
     setup.operation_ids = json["operations"].get<std::vector<std::string>>();
-    // Programs lie beside plan.json, nowhere else.
-    if (setup.program.find_first_of("/\\") != std::string::npos)
-        fail("#/setups", fmt::format("program '{}' is no plain file name", setup.program));
     return setup;
 }
 
@@ -154,31 +162,18 @@ void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
                 record.left.push_back({entry["reason"], entry["volume_mm3"]});
 }
 
-/// Every id that is named exists.
-void checkNames(const PlanRecord& record) {
-    for (const auto& [id, planned] : record.features)
-        for (const std::string& parent : planned.feature.parents)
-            known(record.features, parent, "#/features", "a feature");
-    for (const auto& [id, operation] : record.operations)
-        known(record.features, operation.feature_id, "#/operations", "a feature");
-    for (const RecordedSetup& setup : record.setups) {
-        for (const std::string& id : setup.feature_ids)
-            known(record.features, id, "#/setups", "a feature");
-        for (const std::string& id : setup.operation_ids)
-            known(record.operations, id, "#/setups", "an operation");
-    }
-}
-
 }  // namespace
 
 PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     const std::vector<std::string> errors = schemaErrors(SchemaName::Plan, text);
     if (!errors.empty()) {
         const std::size_t colon = errors.front().find(": ");
-        if (colon == std::string::npos) fail("", errors.front());
-        fail(errors.front().substr(0, colon), errors.front().substr(colon + 2));
+        if (colon == std::string::npos) failAt("", errors.front());
+        failAt(errors.front().substr(0, colon), errors.front().substr(colon + 2));
     }
     const Json plan = Json::parse(text);
+    verify::checkPlanRules(plan);
+    verify::checkBooks(plan, tol);
     PlanRecord record;
     record.part_file = plan["part"]["file"];
     record.part_sha256 = plan["part"]["sha256"];
@@ -188,17 +183,15 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     std::map<std::string, ToolAssembly> tools;
     for (const Json& one : plan["tools"])
         tools[one["id"]] = tool(one);
-    for (const Json& one : plan["features"])
-        record.features[one["id"]] = feature(one);
-    for (std::size_t i = 0; i < plan["operations"].size(); ++i) {
-        const Json& one = plan["operations"][i];
-        record.operations[one["id"]] = operation(one, tools, fmt::format("#/operations/{}", i));
-    }
-    for (const Json& one : plan["setups"])
-        record.setups.push_back(setup(one));
+    for (std::size_t i = 0; i < plan["features"].size(); ++i)
+        record.features[plan["features"][i]["id"]] =
+            feature(plan["features"][i], fmt::format("#/features/{}", i));
+    for (const Json& one : plan["operations"])
+        record.operations[one["id"]] = operation(one, tools);
+    for (std::size_t i = 0; i < plan["setups"].size(); ++i)
+        record.setups.push_back(setup(plan["setups"][i], fmt::format("#/setups/{}", i)));
     noteTravel(plan, record);
     readBalance(plan, tol, record);
-    checkNames(record);
     return record;
 }
 

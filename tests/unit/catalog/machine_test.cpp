@@ -55,7 +55,7 @@ TEST(MachineErrors, TellAJunctionDeviationOfNothing) {
     json machine = goodMachine();
     machine["junction_deviation_mm"] = 0;
     EXPECT_EQ(messageOf(machine),
-              "mill.json#/junction_deviation_mm: expected a number greater than 0, found 0");
+              "mill.json#/junction_deviation_mm: expected a number from 0.0001 to 10, found 0");
 }
 
 TEST(ReadMachine, TakesTheSamples) {
@@ -67,7 +67,7 @@ TEST(MachineErrors, TellAMissingField) {
     json machine = goodMachine();
     machine.erase("rapid_mm_per_min");
     EXPECT_EQ(messageOf(machine),
-              "mill.json#: expected the field \"rapid_mm_per_min\", a number greater than 0, found none");
+              "mill.json#: expected the field \"rapid_mm_per_min\", a number from 1 to 1000000, found none");
 }
 
 TEST(MachineErrors, TellAMisspeltFieldAndTheOneItStandsFor) {
@@ -86,7 +86,7 @@ TEST(MachineErrors, TellATravelOfTwoAxes) {
 TEST(MachineErrors, TellANegativeTravel) {
     json machine = goodMachine();
     machine["travel_mm"] = {760, -410, 510};
-    EXPECT_EQ(messageOf(machine), "mill.json#/travel_mm/1: expected a number greater than 0, found -410");
+    EXPECT_EQ(messageOf(machine), "mill.json#/travel_mm/1: expected a number from 1 to 100000, found -410");
 }
 
 TEST(MachineErrors, TellAnUnknownDialect) {

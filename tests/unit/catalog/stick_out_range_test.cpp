@@ -61,7 +61,7 @@ TEST(StickOutRange, TellsAMissingEnd) {
     library["tools"][0]["stick_out"] = {{"min", 30}};
     EXPECT_EQ(
         messageOf(library),
-        "tools.json#/tools/0/stick_out: expected the field \"max\", a number greater than 0, found none");
+        "tools.json#/tools/0/stick_out: expected the field \"max\", a number from 0.0003 to 5000, found none");
 }
 
 }  // namespace

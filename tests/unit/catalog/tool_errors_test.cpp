@@ -38,24 +38,24 @@ TEST(ToolErrors, NameFilePointerAndExpectation) {
         toolLibraryFromText(library.dump(), "tools.json");
     });
     EXPECT_EQ(error.subject(), "tools.json#/tools/1/diameter");
-    EXPECT_STREQ(error.what(), "tools.json#/tools/1/diameter: expected a number greater than 0, found -6");
+    EXPECT_STREQ(error.what(), "tools.json#/tools/1/diameter: expected a number from 0.0003 to 500, found -6");
 }
 
 TEST(ToolErrors, TellAMissingFieldWithWhatItShouldHold) {
     EXPECT_EQ(
         messageWith("/tools/1/flute_length", nullptr),
-        "tools.json#/tools/1: expected the field \"flute_length\", a number greater than 0, found none");
+        "tools.json#/tools/1: expected the field \"flute_length\", a number from 0.0003 to 5000, found none");
 }
 
 TEST(ToolErrors, TellAWrongType) {
     EXPECT_EQ(messageWith("/tools/0/flute_length", {{"min", 20}, {"max", 26}}),
-              "tools.json#/tools/0/flute_length: expected a number greater than 0, found an object");
+              "tools.json#/tools/0/flute_length: expected a number from 0.0003 to 5000, found an object");
     EXPECT_EQ(messageWith("/tools/0/number", 1.5),
-              "tools.json#/tools/0/number: expected a whole number of at least 1, found 1.5");
+              "tools.json#/tools/0/number: expected a whole number from 1 to 99999, found 1.5");
     EXPECT_EQ(messageWith("/tools/0/centre_cutting", "yes"),
               "tools.json#/tools/0/centre_cutting: expected true or false, found \"yes\"");
     EXPECT_EQ(messageWith("/tools/0/id", ""),
-              "tools.json#/tools/0/id: expected a text that is not empty, found \"\"");
+              "tools.json#/tools/0/id: expected a text of 1 to 100 characters, found \"\"");
 }
 
 TEST(ToolErrors, TellTheAllowedWords) {
@@ -69,13 +69,12 @@ TEST(ToolErrors, TellTheAllowedWords) {
 
 TEST(ToolErrors, TellALibraryWithoutTools) {
     EXPECT_EQ(messageWith("/tools", json::array()),
-              "tools.json#/tools: expected a list of at least 1 item(s), found a list of 0");
+              "tools.json#/tools: expected a list of 1 to 1000 items, found a list of 0");
 }
 
 TEST(ToolErrors, TellAnAngleOutOfRange) {
     const std::string expected =
-        "tools.json#/tools/0/cutting/1/ramp_angle_deg: expected a number greater than 0 and of at most 45, "
-        "found ";
+        "tools.json#/tools/0/cutting/1/ramp_angle_deg: expected a number from 0.1 to 45, found ";
     EXPECT_EQ(messageWith("/tools/0/cutting/1/ramp_angle_deg", 46), expected + "46");
     EXPECT_EQ(messageWith("/tools/0/cutting/1/ramp_angle_deg", 0), expected + "0");
 }
@@ -86,7 +85,7 @@ TEST(ToolErrors, CountTheOthersOfTheSameFile) {
     library["tools"][1]["diameter"] = "5";
     EXPECT_EQ(
         messageOfText(library.dump()),
-        "tools.json#/tools/0/diameter: expected a number greater than 0, found 0 (and 1 more in this file)");
+        "tools.json#/tools/0/diameter: expected a number from 0.0003 to 500, found 0 (and 1 more in this file)");
 }
 
 TEST(ToolErrors, TellIdsAndNumbersUsedTwice) {
@@ -197,9 +196,9 @@ TEST(LibraryFindings, ListEveryErrorOnceInTheFilesOrder) {
     library["tools"][1].erase("cutting");
     const LibraryFile file(library);
     const std::vector<std::string> expected{
-        "#/tools/0/diameter: expected a number greater than 0, found -1",
-        "#/tools/0/holder/1/top: expected a number greater than 0, found \"high\"",
-        "#/tools/1: expected the field \"cutting\", a list, found none"};
+        "#/tools/0/diameter: expected a number from 0.0003 to 500, found -1",
+        "#/tools/0/holder/1/top: expected a number from 0.0003 to 5000, found \"high\"",
+        "#/tools/1: expected the field \"cutting\", a list of at most 100 items, found none"};
     EXPECT_EQ(findLibraryErrors(file.path()), expected);
 }
 
@@ -213,8 +212,8 @@ TEST(LibraryFindings, PutItemsInTheOrderOfTheirNumbers) {
     library["tools"][2]["diameter"] = 0;
     library["tools"][10]["diameter"] = 0;
     const LibraryFile file(library);
-    const std::vector<std::string> expected{"#/tools/2/diameter: expected a number greater than 0, found 0",
-                                            "#/tools/10/diameter: expected a number greater than 0, found 0"};
+    const std::vector<std::string> expected{"#/tools/2/diameter: expected a number from 0.0003 to 500, found 0",
+                                            "#/tools/10/diameter: expected a number from 0.0003 to 500, found 0"};
     EXPECT_EQ(findLibraryErrors(file.path()), expected);
 }
 

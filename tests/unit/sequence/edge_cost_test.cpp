@@ -2,6 +2,7 @@
 
 #include "sequence/candidate.h"
 #include "stepmill/sequence/sequence.h"
+#include "toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
@@ -39,11 +40,11 @@ TEST(EdgeCost, CountsNoWearWithoutAToolLife) {
 }
 
 TEST(DepthsOfCut, AreAsFewAsTheStepDownAllows) {
-    EXPECT_EQ(depthsOfCut(12, 0), 1);
-    EXPECT_EQ(depthsOfCut(12, 20), 1);
-    EXPECT_EQ(depthsOfCut(12, 4), 3);
-    EXPECT_EQ(depthsOfCut(12.1, 4), 4);
-    EXPECT_EQ(depthsOfCut(0.3, 0.1), 3);
+    EXPECT_EQ(toolpath::layersFor(12, 0), 1);
+    EXPECT_EQ(toolpath::layersFor(12, 20), 1);
+    EXPECT_EQ(toolpath::layersFor(12, 4), 3);
+    EXPECT_EQ(toolpath::layersFor(12.1, 4), 4);
+    EXPECT_EQ(toolpath::layersFor(0.3, 0.1), 3);
 }
 
 TEST(LimitedBy, ASlowSpindleSlowsTheFeedsInProportion) {

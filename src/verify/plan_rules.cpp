@@ -1,0 +1,207 @@
+// A plan.json that keeps its schema may still contradict itself.
+
+#include "verify/plan_rules.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "stepmill/core/error.h"
+
+namespace stepmill::verify {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers in plan.json have six decimals.
+constexpr double kWritten = 1e-6;
+/// A corner radius meant to be half the diameter, as both are written [mm].
+constexpr double kSameRadiusMm = 2 * kWritten;
+/// An area or a volume and what it is of agree to this share: both come from one computation and are rounded.
+constexpr double kSameShare = 1e-6;
+
+std::string at(const char* list, std::size_t index, const char* field = nullptr) {
+    return field == nullptr ? fmt::format("#/{}/{}", list, index)
+                            : fmt::format("#/{}/{}/{}", list, index, field);
+}
+
+void checkUnique(const Json& plan, const char* list, const char* field) {
+    std::map<Json, std::size_t> seen;
+    for (std::size_t i = 0; i < plan[list].size(); ++i) {
+        const auto [first, is_new] = seen.emplace(plan[list][i][field], i);
+        if (!is_new)
+            failAt(at(list, i, field),
+                   fmt::format("expected a value that no other has, found {} as in {}",
+                               plan[list][i][field].dump(-1, ' ', true), at(list, first->second)));
+    }
+}
+
+/// Every entry of `plan[list]` stands once in the list of that name of its own setup, and nothing else does.
+void checkListed(const Json& plan, const char* list) {
+    std::map<std::string, std::string> setup_of;
+    for (const Json& entry : plan[list])
+        setup_of[entry["id"]] = entry["setup"];
+    std::set<std::string> listed;
+    for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
+        const Json& setup = plan["setups"][i];
+        for (const Json& name : setup[list]) {
+            const std::string id = name;
+            const auto found = setup_of.find(id);
+            if (found == setup_of.end() || found->second != setup["id"].get<std::string>())
+                failAt(at("setups", i, list), fmt::format("'{}' is none of this setup", id));
+            if (!listed.insert(id).second)
+                failAt(at("setups", i, list), fmt::format("'{}' stands twice", id));
+        }
+    }
+    for (std::size_t i = 0; i < plan[list].size(); ++i)
+        if (listed.count(plan[list][i]["id"]) == 0)
+            failAt(at(list, i, "setup"),
+                   fmt::format("no setup lists '{}'", plan[list][i]["id"].get<std::string>()));
+}
+
+/// Parents are of the same setup and stand before their children.
+void checkParents(const Json& plan) {
+    std::map<std::string, std::string> setup_of;
+    for (std::size_t i = 0; i < plan["features"].size(); ++i) {
+        const Json& feature = plan["features"][i];
+        for (const Json& parent : feature["parents"]) {
+            const auto before = setup_of.find(parent);
+            if (before == setup_of.end() || before->second != feature["setup"].get<std::string>())
+                failAt(at("features", i, "parents"),
+                       fmt::format("'{}' is no feature of this setup that stands before this one",
+                                   parent.get<std::string>()));
+        }
+        setup_of[feature["id"]] = feature["setup"];
+    }
+}
+
+void checkTool(const Json& tool, const std::string& pointer) {
+    const std::string type = tool["type"];
+    const double corner_mm = tool["corner_radius_mm"];
+    const double radius_mm = tool["diameter_mm"].get<double>() / 2;
+    const bool fits = type == "ball"   ? std::abs(corner_mm - radius_mm) <= kSameRadiusMm
+                      : type == "bull" ? corner_mm > 0 && corner_mm <= radius_mm + kSameRadiusMm
+                      : type == "flat" || type == "drill" ? corner_mm == 0
+                                                          : corner_mm <= radius_mm + kSameRadiusMm;
+    if (!fits)
+        failAt(pointer + "/corner_radius_mm",
+               fmt::format("{} mm is no corner of a {} cutter of {} mm", corner_mm, type, 2 * radius_mm));
+    double below_mm = tool["stick_out_mm"];
+    for (std::size_t i = 0; i < tool["holder"].size(); ++i) {
+        const Json& cylinder = tool["holder"][i];
+        const double bottom_mm = cylinder["bottom_mm"];
+        const double top_mm = cylinder["top_mm"];
+        if (bottom_mm < below_mm - kWritten || top_mm <= bottom_mm)
+            failAt(fmt::format("{}/holder/{}", pointer, i), "expected cylinders from below to above");
+        below_mm = top_mm;
+    }
+}
+
+void checkOperation(const Json& operation, const std::map<std::string, Json>& tools,
+                    const std::map<std::string, std::string>& feature_setup, const std::string& pointer) {
+    const auto tool = tools.find(operation["tool"]);
+    if (tool == tools.end())
+        failAt(pointer + "/tool",
+               fmt::format("expected a tool of this plan, found '{}'", operation["tool"].get<std::string>()));
+    const bool drills = tool->second["type"] == "drill";
+    if (drills != (operation["role"] == "drill"))
+        failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
+                                              tool->second["type"].get<std::string>()));
+    const auto feature = feature_setup.find(operation["feature"]);
+    if (feature == feature_setup.end() || feature->second != operation["setup"].get<std::string>())
+        failAt(pointer + "/feature", fmt::format("expected a feature of this plan and setup, found '{}'",
+                                                 operation["feature"].get<std::string>()));
+    if (operation["z_top_mm"].get<double>() <= operation["z_floor_mm"].get<double>())
+        failAt(pointer + "/z_top_mm", "expected a top above the floor");
+}
+
+void checkPrograms(const Json& plan) {
+    const std::optional<Dialect> dialect =
+        dialectFrom(plan["machine"].value("dialect", toString(Dialect::LinuxCnc)));
+    for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
+        const std::string name = programName(plan["setups"][i]["id"], *dialect);
+        if (plan["setups"][i]["program"] != name)
+            failAt(at("setups", i, "program"), fmt::format("expected {}, found '{}'", name,
+                                                           plan["setups"][i]["program"].get<std::string>()));
+    }
+}
+
+bool nearlyEqual(double a, double b, double share) {
+    return std::abs(a - b) <= kWritten + share * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+void failAt(const std::string& pointer, const std::string& what) {
+    throw Error(ErrorCode::InvalidCatalog, "plan.json" + pointer, what);
+}
+
+void checkPlanRules(const Json& plan) {
+    for (const char* list : {"setups", "tools", "features", "operations"})
+        checkUnique(plan, list, "id");
+    checkUnique(plan, "tools", "number");
+    checkParents(plan);
+    std::map<std::string, Json> tools;
+    for (std::size_t i = 0; i < plan["tools"].size(); ++i) {
+        checkTool(plan["tools"][i], at("tools", i));
+        tools[plan["tools"][i]["id"]] = plan["tools"][i];
+    }
+    std::map<std::string, std::string> feature_setup;
+    for (const Json& feature : plan["features"])
+        feature_setup[feature["id"]] = feature["setup"];
+    for (std::size_t i = 0; i < plan["operations"].size(); ++i)
+        checkOperation(plan["operations"][i], tools, feature_setup, at("operations", i));
+    checkListed(plan, "features");
+    checkListed(plan, "operations");
+    checkPrograms(plan);
+}
+
+void checkFeature(const PlannedFeature& planned, const std::string& pointer) {
+    const Feature& feature = planned.feature;
+    if (feature.top_z_mm <= feature.floor_z_mm)
+        failAt(pointer + "/top_z_mm", "expected a top above the floor");
+    if (feature.target.empty()) failAt(pointer + "/target", "expected an area to clear, found none");
+    if (!nearlyEqual(feature.area_mm2, area(feature.target), kSameShare))
+        failAt(pointer + "/area_mm2", fmt::format("expected the target's area, {:.6f}, found {:.6f}",
+                                                  area(feature.target), feature.area_mm2));
+    for (std::size_t i = 0; i < planned.sequence.residual.size(); ++i) {
+        const Residual& residual = planned.sequence.residual[i];
+        const std::string at = fmt::format("{}/residual/{}", pointer, i);
+        const double most_mm3 = residual.area_mm2 * feature.depth_mm();
+        if (residual.volume_mm3 > most_mm3 * (1 + kSameShare) + kWritten * (1 + feature.depth_mm()))
+            failAt(at + "/volume_mm3",
+                   fmt::format("expected no more than area times depth, {:.6f}, found {:.6f}", most_mm3,
+                               residual.volume_mm3));
+        if (!residual.region.empty() && !nearlyEqual(residual.area_mm2, area(residual.region), kSameShare))
+            failAt(at + "/area_mm2", fmt::format("expected the region's area, {:.6f}, found {:.6f}",
+                                                 area(residual.region), residual.area_mm2));
+    }
+}
+
+void checkBooks(const Json& plan, const Tolerances& tol) {
+    const double removable_mm3 =
+        plan["stock"]["volume_mm3"].get<double>() - plan["part"]["volume_mm3"].get<double>();
+    const double told_mm3 = plan["volume_balance"]["stock_minus_part_mm3"];
+    const double rounding_mm3 = std::max(kVolumeRoundingMm3, tol.volume_share * std::abs(removable_mm3));
+    if (std::abs(told_mm3 - removable_mm3) > rounding_mm3)
+        failAt("#/volume_balance/stock_minus_part_mm3",
+               fmt::format("expected stock less part, {:.3f}, found {:.3f}", removable_mm3, told_mm3));
+    std::map<std::string, double> volume_of;
+    for (const Json& feature : plan["features"])
+        volume_of[feature["setup"]] += feature["volume_mm3"].get<double>();
+    for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
+        const Json& setup = plan["setups"][i];
+        if (!setup.contains("volume_balance")) continue;
+        const double planned_mm3 = setup["volume_balance"]["planned_mm3"];
+        const std::string pointer = at("setups", i, "volume_balance/planned_mm3");
+        if (planned_mm3 > volume_of[setup["id"]] + rounding_mm3)
+            failAt(pointer, fmt::format("{:.3f} is more than its features hold, {:.3f}", planned_mm3,
+                                        volume_of[setup["id"]]));
+        if (planned_mm3 > rounding_mm3 && setup["operations"].empty())
+            failAt(pointer, fmt::format("{:.3f} is to be cut, by no operation", planned_mm3));
+    }
+}
+
+}  // namespace stepmill::verify
