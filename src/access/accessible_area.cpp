@@ -111,6 +111,13 @@ std::optional<AccessibleArea> clearOfHolder(const FeatureGround& ground, const s
     return found;
 }
 
+/// Is all that `of` covers covered, but for skins?
+bool reachesTheSame(const AccessibleArea& area, const AccessibleArea& of, const Tolerances& tol) {
+    const double slack_mm2 = std::max(tol.area_mm2, kSameShare * of.coverable_area_mm2);
+    if (area.coverable_area_mm2 >= of.coverable_area_mm2 - slack_mm2) return true;
+    return access::withoutSliverComponents(subtract(of.coverable, area.coverable, tol), tol).empty();
+}
+
 Exclusion collides(const FeatureGround& ground, const ToolAssembly& tool,
                    const std::vector<Blocker>& blockers, const AccessibleArea& found, double lost_mm2) {
     const double depth_mm = ground.feature().depth_mm();
@@ -133,16 +140,16 @@ std::optional<Exclusion> checkCollisions(const FeatureGround& ground, const Tool
     const std::vector<Blocker> blockers = access::blockers(ground.feature(), tool);
     if (blockers.empty()) return std::nullopt;
     const Tolerances& tol = ground.tolerances();
+    const bool hit = std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
+        return access::losesCentres(ground, blocker, found.free_centres);
+    });
+    if (!hit && !touchesAtEntry(ground, blockers, found)) return std::nullopt;
     const Region centres = access::collisionFreeCentres(ground, blockers, found.free_centres);
-    const bool all_centres =
-        access::withoutSliverComponents(subtract(found.free_centres, centres, tol), tol).empty();
-    if (all_centres && !touchesAtEntry(ground, blockers, found)) return std::nullopt;
     const Region swept = access::swept(centres, found.radius_mm, tol);
     const Region lost = access::withoutSliverComponents(subtract(found.coverable, swept, tol), tol);
     if (lost.empty()) {
         auto clear = clearOfHolder(ground, blockers, tool);
-        const double slack_mm2 = std::max(tol.area_mm2, kSameShare * found.coverable_area_mm2);
-        if (clear && clear->coverable_area_mm2 >= found.coverable_area_mm2 - slack_mm2) {
+        if (clear && reachesTheSame(*clear, found, tol)) {
             found = std::move(*clear);
             return std::nullopt;
         }

@@ -15,6 +15,9 @@ namespace {
 /// A holder this little below the top of an obstacle only rests on rounding [mm].
 constexpr double kHeightRoundingMm = 1e-6;
 
+/// A cylinder that comes into standing material by less than this share of the gouge budget touches it.
+constexpr double kTouchShare = 0.5;
+
 std::optional<std::size_t> obstacleAt(const Feature& feature, double z_mm) {
     for (std::size_t i = 0; i < feature.obstacles.size(); ++i)
         if (feature.obstacles[i].bottom_z_mm <= z_mm &&
@@ -106,8 +109,9 @@ std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const T
 }
 
 bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres) {
-    const Region clear = collisionFreeCentres(ground, {blocker}, centres);
-    return area(centres) - area(clear) > ground.tolerances().area_mm2;
+    const Tolerances& tol = ground.tolerances();
+    const double touching_mm = blocker.radius_mm - kTouchShare * tol.gouge_mm;
+    return !intersect(centres, ground.obstacleOffset(blocker.obstacle, touching_mm), tol).empty();
 }
 
 }  // namespace stepmill::access

@@ -45,7 +45,8 @@ bool meetsOwnMaterial(const FeatureGround& ground, const ToolAssembly& tool, con
 std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const ToolAssembly& tool,
                                             const AccessibleArea& area);
 
-/// Must the axis leave some of `centres` to keep a cylinder off an obstacle?
+/// Must the axis leave some of `centres`, however little, to keep a cylinder off an obstacle? A strip of
+/// centres may be as narrow as a cutter in a slot of its own width leaves it: the whole slot hangs on it.
 bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres);
 
 }  // namespace stepmill::access

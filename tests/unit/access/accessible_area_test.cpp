@@ -270,6 +270,18 @@ TEST(HolderCollision, CountsAShankWiderThanTheCutter) {
     EXPECT_FALSE(access(ground, tool).excluded);
 }
 
+TEST(HolderCollision, CountsInASlotOfTheCuttersOwnWidth) {
+    // The centres are a strip of 1 um: too little to be worth a pass by itself, but all there is.
+    ToolAssembly tool = endMill(4);
+    tool.shank = {6, 12, 60};
+    for (const Region& target : {rect(0, 0, 30, 4.001), makeCircle({0, 0}, 2.0005)}) {
+        const AccessibleArea found = access(FeatureGround(closedPocket(target, 20), kTol), tool);
+        ASSERT_FALSE(found.free_centres.empty());
+        ASSERT_TRUE(found.excluded);
+        EXPECT_EQ(found.excluded->reason, ExclusionReason::HolderCollision);
+    }
+}
+
 TEST(OwnMaterial, MeetsTheHolderOnlyBelowTheTopAndWhereSomethingIsLeft) {
     const auto trouble = [](const Region& target, double depth_mm, double holder_from_mm) {
         Feature pocket = closedPocket(target, depth_mm);
