@@ -18,15 +18,13 @@ constexpr double kHeightRoundingMm = 1e-6;
 /// A cylinder that comes into standing material by less than this share of the gouge budget touches it.
 constexpr double kTouchShare = 0.5;
 
-std::optional<std::size_t> obstacleAt(const Feature& feature, double z_mm) {
+}  // namespace
+
+std::optional<std::size_t> obstacleAbove(const Feature& feature, double z_mm, double rounding_mm) {
     for (std::size_t i = 0; i < feature.obstacles.size(); ++i)
-        if (feature.obstacles[i].bottom_z_mm <= z_mm &&
-            z_mm < feature.obstacles[i].top_z_mm - kHeightRoundingMm)
-            return i;
+        if (z_mm < feature.obstacles[i].top_z_mm - rounding_mm) return i;
     return std::nullopt;
 }
-
-}  // namespace
 
 std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool) {
     std::vector<HolderCylinder> found;
@@ -48,7 +46,8 @@ double freeReachMm(const ToolAssembly& tool) {
 std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool) {
     std::vector<Blocker> found;
     for (const HolderCylinder& cylinder : cylindersOf(tool)) {
-        if (const auto obstacle = obstacleAt(feature, feature.floor_z_mm + cylinder.bottom_mm))
+        const double bottom_z_mm = feature.floor_z_mm + cylinder.bottom_mm;
+        if (const auto obstacle = obstacleAbove(feature, bottom_z_mm, kHeightRoundingMm))
             found.push_back({*obstacle, cylinder.diameter_mm / 2, cylinder.bottom_mm});
     }
     return found;

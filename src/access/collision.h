@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stepmill/access/access.h"
@@ -19,6 +20,11 @@ std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool);
 /// How deep the tool may go before its shank or holder, as far as they are wider than the cutter, is below
 /// the top of what it cuts [mm].
 double freeReachMm(const ToolAssembly& tool);
+
+/// What a cylinder meets whose bottom is at that height: the lowest of the feature's obstacles that reaches
+/// higher by more than rounding. It holds those above it, and it may begin over the bottom: heights that
+/// should be equal differ by rounding. Nothing where all end below.
+std::optional<std::size_t> obstacleAbove(const Feature& feature, double z_mm, double rounding_mm);
 
 /// Those of cylindersOf() with standing material at their bottom's height. The obstacles are shadows, so what
 /// stands at the bottom's height counts for the whole cylinder.

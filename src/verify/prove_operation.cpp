@@ -238,15 +238,15 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
             "shank or holder ({:.4g} mm wide from {:.4g} mm over the tip) comes into "
             "material",
             cylinder.diameter_mm, cylinder.bottom_mm);
-        for (const Obstacle& obstacle : feature.obstacles) {
-            if (obstacle.section.empty()) continue;
+        for (std::size_t i = 0; i < feature.obstacles.size(); ++i) {
+            const Region& section = feature.obstacles[i].section;
+            if (section.empty()) continue;
             const LinedPath met =
                 somePath(operation, cylinder.bottom_mm, [&](const Vec3& from, const Move& move) {
                     const double z = lowOf(from, move) + cylinder.bottom_mm;
-                    return z >= obstacle.bottom_z_mm && z < obstacle.top_z_mm - kSameHeightMm;
+                    return access::obstacleAbove(feature, z, kSameHeightMm) == i;
                 });
-            checkClearance(met, keepOff(obstacle.section), radius_mm, -tol.gouge_mm, tol, least_mm, what,
-                           findings);
+            checkClearance(met, keepOff(section), radius_mm, -tol.gouge_mm, tol, least_mm, what, findings);
         }
         std::map<const Region*, OwnMaterial> own;
         Vec3 from = operation.start;

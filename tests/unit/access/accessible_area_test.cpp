@@ -282,6 +282,13 @@ TEST(HolderCollision, CountsInASlotOfTheCuttersOwnWidth) {
     }
 }
 
+TEST(HolderCollision, CountsWhereHeightsMissEachOtherByRounding) {
+    Feature pocket = closedPocket(makeRoundedRectangle({0, 0}, {40, 30}, 5), 30);
+    pocket.obstacles = {{-30, -10, pocket.obstruction}, {-10 + 1e-9, 0, pocket.obstruction}};
+    const FeatureGround ground(pocket, kTol);
+    EXPECT_TRUE(access(ground, withHolder(endMill(10), 30, 20)).excluded);
+}
+
 TEST(OwnMaterial, MeetsTheHolderOnlyBelowTheTopAndWhereSomethingIsLeft) {
     const auto trouble = [](const Region& target, double depth_mm, double holder_from_mm) {
         Feature pocket = closedPocket(target, depth_mm);
