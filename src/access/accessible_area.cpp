@@ -65,7 +65,7 @@ void measureAreas(const FeatureGround& ground, bool all_components, AccessibleAr
                                           : access::swept(found.free_centres, found.radius_mm, tol);
     found.coverable =
         ground.walledIn() ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
-    found.accessible_diagram = std::make_shared<LazyDiagram>();
+    found.swept_diagram = std::make_shared<LazyDiagram>();
     found.coverable_area_mm2 = area(found.coverable);
     found.accessible_area_mm2 = found.coverable_area_mm2;
     found.access_volume_mm3 = found.coverable_area_mm2 * ground.feature().depth_mm();

@@ -25,16 +25,32 @@ void sweepUseful(const FeatureGround& ground, const Region& centres, const Regio
     if (!swept.empty()) found.area = unite(swept, tol);
 }
 
-Region shrunkAccessible(const AccessibleArea& m, double by_mm, const Tolerances& tol) {
-    if (m.accessible_diagram) return m.accessible_diagram->of(m.accessible, tol).offset(-by_mm);
-    return offset(m.accessible, -by_mm, tol);
+/// Centres within this of their region's both walls get no pass, so what only they sweep stays.
+double halfSliverMm(const Tolerances& tol) {
+    return tol.sliver_mm / 2;
+}
+
+/// What m's passes sweep for sure: of its centres only what a disc of half a sliver opens. Where a neck runs
+/// out to m's own width, strips of some hundredths of a millimetre are longer than that.
+Region sweptForSure(const AccessibleArea& m, const Tolerances& tol) {
+    const Region wide = offset(m.free_centres, -halfSliverMm(tol), tol);
+    Region swept = access::swept(wide, m.radius_mm + halfSliverMm(tol), tol);
+    return m.given_up.empty() ? swept : subtract(swept, m.given_up, tol);
+}
+
+Region shrunkSwept(const AccessibleArea& m, double by_mm, const Tolerances& tol) {
+    const auto swept = [&] { return sweptForSure(m, tol); };
+    if (m.swept_diagram) return m.swept_diagram->from(swept, tol).offset(-by_mm);
+    return offset(swept(), -by_mm, tol);
 }
 
 /// Both tools sweep all they can inside the target: its own diagram knows what the smaller one has left.
 DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m, const AccessibleArea& n) {
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;
-    found.centres = access::withoutSliverComponents(ground.targetRestCentres(m.radius_mm, n.radius_mm), tol);
+    // Opening the target by half a sliver more is opening m's centres by that: see sweptForSure().
+    const Region rest = ground.targetRestCentres(m.radius_mm + halfSliverMm(tol), n.radius_mm);
+    found.centres = access::withoutSliverComponents(rest, tol);
     found.new_area_mm2 = std::max(0.0, n.coverable_area_mm2 - m.coverable_area_mm2);
     if (found.centres.empty() || found.new_area_mm2 <= tol.area_mm2) return {{}, {}, n.free_centres, 0};
     found.area = access::swept(found.centres, n.radius_mm, tol);
@@ -59,7 +75,7 @@ DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea*
         return found;
     }
     found.new_area_mm2 = area(fresh);
-    const Region done = shrunkAccessible(*m, n.radius_mm, tol);                                        // B_mn
+    const Region done = shrunkSwept(*m, n.radius_mm, tol);                                             // B_mn
     const Region centres = access::withoutSliverComponents(subtract(n.free_centres, done, tol), tol);  // C
     found.cleared_centres = intersect(n.free_centres, done, tol);
     sweepUseful(ground, centres, fresh, n.radius_mm, found);  // D_mn

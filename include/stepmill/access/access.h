@@ -76,7 +76,7 @@ class FeatureGround {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Diagram of an area, built by the first who asks; safe to share between threads.
+/// Diagram of a region, both made by the first who asks; safe to share between threads.
 class LazyDiagram;
 
 /// A piece of what a tool's cutter could reach but for its shank or holder, and other tools can reach.
@@ -120,9 +120,11 @@ struct AccessibleArea {
     std::vector<BlockedLump> blocked_lumps;  ///< what the surrogates do [algorithms.md, section 5]
     /// Set when the tool cannot be used; the areas then tell what it could do without that.
     std::optional<Exclusion> excluded;
-    /// Diagram of `accessible`, which every pair that starts with this tool shrinks; copies share it. May be
-    /// null: decomposedArea() then builds its own.
-    std::shared_ptr<LazyDiagram> accessible_diagram;
+    /// What of `accessible` nobody clears: where surrogates do part of it, ground that none of them reaches.
+    Region given_up;
+    /// Diagram of what the tool's passes sweep for sure, which every pair that starts with this tool shrinks;
+    /// copies share it. May be null: decomposedArea() then builds its own.
+    std::shared_ptr<LazyDiagram> swept_diagram;
 };
 
 /// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.

@@ -93,6 +93,26 @@ TEST(DecomposedArea, OfASlotWiderThanOnlyTheSecondToolIsTheSlot) {
     EXPECT_LT(missed(m, n, d), 1e-3);
 }
 
+TEST(DecomposedArea, CountsNoGroundAsClearedThatNoPassReaches) {
+    // Beside the island's corner the way narrows to the first tool's own width, 2 mm, at x = 20. Its strip of
+    // centres is half a sliver wide 0.09 mm before that: no pass goes on from there.
+    const Region island = makeRoundedRectangle({16, 10}, {50, 28}, 4);
+    const Region pocket = subtract(makeRectangle({0, 0}, {66, 30}), island, kTol);
+    const AccessibleArea m = access(FeatureGround(closedPocket(pocket), kTol), 2);
+    ASSERT_TRUE(contains(m.free_centres, {20 - 0.03, 29 - 4e-5})) << "reached on paper";
+    for (const double open_mm : {0.0, 10.0}) {
+        Feature feature = closedPocket(pocket);
+        feature.open_length_mm = open_mm;
+        const FeatureGround ground(feature, kTol);
+        const AccessibleArea first = access(ground, 2);
+        const DecomposedArea d = decomposedArea(ground, &first, access(ground, 1.5));
+        const Vec2 beside_the_island(20, 28.7501);
+        EXPECT_TRUE(contains(d.centres, beside_the_island));
+        EXPECT_FALSE(contains(d.cleared_centres, beside_the_island));
+        EXPECT_TRUE(contains(d.cleared_centres, {19, 29}));
+    }
+}
+
 TEST(DecomposedArea, RefusesTheSmallerToolFirst) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
     const AccessibleArea m = access(ground, 6);
