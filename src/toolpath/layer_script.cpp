@@ -123,10 +123,12 @@ class LayerPlanner {
         return ground;
     }
 
-    static bool isClearAlong(const SweptGround& ground, const Path& path) {
+    /// Would the pass take skins alone?
+    bool isNeedless(const SweptGround& ground, const Path& path) const {
         const std::vector<Edge> edges = edgesOf(path);
-        return std::all_of(edges.begin(), edges.end(),
-                           [&](const Edge& edge) { return ground.isClear(edge); });
+        return std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+            return ground.isClear(edge, kSkinSlivers * tol_.sliver_mm);
+        });
     }
 
     void settle(int i) {
@@ -141,7 +143,7 @@ class LayerPlanner {
             const bool innermost = pass(i).closed && !pass(i).neighbours.empty() &&
                                    std::all_of(pass(i).neighbours.begin(), pass(i).neighbours.end(),
                                                [&](int j) { return pass(j).level < pass(i).level; });
-            if (!isDone(i) && innermost && isClearAlong(groundOfPasses(i), pass(i).path)) settle(i);
+            if (!isDone(i) && innermost && isNeedless(groundOfPasses(i), pass(i).path)) settle(i);
         }
     }
 
@@ -151,7 +153,7 @@ class LayerPlanner {
         for (std::size_t i = 0; i < passes_.size(); ++i) {
             if (done_[i] || looked_at_[i] || !isReady(static_cast<int>(i))) continue;
             looked_at_[i] = true;
-            if (isClearAlong(swept_, passes_[i].path)) settle(static_cast<int>(i));
+            if (isNeedless(swept_, passes_[i].path)) settle(static_cast<int>(i));
         }
     }
 

@@ -15,10 +15,11 @@ SweptGround::SweptGround(const ClearingTask& task, double radius_mm)
       task_(&task),
       radius_mm_(radius_mm) {}
 
-bool SweptGround::isClear(const Edge& way) const {
+bool SweptGround::isClear(const Edge& way, double cusp_mm) const {
     const Box2 box = way.box.grown(radius_mm_);
     const Box2 around = box.grown(radius_mm_);
     Near near;
+    near.cusp_mm = cusp_mm;
     for (const Edge& edge : swept_)
         if (edge.box.grown(radius_mm_).overlaps(box)) near.swept.push_back(&edge);
     // The square is as wide as the box is long.
@@ -37,10 +38,11 @@ bool SweptGround::isClear(const Edge& way) const {
 bool SweptGround::isClear(const Edge& way, const Square& square, const Near& near) const {
     const Vec2& p = square.centre;
     const double reach = square.half_mm * std::numbers::sqrt2;
-    const double inner = radius_mm_ * (1 - kCuspShare);
+    const double inner = radius_mm_ - near.cusp_mm;
     const double off_way = distanceTo(p, way.from, way.segment);
     if (off_way - reach >= inner) return true;
     Near within;
+    within.cusp_mm = near.cusp_mm;
     double nearest = std::numeric_limits<double>::infinity();
     for (const Edge* edge : near.swept) {
         const double distance = distanceTo(p, edge->from, edge->segment);
@@ -73,7 +75,7 @@ bool SweptGround::isClear(const Edge& way, const Square& square, const Near& nea
         (within.off_cleared || !contains(task_->cleared_centres, p)))
         return false;
     // Covers that end within half a cusp of the way's rim are no covers.
-    if (reach < radius_mm_ * kCuspShare / 2) return false;
+    if (reach < near.cusp_mm / 2) return false;
     const double half = square.half_mm / 2;
     for (const double x : {-half, half})
         for (const double y : {-half, half})

@@ -11,11 +11,14 @@ namespace stepmill::toolpath {
 /// A disc meets no material where all it would take is thinner than this share of its radius: cusps between
 /// passes.
 inline constexpr double kCuspShare = 0.01;
+/// A pass may be left out where all it would take is thinner than so many slivers: skins, not material.
+inline constexpr double kSkinSlivers = 2;
 
 /// The part of a task's target that a disc has swept, asked for ways that lie wholly in it.
 ///
 /// Answers are proofs, not samples: squares are halved until each lies beside the way, beside the target or
-/// within one disc that has been there. They err towards "not cleared", and by cusps of kCuspShare.
+/// within one disc that has been there. They err towards "not cleared", and by cusps of kCuspShare or as
+/// asked.
 class SweptGround {
   public:
     /// Keeps `task`.
@@ -26,7 +29,9 @@ class SweptGround {
     /// Does the disc meet no material on the straight way from a to b?
     bool isClear(const Vec2& a, const Vec2& b) const { return isClear(makeEdge(a, {b, {}})); }
     /// Does it along an edge?
-    bool isClear(const Edge& way) const;
+    bool isClear(const Edge& way) const { return isClear(way, kCuspShare * radius_mm_); }
+    /// The same but for cusps of that thickness.
+    bool isClear(const Edge& way, double cusp_mm) const;
 
   private:
     using Edges = std::vector<const Edge*>;
@@ -42,6 +47,7 @@ class SweptGround {
         /// Known to lie inside the target or outside the cleared centres, as squares it was cut from do.
         bool in_target = false;
         bool off_cleared = false;
+        double cusp_mm = 0;
     };
     bool isClear(const Edge& way, const Square& square, const Near& near) const;
 

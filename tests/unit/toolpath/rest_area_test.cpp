@@ -53,6 +53,15 @@ TEST(RestArea, IsEmptyWhenTheLargerToolReachesEverything) {
     EXPECT_TRUE(clearArea(task, flatEndMill(6), cuttingData(3, 10), kMachine, kTol).moves.empty());
 }
 
+TEST(RestArea, IsCutHoweverThinWhereItIsMoreThanASkin) {
+    // In every corner the larger tool leaves a crescent 20 um thick, less than a hundredth of the radius.
+    const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 5.95);
+    const ClearingTask task = restTask(pocket, blockAround(pocket, {}, kTol), 6, 5.95, kTol);
+    const Toolpath path = clearArea(task, flatEndMill(11.9), cuttingData(3, 10), kMachine, kTol);
+    EXPECT_FALSE(path.moves.empty());
+    expectSound(path, task, 5.95);
+}
+
 TEST(RestArea, OfALimitedTaskStaysAtItsLimits) {
     // Centres confined to a quarter of a pocket, though the tool could go everywhere.
     const Region pocket = makeRoundedRectangle({0, 0}, {60, 60}, 5);
