@@ -59,6 +59,8 @@ class Splitter {
             } else if (text_[i] == ';') {
                 comments.push_back(toTheEnd(i));
                 break;
+            } else if (text_[i] >= 0 && text_[i] < ' ' && !isBlank(text_[i])) {
+                where_.refuse("expected a word, found " + shown(text_[i]));
             } else if (!isBlank(text_[i])) {
                 code_.push_back(upper(text_[i]));
             }
