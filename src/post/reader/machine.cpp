@@ -32,7 +32,10 @@ bool Machine::obey(const Block& block, const Where& where) {
     setPathControl(block);
     goHome(block);
     if (motion) move(block, *motion);
-    if (block.codeOf(ModalGroup::Motion) == code(80)) motion_.reset();
+    if (block.has(ModalGroup::Motion, code(80))) {
+        motion_.reset();
+        cycles_from_.reset();
+    }
     return stop(block);
 }
 
@@ -163,6 +166,8 @@ void Machine::dwellIn(const Block& block) {
 void Machine::setModes(const Block& block) {
     if (const auto plane = block.codeOf(ModalGroup::Plane))
         state_.plane = *plane == code(17) ? Plane::XY : *plane == code(18) ? Plane::ZX : Plane::YZ;
+    if (changesUnits(block) && motion_ && isCycle(*motion_))
+        refuse("units change between cycles, whose heights LinuxCNC then takes in the new ones");
     if (const auto units = block.codeOf(ModalGroup::Units))
         mm_per_unit_ = *units == code(20) ? kMillimetresPerInch : 1;
     if (block.has(ModalGroup::CutterCompensation, code(40))) state_.compensation_off = true;

@@ -82,6 +82,7 @@ class Machine {
     std::optional<int> motion_;  ///< in force; nothing after G80 and at first
     std::optional<bool> back_to_start_;  ///< G98: cycles return to the height they came from; else to R
     CycleWords cycle_;
+    std::optional<double> cycles_from_;  ///< height at which the first of the cycles in a row began [mm]
     double feed_ = 0;  ///< F in force, mm/min or mm/rev
     std::optional<int> prepared_tool_;
 };

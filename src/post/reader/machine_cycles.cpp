@@ -41,16 +41,23 @@ void Machine::drill(const Block& block, int cycle) {
     if (!over.knowsXY() || !at_.z) refuse("a hole from a place that is not known");
     cycle_ = cycleWords(block, cycle);
     const bool incremental = state_.distance == DistanceMode::Incremental;
+    // Cycles in a row come back to, and count from, the height the first of them began at.
+    if (!cycles_from_) cycles_from_ = *at_.z;
+    double start_mm = *cycles_from_;
     // In the program's numbers, so that pecks are counted as the controller counts them.
-    const double r = incremental ? cycle_.r + *at_.z / unit() : cycle_.r;
+    const double r = incremental ? cycle_.r + start_mm / unit() : cycle_.r;
     const double bottom = incremental ? r + cycle_.z : cycle_.z;
     if (r < bottom) refuse("the hole's bottom (Z) is above R");
-    if (snapToGrid(length(r)) > *at_.z) goToHeight(MotionKind::Rapid, r * unit());
-    const double start_mm = *at_.z;
-    over.z = start_mm;
+    if (start_mm < snapToGrid(length(r))) {
+        goToHeight(MotionKind::Rapid, r * unit());
+        start_mm = *at_.z;
+    }
+    const double clear_mm = *back_to_start_ ? start_mm : r * unit();
+    // From below R it goes straight to where it will retract to, as LinuxCNC does.
+    over.z = *at_.z > snapToGrid(r * unit()) ? *at_.z : snapToGrid(clear_mm);
     goTo(Motion{}, over);
     goToHeight(MotionKind::Rapid, r * unit());
-    feedDown(cycle, cycle_, r, bottom, *back_to_start_ ? start_mm : r * unit());
+    feedDown(cycle, cycle_, r, bottom, clear_mm);
 }
 
 void Machine::feedDown(int cycle, const CycleWords& words, double r, double bottom, double clear_mm) {

@@ -8,6 +8,12 @@
 #include "post/reader/machine.h"
 
 namespace stepmill::reader {
+namespace {
+
+/// In inverse time LinuxCNC goes no slower than this many of the program's units a minute.
+constexpr double kLeastInverseFeed = 0.1;
+
+}  // namespace
 
 /// G28 and G30: a rapid to the place the words name, from there to the axes' own. Without words all axes go.
 void Machine::goHome(const Block& block) {
@@ -24,6 +30,7 @@ void Machine::goHome(const Block& block) {
 }
 
 void Machine::move(const Block& block, int motion) {
+    if (!isCycle(motion)) cycles_from_.reset();
     if (block.has(ModalGroup::NonModal, code(53))) {
         moveInMachine(block);
     } else if (isCycle(motion)) {
@@ -108,7 +115,7 @@ double Machine::feedFor(const Block& block, double length_mm) const {
     if (state_.feed_mode == FeedMode::InverseTime) {
         const auto per_min = block.number('F');
         if (!per_min || *per_min <= 0) refuse("a feed in inverse time without F");
-        return length_mm * *per_min;
+        return std::max(kLeastInverseFeed * unit(), length_mm * *per_min);
     }
     if (feed_ <= 0) refuse("a feed without F");
     return state_.feed_mode == FeedMode::PerRevolution ? feed_ * state_.speed_rpm : feed_;

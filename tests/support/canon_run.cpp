@@ -1,0 +1,103 @@
+#include "support/canon_run.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace stepmill::test {
+namespace {
+
+constexpr double kInch = 25.4;
+constexpr double kPrinted = 0.5e-4;
+
+class CanonReader {
+  public:
+    void read(const std::string& line) {
+        const std::size_t open = line.find('(');
+        if (open == std::string::npos) return;
+        std::size_t name = open;
+        while (name > 0 && (std::isupper(static_cast<unsigned char>(line[name - 1])) || line[name - 1] == '_'))
+            --name;
+        const std::string call = line.substr(name, open - name);
+        const std::string inside = line.substr(open + 1, line.rfind(')') - open - 1);
+        obey(call, inside);
+    }
+
+    std::vector<CanonEvent> events;
+
+  private:
+    static std::vector<double> numbers(std::string text) {
+        for (char& c : text)
+            if (c == ',') c = ' ';
+        std::vector<double> values;
+        std::istringstream items(text);
+        for (double value = 0; items >> value;)
+            values.push_back(value);
+        return values;
+    }
+
+    void obey(const std::string& call, const std::string& inside) {
+        const std::vector<double> v = numbers(inside);
+        if (call == "USE_LENGTH_UNITS") unit_ = inside.find("INCH") != std::string::npos ? kInch : 1;
+        if (call == "SET_FEED_MODE") per_rev_ = v.at(1) != 0;
+        if (call == "SET_FEED_RATE") feed_ = v.at(0) * unit_;
+        if (call == "SET_SPINDLE_SPEED") now_.speed_rpm = v.at(1);
+        if (call == "START_SPINDLE_CLOCKWISE") now_.spin = 1;
+        if (call == "START_SPINDLE_COUNTERCLOCKWISE") now_.spin = -1;
+        if (call == "STOP_SPINDLE_TURNING") now_.spin = 0;
+        if (call == "MIST_ON") now_.mist = true;
+        if (call == "MIST_OFF") now_.mist = false;
+        if (call == "FLOOD_ON") now_.flood = true;
+        if (call == "FLOOD_OFF") now_.flood = false;
+        if (call == "COMMENT") now_.comment = inside;
+        if (call == "CHANGE_TOOL") now_.tool = static_cast<int>(v.at(0));
+        if (call == "CHANGE_TOOL") add(CanonEvent::Kind::ToolChange);
+        if (call == "PROGRAM_END") add(CanonEvent::Kind::End);
+        if (call == "DWELL") add(CanonEvent::Kind::Dwell).seconds = v.at(0);
+        if (call == "STRAIGHT_TRAVERSE") straight(CanonEvent::Kind::Rapid, v);
+        if (call == "STRAIGHT_FEED") straight(CanonEvent::Kind::Feed, v);
+        if (call == "ARC_FEED") arc(v);
+    }
+
+    CanonEvent& add(CanonEvent::Kind kind) {
+        events.push_back(now_);
+        CanonEvent& event = events.back();
+        event.kind = kind;
+        event.to = at_;
+        event.printed_mm = kPrinted * unit_;
+        const bool feeds = kind == CanonEvent::Kind::Feed || kind == CanonEvent::Kind::Arc;
+        event.feed_mm_per_min = feeds ? feed_ * (per_rev_ ? now_.speed_rpm : 1) : 0;
+        return event;
+    }
+
+    void straight(CanonEvent::Kind kind, const std::vector<double>& v) {
+        const std::array<double, 3> to{v.at(0) * unit_, v.at(1) * unit_, v.at(2) * unit_};
+        const double way = std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]);
+        at_ = to;
+        if (way > 1e-9) add(kind);
+    }
+
+    void arc(const std::vector<double>& v) {
+        at_ = {v.at(0) * unit_, v.at(1) * unit_, v.at(5) * unit_};
+        CanonEvent& event = add(CanonEvent::Kind::Arc);
+        event.centre = {v.at(2) * unit_, v.at(3) * unit_};
+        event.turns = static_cast<int>(v.at(4));
+    }
+
+    CanonEvent now_;
+    std::array<double, 3> at_{};
+    double unit_ = 1;
+    double feed_ = 0;
+    bool per_rev_ = false;
+};
+
+}  // namespace
+
+std::vector<CanonEvent> canonEvents(const std::string& output) {
+    CanonReader reader;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);)
+        reader.read(line);
+    return reader.events;
+}
+
+}  // namespace stepmill::test
