@@ -24,8 +24,9 @@ int planPartFile(const char* file, const char* folder) {
                         operation.tool_id.c_str(), operation.path.totals.time_s());
     std::printf("total %.1f s, %s\n", proven.plan.totals.time_s,
                 proven.verification.proven() ? "proven" : "not proven");
-    writePlan(proven, folder, tol);
-    return proven.verification.proven() ? 0 : 3;
+    JobFolder job(folder);
+    writePlan(proven, job, tol);
+    return proven.mayRun() ? 0 : 3;
 }
 
 }  // namespace

@@ -8,9 +8,13 @@ namespace stepmill {
 enum ExitCode : int {
     kComplete = 0,  ///< all done
     kGaps = 1,      ///< plan written, but something could not be machined as asked
-    kBadInput = 2,  ///< bad input or usage
-    kBug = 3        ///< a bug in Stepmill, or a proof that fails
+    kBadInput = 2,  ///< bad input or usage, or a run that was stopped
+    kBug = 3        ///< a bug in Stepmill and nothing else
 };
+
+/// Programs that were read from files do not do what their plan says: whoever edited them can mend that. Of
+/// programs of our own making it would be a bug.
+inline constexpr ExitCode kUnproven = kBadInput;
 
 /// Each adds one subcommand; what it does runs from CLI11's callback and sets `exit_code`.
 void addPlanCommand(CLI::App& app, int& exit_code);

@@ -5,11 +5,11 @@
 
 #include "commands.h"
 #include "options.h"
+#include "output.h"
 #include "run.h"
 #include "stepmill/access/access_curve.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
-#include "stepmill/core/file.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/report/curves.h"
 #include "stepmill/report/inspection.h"
@@ -29,16 +29,20 @@ struct InspectOptions {
 /// Beyond this cutters are not end mills any more; open features would draw the axis out for ever [mm].
 constexpr double kLargestCutterMm = 80;
 
-void makeFolder(const fs::path& folder) {
-    std::error_code why;
-    fs::create_directories(folder, why);
-    if (why) throw Error(ErrorCode::OutputUnwritable, folder.string(), "cannot be made: " + why.message());
+/// Writes pages of one of several parts, or of the only one.
+void writePages(JobWriter by, const Part& part, std::size_t parts, std::vector<NewFile> files,
+                JobFolder& folder) {
+    const NewJob pages{by, part.file, part.sha256, "", std::move(files), {}};
+    if (parts == 1) return folder.write(pages);
+    JobFolder(folder.path() / fmt::format("solid-{}", part.solid_index)).write(pages);
 }
 
 /// Cutters that mill, of the library the plan would use.
 double smallestCutterMm(const InspectOptions& options) {
     const ToolLibrary library =
-        options.part.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.part.tools_file);
+        options.part.tools_file.empty()
+            ? defaultToolLibrary()
+            : readToolLibrary(options.part.tools_file, options.part.limits.maxFileBytes());
     double smallest_mm = std::numeric_limits<double>::infinity();
     for (const ToolAssembly& tool : library.tools)
         if (!tool.isDrill()) smallest_mm = std::min(smallest_mm, tool.diameter_mm);
@@ -53,10 +57,8 @@ int exitCodeOf(const Inspection& inspection, const Tolerances& tol) {
                                             [](const InspectedSetup& a, const InspectedSetup& b) {
                                                 return std::abs(a.gap_mm3) < std::abs(b.gap_mm3);
                                             });
-        fmt::print(
-            stderr,
-            "stepmill: {}: the volume books miss {:.3g} % of stock minus part; most in {}, {:.4g} mm3\n",
-            inspection.part.file, 100 * books.gapShare(), worst->setup.id, worst->gap_mm3);
+        tell("{}: the volume books miss {:.3g} % of stock minus part; most in {}, {:.4g} mm3",
+             inspection.part.file, 100 * books.gapShare(), worst->setup.id, worst->gap_mm3);
         return kBug;
     }
     double left_mm3 = 0;
@@ -70,9 +72,10 @@ int exitCodeOf(const Inspection& inspection, const Tolerances& tol) {
 }
 
 /// stdout gets the text or the JSON; files are written where they were asked for.
-int inspectParts(const InspectOptions& options, ProgressLine& progress) {
+int inspectParts(const InspectOptions& options, Workplace& place) {
     const Tolerances tol;
-    progress.show("importing " + fs::path(options.part.part_file).filename().string(), 0);
+    ProgressLine& progress = place.progress;
+    progress.showImport(options.part.part_file);
     const std::vector<Part> parts = chooseParts(options.part);
     InspectRequest request;
     request.setup = setupRequest(options.part);
@@ -81,18 +84,15 @@ int inspectParts(const InspectOptions& options, ProgressLine& progress) {
     for (const Part& part : parts) {
         const Inspection inspection = inspectPart(
             part, request, tol, [&](const std::string& stage, double share) { progress.show(stage, share); });
-        if (!options.part.out_dir.empty()) {
-            fs::path folder = options.part.out_dir;
-            if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
+        if (place.folder != nullptr) {
             progress.show("writing the pages", 0.9);
-            const std::string json = inspectionJson(inspection);
-            const std::string html = inspectionHtml(inspection);
-            makeFolder(folder);
-            writeFile(folder / "inspect.json", json);
-            writeFile(folder / "inspect.html", html);
+            writePages(JobWriter::Inspect, part, parts.size(),
+                       {{"inspect.json", "", inspectionJson(inspection)},
+                        {"inspect.html", "", inspectionHtml(inspection)}},
+                       *place.folder);
         }
         progress.show("done", 1);
-        fmt::print("{}", options.part.json ? inspectionJson(inspection) : inspectionText(inspection));
+        printOut(options.part.json ? inspectionJson(inspection) : inspectionText(inspection));
         exit_code = std::max(exit_code, exitCodeOf(inspection, tol));
     }
     return exit_code;
@@ -134,31 +134,31 @@ PartCurves findCurves(const Part& part, const InspectOptions& options, const Tol
     return curves;
 }
 
-int inspectAll(const InspectOptions& options, const fs::path& out_folder, ProgressLine& progress) {
+int inspectAll(const InspectOptions& options, const fs::path& out_folder, Workplace& place) {
     const Tolerances tol;
-    progress.show("importing " + fs::path(options.part.part_file).filename().string(), 0);
+    place.progress.showImport(options.part.part_file);
     const std::vector<Part> parts = chooseParts(options.part);
     for (const Part& part : parts) {
-        const PartCurves curves = findCurves(part, options, tol, progress);
+        const PartCurves curves = findCurves(part, options, tol, place.progress);
+        place.progress.show("writing the curves", 1);
+        writePages(JobWriter::Curves, part, parts.size(),
+                   {{"curves.csv", "", curvesCsv(curves)}, {"curves.html", "", curvesHtml(curves)}},
+                   *place.folder);
         fs::path folder = out_folder;
         if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
-        progress.show("writing the curves", 1);
-        makeFolder(folder);
-        writeFile(folder / "curves.csv", curvesCsv(curves));
-        writeFile(folder / "curves.html", curvesHtml(curves));
-        fmt::print("{}: {} features, curves in {}\n", part.name, curves.features.size(),
-                   (folder / "curves.html").string());
+        printOut(fmt::format("{}: {} features, curves in {}\n", part.name, curves.features.size(),
+                             (folder / "curves.html").string()));
     }
     return kComplete;
 }
 
 int runInspect(const InspectOptions& options) {
     if (!options.curves)
-        return runInChild(options.part, options.part.out_dir,
-                          [&](ProgressLine& progress) { return inspectParts(options, progress); });
+        return runInChild(taskOf(options.part, options.part.out_dir),
+                          [&](Workplace& place) { return inspectParts(options, place); });
     const fs::path folder = outputFolder(options.part, "-curves");
-    return runInChild(options.part, folder,
-                      [&](ProgressLine& progress) { return inspectAll(options, folder, progress); });
+    return runInChild(taskOf(options.part, folder),
+                      [&](Workplace& place) { return inspectAll(options, folder, place); });
 }
 
 }  // namespace
@@ -174,7 +174,7 @@ void addInspectCommand(CLI::App& app, int& exit_code) {
     inspect->add_flag("--curves", options->curves,
                       "write curves.csv and curves.html: accessible volume against diameter");
     inspect->add_option("--to", options->to_mm, "largest diameter [mm]; default: what still fits somewhere")
-        ->check(CLI::PositiveNumber);
+        ->check(numberFrom(0.01, 1000, "mm"));
     inspect->footer(
         "Without --curves, -o DIR writes inspect.json and inspect.html there; nothing is written without "
         "it.\n"

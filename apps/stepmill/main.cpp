@@ -1,14 +1,20 @@
+#include <csignal>
 #include <exception>
+#include <iostream>
+#include <new>
 
 #include "commands.h"
+#include "output.h"
 #include "stepmill/core/error.h"
-
-#include <fmt/core.h>
 
 namespace stepmill {
 
 int reportError(const std::exception& error) {
-    fmt::print(stderr, "stepmill: {}\n", error.what());
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+        tell("ran out of memory");
+        return kBadInput;
+    }
+    tell("{}", error.what());
     const auto* known = dynamic_cast<const Error*>(&error);
     return known != nullptr && isInputError(known->code()) ? kBadInput : kBug;
 }
@@ -20,8 +26,9 @@ int main(int argc, char** argv) {
     app.set_version_flag("--version", std::string("stepmill ") + STEPMILL_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 complete, 1 plan with gaps, 2 bad input or usage, 3 a proof fails or a bug in "
-        "Stepmill.");
+        "Exit codes: 0 complete; 1 plan with gaps; 2 bad input or usage, a limit reached, or programs that "
+        "fail\n"
+        "their proof; 3 a bug in Stepmill and nothing else.");
 
     int exit_code = stepmill::kComplete;
     stepmill::addPlanCommand(app, exit_code);
@@ -31,9 +38,14 @@ int main(int argc, char** argv) {
     stepmill::addPostCommand(app, exit_code);
     stepmill::addToolsCommand(app, exit_code);
     try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& stop) {
-        return app.exit(stop) == 0 ? stepmill::kComplete : stepmill::kBadInput;
+        std::signal(SIGXFSZ, SIG_IGN);  // a write that fails can be told
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& stop) {
+            exit_code = app.exit(stop) == 0 ? stepmill::kComplete : stepmill::kBadInput;
+        }
+        std::cout.flush();
+        stepmill::flushOut();
     } catch (const std::exception& error) {
         return stepmill::reportError(error);
     }

@@ -72,16 +72,17 @@ void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& 
     command.add_option("--solid", options.solid, "which solid of a file with several: a number, or all");
     command.add_option("--unit", options.unit, "read lengths in this unit, whatever the file says")
         ->check(CLI::IsMember({"mm", "inch", "m", "cm"}));
-    command.add_option("--jobs", options.jobs, "threads; 0: one per core")->check(CLI::NonNegativeNumber);
-    command.add_option("--timeout", options.timeout_s, "seconds after which the run ends for good")
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
+    command.add_option("--jobs", options.jobs, "threads; 0: one per core")->check(numberFrom(0, 1024, ""));
+    addLimitOptions(command, options.limits);
 }
 
 Shop loadShop(const PlanOptions& options) {
     Shop shop;
-    shop.library = options.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.tools_file);
-    shop.machine = options.machine_file.empty() ? defaultMachine() : readMachine(options.machine_file);
+    const std::uintmax_t max_bytes = options.limits.maxFileBytes();
+    shop.library =
+        options.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.tools_file, max_bytes);
+    shop.machine =
+        options.machine_file.empty() ? defaultMachine() : readMachine(options.machine_file, max_bytes);
     const std::vector<std::string> materials = shop.library.materials();
     if (std::find(materials.begin(), materials.end(), options.material) == materials.end())
         throw Error(ErrorCode::Usage, "--material",
@@ -102,7 +103,9 @@ SetupRequest setupRequest(const PlanOptions& options) {
         throw Error(ErrorCode::Usage, "--no-setup", "has no meaning where --setup says every axis");
     request.margin = parseMargin(options.stock_margin);
     if (options.stock != "box") {
-        std::vector<Part> stocks = readStep(options.stock);
+        ReadOptions read;
+        read.max_file_bytes = options.limits.maxFileBytes();
+        std::vector<Part> stocks = readStep(options.stock, read);
         if (stocks.size() != 1)
             throw Error(ErrorCode::Usage, "--stock",
                         fmt::format("expected one solid in {}, found {}", options.stock, stocks.size()));
@@ -135,7 +138,8 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
                                   : options.cost_model == "lim" ? CostModel::Lim
                                                                 : CostModel::Path;
     request.sequence.retract_mm = machine.safe_height_mm;
-    if (!options.fixtures_file.empty()) request.fixtures = readFixtures(options.fixtures_file);
+    if (!options.fixtures_file.empty())
+        request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());
     request.sequence.finish = {allowance(options.finish_walls_mm, "--finish-walls"),
                                allowance(options.finish_floors_mm, "--finish-floors")};
     return request;
@@ -144,6 +148,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
 std::vector<Part> chooseParts(const PlanOptions& options) {
     ReadOptions read;
     read.unit = options.unit;
+    read.max_file_bytes = options.limits.maxFileBytes();
     const bool all = options.solid == "all";
     if (!all && !options.solid.empty() && !isNumber(options.solid))
         throw Error(ErrorCode::Usage, "--solid",

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "limits.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/plan/plan.h"
@@ -31,7 +32,7 @@ struct PlanOptions {
     std::string solid;  ///< empty: the only one; a number; "all"
     std::string unit;   ///< empty: as the file says
     int jobs = 0;       ///< 0: one per core
-    double timeout_s = 300;
+    RunLimits limits;
     bool strict = false;
     bool json = false;
 };

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "options.h"
+#include "output.h"
 #include "run.h"
 #include "stepmill/report/report.h"
 
@@ -22,54 +23,71 @@ bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol
 
 /// Books that do not close and proofs that fail are bugs of ours: warnings and proofs say where.
 int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Tolerances& tol) {
-    const Plan& plan = proven.plan;
-    if (!proven.verification.proven()) return kBug;
-    const bool books_open = std::any_of(plan.warnings.begin(), plan.warnings.end(),
-                                        [](const Warning& warning) { return warning.code == "books"; });
-    if (books_open) return kBug;
-    return hasGaps(plan, options, tol) ? kGaps : kComplete;
+    if (!proven.mayRun()) return kBug;
+    return hasGaps(proven.plan, options, tol) ? kGaps : kComplete;
+}
+
+/// A job's folder as a path from where the user is: below --output, not below where a link there leads.
+fs::path asGiven(const JobFolder& folder, const PlanOptions& options) {
+    const fs::path given = outputFolder(options, "-plan");
+    const std::string name = folder.path().filename().string();
+    std::error_code ignored;
+    return fs::equivalent(folder.path(), given, ignored) ? given : given / name;
 }
 
 void tellFailures(const Verification& verification) {
     for (const ProofFailure& failure : verification.failures) {
         const std::string operation = failure.operation.empty() ? "" : failure.operation + " of ";
         const std::string line = failure.line > 0 ? fmt::format(", line {}", failure.line) : "";
-        fmt::print(stderr, "stepmill: no program is written: {}{}{}: {}\n", operation, failure.file, line,
-                   failure.text);
+        tell("no program is written: {}{}{}: {}", operation, failure.file, line, failure.text);
     }
 }
 
-int planAll(const PlanOptions& options, const fs::path& out_folder, ProgressLine& progress) {
+/// Plans, proves and writes one part, and tells what came of it.
+int planOne(const Part& part, const PlanOptions& options, const PlanRequest& request, const Shop& shop,
+            JobFolder& folder, ProgressLine& progress) {
     const Tolerances tol;
-    const Shop shop = loadShop(options);
-    progress.show("importing " + fs::path(options.part_file).filename().string(), 0);
-    const PlanRequest request = planRequest(options, shop.machine);
-    const std::vector<Part> parts = chooseParts(options);
+    const ProvenPlan proven =
+        planProven(part, request, shop.library, shop.machine, tol,
+                   [&](const std::string& stage, double share) { progress.show(stage, share); });
+    progress.show("writing the report", 1);
+    writePlan(proven, folder, tol);
+    tellReplacedEdits(folder);
+    progress.show("done", 1);
+    printOut(options.json ? proven.files.plan_json + "\n"
+                          : fmt::format("{}\nReport: {}\n", summaryText(proven.plan),
+                                        (asGiven(folder, options) / "report.html").string()));
+    tellFailures(proven.verification);
+    return exitCodeOf(proven, options, tol);
+}
 
+/// Each solid is a job of its own, in a folder below; the folder above names them.
+int planSolids(const std::vector<Part>& parts, const PlanOptions& options, const PlanRequest& request,
+               const Shop& shop, Workplace& place) {
     int exit_code = kComplete;
+    NewJob all{JobWriter::Plan, parts.front().file, parts.front().sha256, "", {}, {}};
     for (const Part& part : parts) {
-        const ProvenPlan proven =
-            planProven(part, request, shop.library, shop.machine, tol,
-                       [&](const std::string& stage, double share) { progress.show(stage, share); });
-        fs::path folder = out_folder;
-        if (parts.size() > 1) folder /= fmt::format("solid-{}", part.solid_index);
-        progress.show("writing the report", 1);
-        writePlan(proven, folder, tol);
-        progress.show("done", 1);
-        if (options.json)
-            fmt::print("{}\n", proven.files.plan_json);
-        else
-            fmt::print("{}\nReport: {}\n", summaryText(proven.plan), (folder / "report.html").string());
-        tellFailures(proven.verification);
-        exit_code = std::max(exit_code, exitCodeOf(proven, options, tol));
+        all.solids.push_back(fmt::format("solid-{}", part.solid_index));
+        JobFolder folder(place.folder->path() / all.solids.back());
+        exit_code = std::max(exit_code, planOne(part, options, request, shop, folder, place.progress));
     }
+    place.folder->write(all);
     return exit_code;
 }
 
+int planAll(const PlanOptions& options, Workplace& place) {
+    place.progress.show("reading tools and machine", 0);
+    const Shop shop = loadShop(options);
+    place.progress.showImport(options.part_file);
+    const PlanRequest request = planRequest(options, shop.machine);
+    const std::vector<Part> parts = chooseParts(options);
+    if (parts.size() > 1) return planSolids(parts, options, request, shop, place);
+    return planOne(parts.front(), options, request, shop, *place.folder, place.progress);
+}
+
 int runPlan(const PlanOptions& options) {
-    const fs::path folder = outputFolder(options, "-plan");
-    return runInChild(options, folder,
-                      [&](ProgressLine& progress) { return planAll(options, folder, progress); });
+    return runInChild(taskOf(options, outputFolder(options, "-plan")),
+                      [&](Workplace& place) { return planAll(options, place); });
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include "commands.h"
+#include "output.h"
+#include "run.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/verify/verify.h"
@@ -19,41 +21,74 @@ struct PostCommandOptions {
     std::string dialect = "linuxcnc";
     std::string units = "mm";
     std::string per = "setup";
+    RunLimits limits;
 };
 
 /// Proves the programs of `files`; says on stderr what fails.
 bool isProven(const PlanFiles& files, const Tolerances& tol) {
     const Verification verification = verifyPlan(files, tol);
     for (const ProofFailure& failure : verification.failures)
-        fmt::print(stderr, "stepmill: {}, line {}: {}: {}\n", failure.file, failure.line, failure.operation,
-                   failure.text);
+        tell("{}, line {}: {}: {}", failure.file, failure.line, failure.operation, failure.text);
     return verification.proven();
+}
+
+PlanFiles postAll(const PlanFiles& planned, const PlanRecord& record, const PostOptions& request) {
+    PlanFiles posted{planned.plan_json, request.dialect, {}};
+    for (const RecordedSetup& setup : record.setups)
+        posted.programs[setup.id] = post(jobOf(record, setup, readPrograms(planned, setup)), request);
+    return posted;
+}
+
+/// A plan that was edited is not the one that its folder's other files belong to.
+void requireUnchangedPlan(const fs::path& dir, const std::string& plan_json) {
+    const std::optional<Manifest> manifest = readManifest(dir);
+    const ManifestFile* plan = manifest ? findFile(*manifest, "plan.json") : nullptr;
+    if (plan != nullptr && plan->sha256 != sha256(plan_json))
+        throw Error(ErrorCode::InvalidCatalog, (dir / "plan.json").string(),
+                    "has been changed since it was written; plan again before posting");
+}
+
+void writePrograms(const PlanFiles& posted, const PlanRecord& record, const fs::path& shown_folder,
+                   JobFolder& folder) {
+    NewJob job{JobWriter::Post, record.part_file, record.part_sha256, sha256(posted.plan_json), {}, {}};
+    std::string names;
+    for (const auto& [setup, programs] : posted.programs) {
+        for (const PostedProgram& program : programs) {
+            job.files.push_back({program.file, toString(posted.dialect), program.text});
+            names += (shown_folder / program.file).string() + "\n";
+        }
+    }
+    folder.write(job);
+    tellReplacedEdits(folder);
+    printOut(names);
+}
+
+fs::path folderOf(const PostCommandOptions& options) {
+    return options.out_dir.empty() ? options.dir : options.out_dir;
 }
 
 /// From the proven programs of the plan to programs in another dialect, which are proven before any is
 /// written.
-int runPost(const PostCommandOptions& options) {
+int postPlan(const PostCommandOptions& options, Workplace& place) {
     const Tolerances tol;
-    const PlanFiles planned = readPlanFiles(options.dir, std::nullopt, tol);
-    if (!isProven(planned, tol)) return kBug;
+    place.progress.show("reading the files", 0);
+    const PlanFiles planned = readPlanFiles(options.dir, std::nullopt, tol, options.limits.maxFileBytes());
+    requireUnchangedPlan(options.dir, planned.plan_json);
+    place.progress.show("proving the plan's programs", 0.1);
+    if (!isProven(planned, tol)) return kUnproven;
     const PlanRecord record = planRecordFromText(planned.plan_json, tol);
     const PostOptions request{*dialectFrom(options.dialect), options.units == "inch", options.per == "tool"};
-    PlanFiles posted{planned.plan_json, request.dialect, {}};
-    for (const RecordedSetup& setup : record.setups)
-        posted.programs[setup.id] = post(jobOf(record, setup, readPrograms(planned, setup)), request);
+    const PlanFiles posted = postAll(planned, record, request);
+    place.progress.show("proving the new programs", 0.5);
     if (!isProven(posted, tol)) return kBug;
-
-    const fs::path folder = options.out_dir.empty() ? options.dir : options.out_dir;
-    std::error_code why;
-    fs::create_directories(folder, why);
-    if (why) throw Error(ErrorCode::OutputUnwritable, folder.string(), "cannot be made: " + why.message());
-    for (const auto& [setup, programs] : posted.programs) {
-        for (const PostedProgram& program : programs) {
-            writeFile(folder / program.file, program.text);
-            fmt::print("{}\n", (folder / program.file).string());
-        }
-    }
+    place.progress.show("writing the programs", 1);
+    writePrograms(posted, record, folderOf(options), *place.folder);
     return kComplete;
+}
+
+int runPost(const PostCommandOptions& options) {
+    return runInChild({options.dir, options.limits, 0, folderOf(options)},
+                      [&](Workplace& place) { return postPlan(options, place); });
 }
 
 }  // namespace
@@ -72,10 +107,13 @@ void addPostCommand(CLI::App& app, int& exit_code) {
     post->add_option("--per", options->per, "one program for every setup, or for every visit of a tool")
         ->check(CLI::IsMember({"setup", "tool"}))
         ->capture_default_str();
+    addLimitOptions(*post, options->limits);
     post->footer(
         "The plan's own programs are proven first, and the new ones before they are written (stepmill "
         "verify):\n"
-        "exit code 3 and no program where a proof fails.\n"
+        "exit code 2 and no program where a proof fails. Programs that an earlier post of the dialect left "
+        "are\n"
+        "replaced.\n"
         "Examples:\n"
         "  stepmill post bracket-plan --dialect fanuc --units inch\n"
         "  stepmill post bracket-plan --dialect grbl --per tool -o for-the-router");

@@ -1,11 +1,11 @@
 #include <cctype>
-#include <cmath>
 #include <filesystem>
 
 #include <fmt/core.h>
 
 #include "commands.h"
 #include "options.h"
+#include "output.h"
 #include "run.h"
 #include "stepmill/core/error.h"
 #include "stepmill/report/rank.h"
@@ -45,28 +45,35 @@ void print(const RankReport& report, const RankOptions& options) {
         std::vector<AccessRow> cutters;
         for (const RankedRow& row : report.ranking.rows)
             cutters.push_back(row.cutter);
-        fmt::print("{}", accessTableCsv(cutters));
+        printOut(accessTableCsv(cutters));
     } else {
-        fmt::print("{}", options.part.json ? rankJson(report) : rankText(report));
+        printOut(options.part.json ? rankJson(report) : rankText(report));
     }
 }
 
-int rankTable(const RankOptions& options) {
+void requireTableOptions(const RankOptions& options) {
     for (const auto& [given, option] :
          {std::pair(!options.feature.empty(), "--feature"),
           std::pair(!options.sensitivity.empty(), "--sensitivity"), std::pair(options.buy, "--buy")})
         if (given) throw Error(ErrorCode::Usage, option, "needs a part, not a table");
+}
+
+int rankTable(const RankOptions& options) {
+    requireTableOptions(options);
     RankReport report;
     report.file = fs::path(options.part.part_file).filename().string();
     // Without a machine the paper's own totals: removal alone.
-    report.ranking = rankTools(readAccessTable(options.part.part_file), options.tool_change_s.value_or(0));
+    report.ranking = rankTools(readAccessTable(options.part.part_file, options.part.limits.maxFileBytes()),
+                               options.tool_change_s.value_or(0));
     print(report, options);
     return kComplete;
 }
 
 int rankParts(const RankOptions& options, ProgressLine& progress) {
     const Tolerances tol;
+    progress.show("reading tools and machine", 0);
     const Shop shop = loadShop(options.part);
+    progress.showImport(options.part.part_file);
     RankRequest request;
     request.setup = setupRequest(options.part);
     request.sequence = planRequest(options.part, shop.machine).sequence;
@@ -74,7 +81,6 @@ int rankParts(const RankOptions& options, ProgressLine& progress) {
     request.tool_change_s = options.tool_change_s;
     request.purchases = options.buy;
     if (!options.sensitivity.empty()) request.sensitivity = parameterFrom(options.sensitivity);
-    progress.show("importing " + fs::path(options.part.part_file).filename().string(), 0);
     for (const Part& part : chooseParts(options.part)) {
         const RankReport report =
             rankPart(part, request, shop.library, shop.machine, tol,
@@ -86,13 +92,9 @@ int rankParts(const RankOptions& options, ProgressLine& progress) {
 }
 
 int runRank(const RankOptions& options) {
-    // CLI11's own check lets these words through.
-    if (options.tool_change_s && !std::isfinite(*options.tool_change_s))
-        throw Error(ErrorCode::Usage, "--tool-change",
-                    fmt::format("expected a number of seconds, found '{}'", *options.tool_change_s));
-    if (isTable(options.part.part_file)) return rankTable(options);
-    return runInChild(options.part, outputFolder(options.part, "-rank"),
-                      [&](ProgressLine& progress) { return rankParts(options, progress); });
+    return runInChild(taskOf(options.part), [&](Workplace& place) {
+        return isTable(options.part.part_file) ? rankTable(options) : rankParts(options, place.progress);
+    });
 }
 
 }  // namespace
@@ -115,7 +117,7 @@ void addRankCommand(CLI::App& app, int& exit_code) {
     rank->add_option("--feature", options->feature, "rank for this feature alone, such as S1.F2");
     rank->add_option("--tool-change", options->tool_change_s,
                      "seconds of a tool change in the table; default: the machine's, 0 for a CSV table")
-        ->check(CLI::NonNegativeNumber);
+        ->check(numberFrom(0, 1e7, "s"));
     rank->add_option("--sensitivity", options->sensitivity,
                      "cheapest sequence of each feature for every value of this, with the break-even values")
         ->check(CLI::IsMember({"tool-change", "hourly-rate", "tool-price"}));

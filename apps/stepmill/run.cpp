@@ -1,12 +1,16 @@
 #include "run.h"
 
+#include <csignal>
+#include <cstring>
+#include <new>
+
 #include <unistd.h>
 
 #include <fmt/core.h>
 #include <oneapi/tbb/global_control.h>
 
 #include "commands.h"
-#include "stepmill/report/report.h"
+#include "output.h"
 
 namespace stepmill {
 
@@ -15,16 +19,26 @@ namespace fs = std::filesystem;
 ProgressLine::ProgressLine(StageBoard& board) : board_(board), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
+    if (terminal_) printErr("\r\033[K");
 }
 
 void ProgressLine::show(const std::string& stage, double share) {
     board_.set(stage);
+    draw(stage, share);
+}
+
+void ProgressLine::showImport(const std::string& file) {
+    const std::string stage = "importing " + fs::path(file).filename().string();
+    board_.set(stage, StageBoard::Reads::Input);
+    draw(stage, 0);
+}
+
+void ProgressLine::draw(const std::string& stage, double share) const {
     if (!terminal_) return;
     constexpr int kWidth = 30;
     const int done = std::clamp(static_cast<int>(share * kWidth), 0, kWidth);
-    fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, '.'), stage);
-    std::fflush(stderr);
+    printErr(
+        fmt::format("\r\033[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, '.'), stage));
 }
 
 fs::path outputFolder(const PlanOptions& options, const std::string& suffix) {
@@ -32,33 +46,109 @@ fs::path outputFolder(const PlanOptions& options, const std::string& suffix) {
                                    : fs::path(options.out_dir);
 }
 
-int runInChild(const PlanOptions& options, const fs::path& folder,
-               const std::function<int(ProgressLine&)>& work) {
-    const Supervised run = runSupervised(
-        [&](StageBoard& board) {
-            try {
-                ProgressLine progress(board);
-                std::optional<tbb::global_control> threads;
-                if (options.jobs > 0)
-                    threads.emplace(tbb::global_control::max_allowed_parallelism, options.jobs);
-                return work(progress);
-            } catch (const std::exception& error) {
-                return reportError(error);
-            }
-        },
-        options.timeout_s);
-    if (run.end == Supervised::End::Exited) return run.exit_code;
+Task taskOf(const PlanOptions& options, const fs::path& folder) {
+    return {options.part_file, options.limits, options.jobs, folder};
+}
 
-    removeUnfinished(folder);
-    const bool importing = run.last_stage.rfind("importing", 0) == 0;
-    if (run.end == Supervised::End::TimedOut) {
-        fmt::print(stderr, "stepmill: {}: stopped after {:g} s while {}; allow more with --timeout\n",
-                   options.part_file, options.timeout_s, run.last_stage);
+namespace {
+
+/// What runs in the child.
+int workGuarded(const Task& task, const std::function<int(Workplace&)>& work, JobFolder* folder,
+                StageBoard& board) {
+    try {
+        std::optional<tbb::global_control> threads;
+        if (task.jobs > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, task.jobs);
+        ProgressLine progress(board);
+        Workplace place{progress, folder};
+        const int exit_code = work(place);
+        flushOut();
+        return exit_code;
+    } catch (const std::bad_alloc&) {
+        throw;  // the supervisor tells
+    } catch (const std::exception& error) {
+        return reportError(error);
+    }
+}
+
+Supervised supervise(const Task& task, const std::function<int(Workplace&)>& work) {
+    std::optional<JobFolder> folder;
+    if (!task.folder.empty()) folder.emplace(task.folder);
+    const Supervised run = runSupervised(
+        [&](StageBoard& board) { return workGuarded(task, work, folder ? &*folder : nullptr, board); },
+        task.limits.timeout_s, task.limits.memoryBytes());
+    // Of a file with several solids.
+    if (folder && run.end != Supervised::End::Exited) tidyFoldersBelow(folder->path());
+    return run;
+}
+
+std::string killWords(int signal) {
+    if (signal == SIGXCPU) return "was ended by the limit on processor time (ulimit -t)";
+    if (signal == SIGKILL) return "was killed (SIGKILL); the system does that when memory runs out";
+    return fmt::format("was ended by signal {} ({})", signal, ::strsignal(signal));
+}
+
+/// A crash while a file is imported is the geometry kernel's answer to that file.
+int tellCrash(const Task& task, const Supervised& run, const std::string& during) {
+    const std::string signal = fmt::format("signal {} ({})", run.signal, ::strsignal(run.signal));
+    if (run.reads == StageBoard::Reads::Input) {
+        tell("{}: the geometry kernel crashed{}: {}", task.subject, during, signal);
         return kBadInput;
     }
-    fmt::print(stderr, "stepmill: {}: the geometry kernel crashed (signal {}) while {}\n", options.part_file,
-               run.signal, run.last_stage);
-    return importing ? kBadInput : kBug;
+    tell("{}: crashed{}: {}; this is a bug in Stepmill", task.subject, during, signal);
+    return kBug;
+}
+
+int tellEnd(const Task& task, const Supervised& run) {
+    const std::string during = run.last_stage.empty() ? "" : " while " + run.last_stage;
+    switch (run.end) {
+        case Supervised::End::Exited:
+            return run.exit_code;
+        case Supervised::End::TimedOut:
+            tell("{}: stopped after {:g} s{}; allow more with --timeout", task.subject, task.limits.timeout_s,
+                 during);
+            return kBadInput;
+        case Supervised::End::OutOfMemory:
+            tell("{}: ran out of memory{} (limit {:g} GB); allow more with --memory", task.subject, during,
+                 task.limits.memory_gb);
+            return kBadInput;
+        case Supervised::End::Stopped:
+            tell("{}: stopped by signal {} ({}){}", task.subject, run.signal, ::strsignal(run.signal),
+                 during);
+            return kBadInput;
+        case Supervised::End::Killed:
+            // Whoever closed a pipe wants to hear no more.
+            if (run.signal != SIGPIPE) tell("{}: {}{}", task.subject, killWords(run.signal), during);
+            return kBadInput;
+        case Supervised::End::Crashed:
+            return tellCrash(task, run, during);
+    }
+    return kBug;
+}
+
+/// Ends this process as the signal would have, so that a shell sees what it knows: 130, 141, 143.
+void endBy(int signal) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+}  // namespace
+
+int runInChild(const Task& task, const std::function<int(Workplace&)>& work) {
+    Supervised run;
+    int exit_code = kBug;
+    {
+        const StopSignals held;
+        run = supervise(task, work);
+        exit_code = tellEnd(task, run);
+    }
+    const bool closed_pipe = run.end == Supervised::End::Killed && run.signal == SIGPIPE;
+    if (run.end == Supervised::End::Stopped || closed_pipe) endBy(run.signal);
+    return exit_code;
+}
+
+void tellReplacedEdits(const JobFolder& folder) {
+    for (const std::string& name : folder.replacedEdits())
+        tell("{}: had been edited since it was written, and is replaced", (folder.path() / name).string());
 }
 
 }  // namespace stepmill

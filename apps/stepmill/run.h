@@ -2,10 +2,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "limits.h"
 #include "options.h"
 #include "stepmill/core/supervise.h"
+#include "stepmill/job/job_folder.h"
 
 namespace stepmill {
 
@@ -19,18 +22,43 @@ class ProgressLine {
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(const std::string& stage, double share);
+    /// The geometry kernel reads this file from now on.
+    void showImport(const std::string& file);
 
   private:
+    void draw(const std::string& stage, double share) const;
+
     StageBoard& board_;
     bool terminal_;
+};
+
+/// One run of a command.
+struct Task {
+    std::string subject;  ///< the file or folder it is about, for messages
+    RunLimits limits;
+    int jobs = 0;                       ///< threads; 0: one per core
+    std::filesystem::path folder = {};  ///< that it writes to; empty: none
+};
+
+/// What a command's work is given.
+struct Workplace {
+    ProgressLine& progress;
+    JobFolder* folder = nullptr;  ///< of Task::folder, locked for this run; null without one
 };
 
 /// Where a command writes: --output, or "<part><suffix>" in the current folder.
 std::filesystem::path outputFolder(const PlanOptions& options, const std::string& suffix);
 
-/// Does a command's work in a child process under --timeout and --jobs and returns its exit code. Errors,
-/// a stop and a crash are told on stderr; what the child left half-written beside `folder` is removed.
-int runInChild(const PlanOptions& options, const std::filesystem::path& folder,
-               const std::function<int(ProgressLine&)>& work);
+/// The task of a command on a part.
+Task taskOf(const PlanOptions& options, const std::filesystem::path& folder = {});
+
+/// Does a command's work in a child process within the task's limits and returns its exit code. Errors, a
+/// stop and a crash are told on stderr, each as what it is; what a child left half-written is removed. A
+/// signal to this process ends it by that signal once all is tidy.
+/// \throws Error(OutputUnwritable) when the folder cannot be had
+int runInChild(const Task& task, const std::function<int(Workplace&)>& work);
+
+/// Tells which edited files a writing replaced.
+void tellReplacedEdits(const JobFolder& folder);
 
 }  // namespace stepmill

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include "commands.h"
+#include "output.h"
+#include "run.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/verify/verify.h"
@@ -18,25 +20,70 @@ struct VerifyOptions {
     std::string dialect;
     std::string part_file;
     bool json = false;
+    RunLimits limits;
 };
 
 /// The plan is of this part, byte by byte.
-void requirePart(const PlanFiles& files, const std::string& part_file, const Tolerances& tol) {
+void requirePart(const PlanFiles& files, const VerifyOptions& options, const Tolerances& tol) {
     const PlanRecord record = planRecordFromText(files.plan_json, tol);
-    if (sha256(readFile(part_file)) == record.part_sha256) return;
-    throw Error(ErrorCode::Usage, "--part " + part_file,
+    if (sha256(readFile(options.part_file, options.limits.maxFileBytes())) == record.part_sha256) return;
+    throw Error(ErrorCode::Usage, "--part " + options.part_file,
                 "is not the file that was planned: its SHA-256 differs from that of " + record.part_file +
                     " in plan.json");
 }
 
-int runVerify(const VerifyOptions& options) {
+bool isAmong(const PlanFiles& files, const std::string& name) {
+    for (const auto& [setup, programs] : files.programs)
+        for (const PostedProgram& program : programs)
+            if (program.file == name) return true;
+    return false;
+}
+
+/// A name that a post gives one of the plan's setups.
+bool isOfAPost(const PlanFiles& files, const std::string& name) {
+    for (const auto& [setup, programs] : files.programs)
+        for (const Dialect dialect : {Dialect::LinuxCnc, Dialect::Fanuc, Dialect::Grbl})
+            if (name == programName(setup, dialect)) return true;
+    return false;
+}
+
+/// What lies in the folder beside what was read: programs that nobody knows are failures, the rest is told.
+void addFolder(const JobCheck& check, const std::vector<ManifestFile>& written, const PlanFiles& files,
+               Verification& verification) {
+    for (const std::string& name : check.programs) {
+        if (isAmong(files, name)) continue;
+        if (!check.has_manifest && isOfAPost(files, name))
+            verification.remarks.push_back({name, FileRemark::Kind::NotRead});
+        else
+            verification.failures.push_back({name, 0, "", "is a program that is not of this job"});
+    }
+    for (const std::string& name : check.changed)
+        verification.remarks.push_back({name, FileRemark::Kind::Changed});
+    for (const std::string& name : check.missing)
+        verification.remarks.push_back({name, FileRemark::Kind::Missing});
+    for (const ManifestFile& file : written)
+        if (!file.dialect.empty() && !isAmong(files, file.name))
+            verification.remarks.push_back({file.name, FileRemark::Kind::NotRead});
+}
+
+int verifyFolder(const VerifyOptions& options, Workplace& place) {
     const Tolerances tol;
-    const PlanFiles files = readPlanFiles(options.dir, dialectFrom(options.dialect), tol);
-    if (!options.part_file.empty()) requirePart(files, options.part_file, tol);
-    const Verification verification = verifyPlan(files, tol);
-    fmt::print("{}", options.json ? verificationJson(verification) : verificationText(verification));
-    if (!verification.proven()) return kBug;
+    place.progress.show("reading the files", 0);
+    const JobCheck check = checkJob(options.dir);
+    const PlanFiles files =
+        readPlanFiles(options.dir, dialectFrom(options.dialect), tol, options.limits.maxFileBytes());
+    if (!options.part_file.empty()) requirePart(files, options, tol);
+    place.progress.show("proving the programs", 0.1);
+    Verification verification = verifyPlan(files, tol);
+    addFolder(check, readManifest(options.dir).value_or(Manifest{}).files, files, verification);
+    printOut(options.json ? verificationJson(verification) : verificationText(verification));
+    if (!verification.proven()) return kUnproven;
     return verification.left.empty() ? kComplete : kGaps;
+}
+
+int runVerify(const VerifyOptions& options) {
+    return runInChild({options.dir, options.limits},
+                      [&](Workplace& place) { return verifyFolder(options, place); });
 }
 
 }  // namespace
@@ -50,13 +97,16 @@ void addVerifyCommand(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember({"linuxcnc", "fanuc", "grbl"}));
     verify->add_option("--part", options->part_file, "STEP file; must be the one that was planned");
     verify->add_flag("--json", options->json, "print the result as JSON");
+    addLimitOptions(*verify, options->limits);
     verify->footer(
         "Proven: the cutter keeps off what must stay, nothing stays but what the plan names, rapids, shank "
         "and\n"
         "holder meet no material, feeds and tools are the plan's.\n"
-        "Exit codes: 0 proven; 1 proven, but the plan itself leaves something; 2 files missing or "
-        "unreadable;\n"
-        "3 a proof fails (file and line are named).\n"
+        "Programs in the folder that are not of the job fail; files that are not as they were written are "
+        "named.\n"
+        "Exit codes: 0 proven; 1 proven, but the plan itself leaves something; 2 a proof fails (file and "
+        "line "
+        "are\nnamed), or files are missing or unreadable.\n"
         "Examples:\n"
         "  stepmill verify bracket-plan\n"
         "  stepmill verify bracket-plan --dialect grbl --json");

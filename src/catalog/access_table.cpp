@@ -107,8 +107,8 @@ std::vector<AccessRow> accessTableFromText(std::string_view text, const std::str
     return TableReader(file_name).read(text);
 }
 
-std::vector<AccessRow> readAccessTable(const std::filesystem::path& path) {
-    return accessTableFromText(readFile(path), path.filename().string());
+std::vector<AccessRow> readAccessTable(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+    return accessTableFromText(readFile(path, max_bytes), path.filename().string());
 }
 
 std::string accessTableCsv(const std::vector<AccessRow>& rows) {

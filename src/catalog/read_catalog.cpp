@@ -114,9 +114,9 @@ ParsedJson checkedLibrary(std::string_view text, const json& schema) {
 
 }  // namespace
 
-std::vector<CatalogFinding> checkToolLibrary(const std::filesystem::path& path) {
+std::vector<CatalogFinding> checkToolLibrary(const std::filesystem::path& path, std::uintmax_t max_bytes) {
     const json schema = schemaJson(SchemaName::Tools);
-    ParsedJson parsed = checkedLibrary(readFile(path), schema);
+    ParsedJson parsed = checkedLibrary(readFile(path, max_bytes), schema);
     if (!parsed.value.is_discarded()) {
         const auto doubts = unknownFieldDoubts(SchemaWords(schema).unknownFields(parsed.value));
         parsed.findings.insert(parsed.findings.end(), doubts.begin(), doubts.end());
@@ -146,8 +146,8 @@ ToolLibrary toolLibraryFromText(std::string_view text, const std::string& file_n
     return library;
 }
 
-ToolLibrary readToolLibrary(const std::filesystem::path& path) {
-    return toolLibraryFromText(readFile(path), path.filename().string());
+ToolLibrary readToolLibrary(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+    return toolLibraryFromText(readFile(path, max_bytes), path.filename().string());
 }
 
 Machine machineFromText(std::string_view text, const std::string& file_name) {
@@ -171,8 +171,8 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     return machine;
 }
 
-Machine readMachine(const std::filesystem::path& path) {
-    return machineFromText(readFile(path), path.filename().string());
+Machine readMachine(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+    return machineFromText(readFile(path, max_bytes), path.filename().string());
 }
 
 ToolLibrary defaultToolLibrary() {

@@ -95,8 +95,8 @@ FixtureFile fixturesFromText(std::string_view text, const std::string& file_name
     return FixtureReader(parsed.value, file_name).read();
 }
 
-FixtureFile readFixtures(const std::filesystem::path& path) {
-    return fixturesFromText(readFile(path), path.filename().string());
+FixtureFile readFixtures(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+    return fixturesFromText(readFile(path, max_bytes), path.filename().string());
 }
 
 }  // namespace stepmill

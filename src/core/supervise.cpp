@@ -24,6 +24,7 @@ struct SharedBoard {
     static constexpr std::size_t kStageBytes = 256;
     char stage[kStageBytes] = {};
     std::atomic<bool> out_of_memory = false;
+    std::atomic<StageBoard::Reads> reads = StageBoard::Reads::Own;
 
     std::string text() const { return {stage, ::strnlen(stage, kStageBytes)}; }
 };
@@ -162,8 +163,9 @@ struct SupervisedProcess {
     }
 };
 
-void StageBoard::set(const std::string& stage) noexcept {
+void StageBoard::set(const std::string& stage, Reads reads) noexcept {
     if (board_ == nullptr) return;
+    board_->reads = reads;
     const std::size_t length = std::min(stage.size(), SharedBoard::kStageBytes - 1);
     std::memcpy(board_->stage, stage.data(), length);
     std::memset(board_->stage + length, 0, SharedBoard::kStageBytes - length);
@@ -218,6 +220,7 @@ Supervised runSupervised(const std::function<int(StageBoard&)>& work, double tim
     ::kill(-child, SIGKILL);  // also what the child may have started and left behind
     const int status = reap(child);
     result.last_stage = shared.board()->text();
+    result.reads = shared.board()->reads;
     if (wait == Wait::TimeOver)
         result.end = Supervised::End::TimedOut;
     else if (wait == Wait::Signal)

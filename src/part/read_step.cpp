@@ -197,7 +197,7 @@ Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, 
 }  // namespace
 
 std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions& options) {
-    const std::string bytes = readFile(path);
+    const std::string bytes = readFile(path, options.max_file_bytes);
     const std::string file = path.filename().string();
     const StepText text = screenStep(bytes, file);
     StepImport import = importStep(bytes, file);

@@ -50,6 +50,9 @@ Eigen::Isometry3d frameFor(const Vec3& axis, const Box3& turned_stock) {
 
 }  // namespace setup
 
+/// Nobody writes a direction with larger numbers; the square of this is far from overflow.
+static constexpr double kLargestAxisPart = 1e6;
+
 std::optional<Vec3> parseAxis(const std::string& text) {
     if (text.size() == 2 && (text[0] == '+' || text[0] == '-') && text[1] >= 'x' && text[1] <= 'z') {
         Vec3 axis = Vec3::Zero();
@@ -63,7 +66,7 @@ std::optional<Vec3> parseAxis(const std::string& text) {
         if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
         if (at != end && *at == '+') ++at;
         const auto [next, error] = std::from_chars(at, end, axis[i]);
-        if (error != std::errc() || !std::isfinite(axis[i])) return std::nullopt;
+        if (error != std::errc() || !(std::abs(axis[i]) <= kLargestAxisPart)) return std::nullopt;
         at = next;
     }
     if (at != end || axis.norm() < 1e-9) return std::nullopt;

@@ -204,35 +204,35 @@ int visitOf(const std::string& file, const std::string& setup_id, Dialect dialec
     return std::atoi(file.c_str() + begin.size());
 }
 
-std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& setup_id,
-                                      Dialect dialect) {
-    const std::string whole = programName(setup_id, dialect);
-    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole)}};
+/// The setup's program of that name, or those for every visit of a tool.
+std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& whole,
+                                      const std::string& setup_id, Dialect dialect,
+                                      std::uintmax_t max_bytes) {
+    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole, max_bytes)}};
     std::map<int, std::string> visits;
     for (const auto& entry : std::filesystem::directory_iterator(dir)) {
         const std::string name = entry.path().filename().string();
         const int visit = visitOf(name, setup_id, dialect);
         if (visit > 0) visits[visit] = name;
     }
-    if (visits.empty()) return {{whole, readFile(dir / whole)}};  // which says what is missing
+    if (visits.empty()) return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
     std::vector<PostedProgram> programs;
     for (const auto& [visit, name] : visits)
-        programs.push_back({name, readFile(dir / name)});
+        programs.push_back({name, readFile(dir / name, max_bytes)});
     return programs;
 }
 
 }  // namespace
 
 PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
-                        const Tolerances& tol) {
+                        const Tolerances& tol, std::uintmax_t max_bytes) {
     PlanFiles files;
-    files.plan_json = readFile(dir / kPlanFile);
+    files.plan_json = readFile(dir / kPlanFile, max_bytes);
     const PlanRecord record = planRecordFromText(files.plan_json, tol);
     files.dialect = dialect.value_or(dialectOf(record.machine));
     for (const RecordedSetup& setup : record.setups)
-        files.programs[setup.id] =
-            dialect ? programsIn(dir, setup.id, *dialect)
-                    : std::vector<PostedProgram>{{setup.program, readFile(dir / setup.program)}};
+        files.programs[setup.id] = programsIn(dir, dialect ? programName(setup.id, *dialect) : setup.program,
+                                              setup.id, files.dialect, max_bytes);
     return files;
 }
 

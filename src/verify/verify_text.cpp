@@ -20,6 +20,34 @@ std::string place(const ProofFailure& failure) {
     return failure.line > 0 ? fmt::format("{}, line {}", failure.file, failure.line) : failure.file;
 }
 
+std::string operationOf(const ProofFailure& failure) {
+    return failure.operation.empty() ? "" : failure.operation + ": ";
+}
+
+std::string sentence(FileRemark::Kind kind) {
+    switch (kind) {
+        case FileRemark::Kind::Changed:
+            return "is not as it was written; proofs are of what it is now";
+        case FileRemark::Kind::Missing:
+            return "was written and is gone";
+        case FileRemark::Kind::NotRead:
+            return "is of another dialect, and not proven here (--dialect)";
+    }
+    return {};
+}
+
+std::string wordOf(FileRemark::Kind kind) {
+    switch (kind) {
+        case FileRemark::Kind::Changed:
+            return "changed";
+        case FileRemark::Kind::Missing:
+            return "missing";
+        case FileRemark::Kind::NotRead:
+            return "not read";
+    }
+    return {};
+}
+
 /// Six decimals; null for what was not found within the search.
 Json number(double value) {
     if (!std::isfinite(value)) return nullptr;
@@ -39,7 +67,9 @@ std::string verificationText(const Verification& verification) {
                             micrometres(proof.holder_clearance_mm), proof.depth_of_cut_mm,
                             100 * proof.feed_share);
     for (const ProofFailure& failure : verification.failures)
-        text += fmt::format("{}: {}: {}\n", place(failure), failure.operation, failure.text);
+        text += fmt::format("{}: {}{}\n", place(failure), operationOf(failure), failure.text);
+    for (const FileRemark& remark : verification.remarks)
+        text += fmt::format("{}: {}\n", remark.file, sentence(remark.kind));
     for (const ReasonVolume& entry : verification.left)
         text += fmt::format("stays as the plan says: {:.2f} mm3 ({})\n", entry.volume_mm3, entry.reason);
     text += verification.proven()
@@ -71,12 +101,16 @@ std::string verificationJson(const Verification& verification) {
     Json left = Json::array();
     for (const ReasonVolume& entry : verification.left)
         left.push_back({{"reason", entry.reason}, {"volume_mm3", number(entry.volume_mm3)}});
+    Json remarks = Json::array();
+    for (const FileRemark& remark : verification.remarks)
+        remarks.push_back({{"file", remark.file}, {"is", wordOf(remark.kind)}});
     const Json json{{"format", 1},
                     {"stepmill", {{"version", STEPMILL_VERSION}}},
                     {"proven", verification.proven()},
                     {"operations", operations},
                     {"failures", failures},
-                    {"left", left}};
+                    {"left", left},
+                    {"remarks", remarks}};
     const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
     const std::vector<std::string> errors = schemaErrors(SchemaName::Verify, text);
     if (!errors.empty()) throw Error(ErrorCode::Internal, "verify.json", errors.front());

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "stepmill/core/file.h"
+
 namespace stepmill {
 
 /// One cutter by what it reaches and how fast it removes that: a line of the table in [Lim2000, Fig. 8].
@@ -23,7 +25,8 @@ struct AccessRow {
 /// Blank lines and blanks around numbers are allowed.
 ///
 /// \throws Error(InvalidCatalog) with "file, line N" as subject and what was expected; Error(FileUnreadable)
-std::vector<AccessRow> readAccessTable(const std::filesystem::path& path);
+std::vector<AccessRow> readAccessTable(const std::filesystem::path& path,
+                                       std::uintmax_t max_bytes = kMaxFileBytes);
 
 /// The same from text already in memory; `file_name` is what error messages say.
 std::vector<AccessRow> accessTableFromText(std::string_view text, const std::string& file_name);

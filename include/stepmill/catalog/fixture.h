@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stepmill/core/file.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
@@ -34,7 +35,7 @@ struct FixtureFile {
 /// \throws Error(InvalidCatalog) with "file#/json/pointer" as subject and what was expected: a breach of the
 ///         schema, a setup named twice, a top that is not above the bottom, an outline that crosses itself;
 ///         Error(FileUnreadable).
-FixtureFile readFixtures(const std::filesystem::path& path);
+FixtureFile readFixtures(const std::filesystem::path& path, std::uintmax_t max_bytes = kMaxFileBytes);
 
 /// The same from text already in memory.
 FixtureFile fixturesFromText(std::string_view text, const std::string& file_name);

@@ -15,8 +15,11 @@ struct SharedBoard;
 /// Where a supervised run stands.
 class StageBoard {
   public:
+    /// Whose data the work is on: a crash on input that a foreign library reads is the input's.
+    enum class Reads { Own, Input };
+
     /// Names what is being done now ("importing part.step"). At most 255 bytes are kept.
-    void set(const std::string& stage) noexcept;
+    void set(const std::string& stage, Reads reads = Reads::Own) noexcept;
 
   private:
     friend struct SupervisedProcess;
@@ -37,6 +40,7 @@ struct Supervised {
     int exit_code = 0;       ///< when Exited
     int signal = 0;          ///< when Stopped, Killed or Crashed
     std::string last_stage;  ///< what the child was doing last; empty when it named nothing
+    StageBoard::Reads reads = StageBoard::Reads::Own;  ///< during that stage
 };
 
 /// Runs `work` in a child process and really ends it after `timeout_s` (SIGKILL to its process group), so

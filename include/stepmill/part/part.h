@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include "stepmill/core/file.h"
+
 namespace stepmill {
 
 using Vec3 = Eigen::Vector3d;
@@ -55,6 +57,8 @@ struct ReadOptions {
     /// Longest and shortest overall dimension a part may have [mm].
     double largest_mm = 100000;
     double smallest_mm = 0.1;
+    /// A larger file is not read.
+    std::uintmax_t max_file_bytes = kMaxFileBytes;
 };
 
 /// Reads a STEP file (AP203, AP214, AP242): every distinct solid a part of its own, in mm, healed.

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 
+#include "stepmill/job/job_folder.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/verify/verify.h"
 
@@ -24,6 +24,9 @@ struct ProvenPlan {
     Plan plan;
     PlanFiles files;  ///< the very bytes that were proven
     Verification verification;
+
+    /// Is all proven, and do the volume books close? Else there is a bug of ours, and no program leaves.
+    bool mayRun() const;
 };
 
 /// Proves the files of a plan; verifyPlan() but in tests.
@@ -46,12 +49,9 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
                       const Machine& machine, const Tolerances& tol, const Progress& progress = {},
                       const Prover& prover = verifyPlan);
 
-/// Writes plan.json, report.html and one program per setup into `dir` (made if absent). All files are
-/// complete or none is there. Without a proof no program is written and none of an earlier plan stays.
-/// \throws Error(OutputUnwritable)
-void writePlan(const ProvenPlan& proven, const std::filesystem::path& dir, const Tolerances& tol);
-
-/// Removes what a killed writePlan(…, dir, …) may have left beside `dir`. Does nothing where all is tidy.
-void removeUnfinished(const std::filesystem::path& dir);
+/// Writes plan.json, report.html and one program per setup as the job of that folder, in place of the job
+/// that was there. Unless proven.mayRun() no program is written, and none of an earlier plan stays.
+/// \throws Error(OutputUnwritable): the folder then holds what it held
+void writePlan(const ProvenPlan& proven, JobFolder& folder, const Tolerances& tol);
 
 }  // namespace stepmill

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stepmill/core/file.h"
 #include "stepmill/post/post.h"
 #include "stepmill/post/read_program.h"
 
@@ -71,10 +72,13 @@ struct PlanFiles {
 };
 
 /// The files `stepmill plan` wrote, or those `stepmill post` wrote beside them.
-/// \param dialect  whose programs; none: those plan.json names
+/// \param dialect    whose programs; none: those plan.json names, or those for every visit of a tool that
+/// post
+///                   put in their place
+/// \param max_bytes  larger files are not read
 /// \throws Error(FileUnreadable) naming the file that is missing; what planRecordFromText throws.
 PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
-                        const Tolerances& tol);
+                        const Tolerances& tol, std::uintmax_t max_bytes = kMaxFileBytes);
 
 /// Reads a setup's programs back. \throws what readProgram does; Error(FileUnreadable) when there is none.
 std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup);

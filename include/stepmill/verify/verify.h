@@ -33,7 +33,7 @@ struct OperationProof {
 struct ProofFailure {
     std::string file;
     int line = 0;
-    std::string operation;
+    std::string operation;  ///< empty: of the whole file
     std::string text;
 };
 
@@ -47,11 +47,19 @@ struct Leftover {
     double target_mm2 = 0;
 };
 
+/// A file of the job folder that is not as it was written, or that no proof is about.
+struct FileRemark {
+    enum class Kind { Changed, Missing, NotRead };
+    std::string file;
+    Kind kind = Kind::Changed;
+};
+
 struct Verification {
     std::vector<OperationProof> operations;  ///< in machining order
     std::vector<ProofFailure> failures;      ///< empty: all is proven
     std::vector<Leftover> leftovers;         ///< each is among the failures
     std::vector<ReasonVolume> left;          ///< what the plan says stays, beyond rounding
+    std::vector<FileRemark> remarks;         ///< about the folder; no failures
 
     bool proven() const { return failures.empty(); }
 };
