@@ -92,7 +92,10 @@ int inspectParts(const InspectOptions& options, Workplace& place) {
                        *place.folder);
         }
         progress.show("done", 1);
-        printOut(options.part.json ? inspectionJson(inspection) : inspectionText(inspection));
+        if (options.part.json)
+            printData(inspectionJson(inspection));
+        else
+            printOut(inspectionText(inspection));
         exit_code = std::max(exit_code, exitCodeOf(inspection, tol));
     }
     return exit_code;

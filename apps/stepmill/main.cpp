@@ -1,7 +1,7 @@
 #include <csignal>
 #include <exception>
-#include <iostream>
 #include <new>
+#include <sstream>
 
 #include "commands.h"
 #include "output.h"
@@ -18,6 +18,20 @@ int reportError(const std::exception& error) {
     const auto* known = dynamic_cast<const Error*>(&error);
     return known != nullptr && isInputError(known->code()) ? kBadInput : kBug;
 }
+
+namespace {
+
+/// Help that was asked for, or what is wrong with the arguments.
+int tellParsing(const CLI::App& app, const CLI::ParseError& stop) {
+    std::ostringstream help;
+    std::ostringstream trouble;
+    const int code = app.exit(stop, help, trouble);
+    printOut(help.str());
+    printErr(trouble.str());
+    return code == 0 ? kComplete : kBadInput;
+}
+
+}  // namespace
 
 }  // namespace stepmill
 
@@ -42,9 +56,8 @@ int main(int argc, char** argv) {
         try {
             app.parse(argc, argv);
         } catch (const CLI::ParseError& stop) {
-            exit_code = app.exit(stop) == 0 ? stepmill::kComplete : stepmill::kBadInput;
+            exit_code = stepmill::tellParsing(app, stop);
         }
-        std::cout.flush();
         stepmill::flushOut();
     } catch (const std::exception& error) {
         return stepmill::reportError(error);

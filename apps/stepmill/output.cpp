@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill {
 
@@ -17,6 +18,10 @@ namespace {
 }  // namespace
 
 void printOut(std::string_view text) {
+    printData(plainText(text));
+}
+
+void printData(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail(errno);
 }
 
@@ -27,7 +32,8 @@ void flushOut() {
 }
 
 void printErr(std::string_view text) {
-    std::fwrite(text.data(), 1, text.size(), stderr);
+    const std::string plain = plainText(text);
+    std::fwrite(plain.data(), 1, plain.size(), stderr);
 }
 
 }  // namespace stepmill

@@ -54,9 +54,11 @@ int planOne(const Part& part, const PlanOptions& options, const PlanRequest& req
     writePlan(proven, folder, tol);
     tellReplacedEdits(folder);
     progress.show("done", 1);
-    printOut(options.json ? proven.files.plan_json + "\n"
-                          : fmt::format("{}\nReport: {}\n", summaryText(proven.plan),
-                                        (asGiven(folder, options) / "report.html").string()));
+    if (options.json)
+        printData(proven.files.plan_json + "\n");
+    else
+        printOut(fmt::format("{}\nReport: {}\n", summaryText(proven.plan),
+                             (asGiven(folder, options) / "report.html").string()));
     tellFailures(proven.verification);
     return exitCodeOf(proven, options, tol);
 }

@@ -45,9 +45,12 @@ void print(const RankReport& report, const RankOptions& options) {
         std::vector<AccessRow> cutters;
         for (const RankedRow& row : report.ranking.rows)
             cutters.push_back(row.cutter);
-        printOut(accessTableCsv(cutters));
+        printData(accessTableCsv(cutters));
     } else {
-        printOut(options.part.json ? rankJson(report) : rankText(report));
+        if (options.part.json)
+            printData(rankJson(report));
+        else
+            printOut(rankText(report));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "run.h"
 
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <new>
 
@@ -11,6 +12,7 @@
 
 #include "commands.h"
 #include "output.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill {
 
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 ProgressLine::ProgressLine(StageBoard& board) : board_(board), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
-    if (terminal_) printErr("\r\033[K");
+    if (terminal_) std::fputs("\r\033[K", stderr);
 }
 
 void ProgressLine::show(const std::string& stage, double share) {
@@ -37,8 +39,9 @@ void ProgressLine::draw(const std::string& stage, double share) const {
     if (!terminal_) return;
     constexpr int kWidth = 30;
     const int done = std::clamp(static_cast<int>(share * kWidth), 0, kWidth);
-    printErr(
-        fmt::format("\r\033[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, '.'), stage));
+    fmt::print(stderr, "\r\033[K[{}{}] {}", std::string(done, '#'), std::string(kWidth - done, '.'),
+               plainLine(stage));
+    std::fflush(stderr);
 }
 
 fs::path outputFolder(const PlanOptions& options, const std::string& suffix) {

@@ -76,7 +76,10 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
     place.progress.show("proving the programs", 0.1);
     Verification verification = verifyPlan(files, tol);
     addFolder(check, readManifest(options.dir).value_or(Manifest{}).files, files, verification);
-    printOut(options.json ? verificationJson(verification) : verificationText(verification));
+    if (options.json)
+        printData(verificationJson(verification));
+    else
+        printOut(verificationText(verification));
     if (!verification.proven()) return kUnproven;
     return verification.left.empty() ? kComplete : kGaps;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "report/curve_chart.h"
+#include "report/html_page.h"
 #include "report/svg.h"
 #include "report/text.h"
 #include "stepmill/report/curves.h"
@@ -222,12 +223,12 @@ std::string partSection(const PartCurves& curves) {
 }  // namespace
 
 std::string curvesHtml(const PartCurves& curves) {
-    std::string html = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}: access curves</title>\n"
-        "<style>{1}</style></head>\n<body><main>\n<h1>{0}</h1>\n"
-        "<p class=\"soft\">{2} &middot; what one cutter of each diameter reaches, by geometry alone: how it "
-        "gets in, its length and its holder do not count</p>\n",
-        escapeHtml(curves.part_name), kStyle, escapeHtml(curves.file));
+    std::string html = pageHead(curves.part_name + ": access curves", kStyle) +
+                       fmt::format(
+                           "<h1>{}</h1>\n<p class=\"soft\">{} &middot; what one cutter of each diameter "
+                           "reaches, by geometry alone: how it "
+                           "gets in, its length and its holder do not count</p>\n",
+                           escapeHtml(curves.part_name), escapeHtml(curves.file));
     if (curves.features.empty()) {
         html += "<p>No feature to machine.</p>\n";
     } else {
@@ -235,7 +236,7 @@ std::string curvesHtml(const PartCurves& curves) {
         for (const FeatureCurve& feature : curves.features)
             html += featureSection(feature, curves.to_mm);
     }
-    return html + "</main></body></html>\n";
+    return html + pageEnd();
 }
 
 }  // namespace stepmill

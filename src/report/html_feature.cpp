@@ -111,8 +111,9 @@ std::string patternsTable(const std::vector<const Operation*>& operations) {
 
 std::string featureHtml(const PlannedSetup& setup, const PlannedFeature& planned) {
     const Feature& feature = planned.feature;
-    std::string html = fmt::format("<section><h3>{} &middot; {} &middot; {:.3f} mm deep</h3>\n", feature.id,
-                                   escapeHtml(toString(feature.feature_class)), feature.depth_mm());
+    std::string html =
+        fmt::format("<section><h3>{} &middot; {} &middot; {:.3f} mm deep</h3>\n", escapeHtml(feature.id),
+                    escapeHtml(toString(feature.feature_class)), feature.depth_mm());
     html += residualList(planned) + "<div class=\"steps\">\n";
     const std::vector<const Operation*> operations = operationsOf(setup, feature.id);
     STEPMILL_CHECK(operations.size() == planned.sequence.steps.size(), "every step is one operation");

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "report/html_page.h"
 #include "report/html_sections.h"
 #include "report/html_style.h"
 #include "report/html_table.h"
@@ -88,25 +89,23 @@ std::string booksSection(const Plan& plan) {
 }  // namespace
 
 std::string reportHtml(const Plan& plan, const Tolerances& tol) {
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                       escapeHtml(plan.part.name) + "</title><style>" + kReportStyle +
-                       "</style></head>\n<body><main>\n";
+    std::string html = pageHead(plan.part.name, kReportStyle);
     html += headSection(plan) + sharingWords(plan);
     if (!plan.complete(tol))
         html += "<p class=\"bad\"><b>This plan has gaps: see what stays, below.</b></p>\n";
     for (const PlannedSetup& setup : plan.setups) {
         html += setupHtml(plan, setup, dialectOf(plan.machine));
         html +=
-            "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i style=\"background:#c3ccd5\"></i>must stay"
-            "<i style=\"background:#fdf6df\"></i>target<i style=\"background:#8ec9e3\"></i>swept by this tool"
-            "<i style=\"background:#d93025\"></i>stays after all tools"
-            "<i style=\"background:#0b4f75;height:2px\"></i>path, deepest layer"
-            "<i style=\"border:0;border-top:2px dashed #2e8b57;height:0\"></i>open edge</p>\n";
+            "<h2>Feature by feature</h2>\n<p class=\"key soft\"><i class=\"key-stays\"></i>must stay"
+            "<i class=\"key-target\"></i>target<i class=\"key-swept\"></i>swept by this tool"
+            "<i class=\"key-residual\"></i>stays after all tools"
+            "<i class=\"key-path\"></i>path, deepest layer"
+            "<i class=\"key-open\"></i>open edge</p>\n";
         for (const PlannedFeature& planned : setup.features)
             html += featureHtml(setup, planned);
     }
     html += booksSection(plan);
-    return html + "</main></body></html>\n";
+    return html + pageEnd();
 }
 
 }  // namespace stepmill

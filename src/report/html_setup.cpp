@@ -14,9 +14,11 @@ namespace stepmill {
 namespace {
 
 std::string viewsSection(const Plan& plan, const PlannedSetup& setup) {
-    std::string html = "<h2>The part as it stands in " + setup.setup.id + "</h2>\n<div class=\"views\">\n";
+    std::string html =
+        "<h2>The part as it stands in " + escapeHtml(setup.setup.id) + "</h2>\n<div class=\"views\">\n";
     for (const View& view : partViews(plan.part, setup.setup.part_to_setup))
-        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", view.svg, view.title);
+        html +=
+            fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", view.svg, escapeHtml(view.title));
     return html + "</div>\n";
 }
 
@@ -29,9 +31,10 @@ std::string setupSection(const PlannedSetup& setup, Dialect dialect) {
         "Work offset G54: x and y zero at the stock's lower left corner seen from the spindle, z zero on its "
         "top. "
         "Program {}, {}. Clamping: {}.</p>\n",
-        setup.setup.id, axisName(setup.setup.axis),
+        escapeHtml(setup.setup.id), escapeHtml(axisName(setup.setup.axis)),
         setup.setup.indexed ? " (indexed: not along the box)" : "", size.x(), size.y(), size.z(),
-        programName(setup.setup.id, dialect), clockTime(setup.time_s), setup.clamping.text);
+        escapeHtml(programName(setup.setup.id, dialect)), clockTime(setup.time_s),
+        escapeHtml(setup.clamping.text));
     html += fmt::format(
         "<figure class=\"wide\">{}<figcaption>Features seen from the spindle, deeper ones on top."
         "</figcaption></figure>\n",

@@ -34,6 +34,9 @@ svg .tint4{fill:#c3b1e1} svg .tint5{fill:#f2e394} svg .tint6{fill:#9adbd1} svg .
 .warn { border-left:4px solid #e0a100; background:#fff8e1; padding:5px 10px; margin:5px 0; font-size:13px; }
 .bad { color:var(--bad); } details summary { cursor:pointer; color:var(--accent); font-size:12.5px; }
 .key i { display:inline-block; width:16px; height:10px; margin:0 4px 0 12px; border:1px solid #8f9ba7; }
+.key .key-stays { background:#c3ccd5; } .key .key-target { background:#fdf6df; } .key .key-swept { background:#8ec9e3; }
+.key .key-residual { background:#d93025; } .key .key-path { background:#0b4f75; height:2px; }
+.key .key-open { border:0; border-top:2px dashed #2e8b57; height:0; }
 @media print { body { background:#fff; font-size:11px; } main { max-width:none; padding:0; } h2 { break-after:avoid; }
   section { break-inside:auto; } svg { height:225px; } details { display:none; } @page { size:A4; margin:14mm; } }
 )css";

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "report/html_page.h"
 #include "report/html_table.h"
 #include "report/inspect_words.h"
 #include "report/text.h"
@@ -57,7 +58,7 @@ std::string featureRow(const InspectedFeature& inspected, int tint) {
     const auto measured = [&](auto words) {
         return numberCell(inspected.measures ? words(*inspected.measures) : std::string("?"));
     };
-    return fmt::format("<tr><td><i class=\"key tint{}\"></i>{}</td>", tint, feature.id) +
+    return fmt::format("<tr><td><i class=\"key tint{}\"></i>{}</td>", tint, escapeHtml(feature.id)) +
            cell(toString(feature.feature_class)) + cell(inspected.hole) +
            cell(fmt::format("{}", fmt::join(feature.parents, ", "))) +
            numberCell(fmt::format("{:.3f}", feature.depth_mm())) +
@@ -76,15 +77,17 @@ std::string setupSection(const Inspection& inspection, const InspectedSetup& set
         "<h2>Setup {}</h2>\n<p>Tool axis {} of the part{}. Stock {:.2f} &times; {:.2f} &times; {:.2f} mm as "
         "it "
         "arrives. {}</p>\n",
-        setup.setup.id, axisName(setup.setup.axis), setup.setup.indexed ? " (indexed)" : "", size.x(),
-        size.y(), size.z(), escapeHtml(setup.clamping.text));
+        escapeHtml(setup.setup.id), escapeHtml(axisName(setup.setup.axis)),
+        setup.setup.indexed ? " (indexed)" : "", size.x(), size.y(), size.z(),
+        escapeHtml(setup.clamping.text));
     std::vector<int> shades(inspection.part.faces.size(), -1);
     for (const InspectedFeature& inspected : setup.features)
         for (const FaceRow& row : inspection.faces)
             if (row.feature == inspected.feature.id) shades[row.index] = tints.at(row.feature);
     html += "<div class=\"views\">\n";
     for (const View& view : shadedViews(inspection.part, setup.setup.part_to_setup, shades))
-        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", view.svg, view.title);
+        html +=
+            fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", view.svg, escapeHtml(view.title));
     html += "</div>\n";
     if (setup.features.empty()) return html;
     html +=
@@ -128,13 +131,12 @@ std::string booksSection(const InspectedBooks& books) {
 std::string inspectionHtml(const Inspection& inspection) {
     const Part& part = inspection.part;
     const Vec3 size = part.bbox_mm.sizes();
-    std::string html = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta "
-        "charset=\"utf-8\"><title>{0}</title>\n<style>{1}</style>"
-        "</head>\n<body><main>\n<h1>{0}</h1>\n<p class=\"soft\">{2} &middot; {3:.2f} &times; {4:.2f} &times; "
-        "{5:.2f} mm (file unit: {6}) &middot; {7} faces &middot; {8:.3f} cm³</p>\n",
-        escapeHtml(part.name), kStyle, escapeHtml(part.file), size.x(), size.y(), size.z(),
-        escapeHtml(part.unit_in_file), part.faces.size(), part.volume_mm3 / 1000);
+    std::string html = pageHead(part.name, kStyle) +
+                       fmt::format(
+                           "<h1>{}</h1>\n<p class=\"soft\">{} &middot; {:.2f} &times; {:.2f} &times; "
+                           "{:.2f} mm (file unit: {}) &middot; {} faces &middot; {:.3f} cm³</p>\n",
+                           escapeHtml(part.name), escapeHtml(part.file), size.x(), size.y(), size.z(),
+                           escapeHtml(part.unit_in_file), part.faces.size(), part.volume_mm3 / 1000);
     for (const std::string& warning : inspection.warnings)
         html += "<div class=\"warn\">" + escapeHtml(warning) + "</div>\n";
     if (const auto notes = notesOn(inspection); !notes.empty()) {
@@ -146,7 +148,7 @@ std::string inspectionHtml(const Inspection& inspection) {
     const std::map<std::string, int> tints = tintsOf(inspection);
     for (const InspectedSetup& setup : inspection.setups)
         html += setupSection(inspection, setup, tints);
-    return html + holesSection(inspection) + booksSection(inspection.books) + "</main></body></html>\n";
+    return html + holesSection(inspection) + booksSection(inspection.books) + pageEnd();
 }
 
 }  // namespace stepmill

@@ -19,10 +19,9 @@ SvgDrawing::SvgDrawing(const Box2& frame) {
     frame_ = frame_.grown(std::max(1e-3, kMarginShare * frame_.size().maxCoeff()));
 }
 
-void SvgDrawing::region(const Region& shape, const std::string& css_class, const std::string& style) {
+void SvgDrawing::region(const Region& shape, const std::string& css_class) {
     if (shape.empty()) return;
-    body_ += fmt::format("<path class=\"{}\"{} d=\"{}\"/>\n", css_class,
-                         style.empty() ? "" : fmt::format(" style=\"{}\"", style), toSvgPath(shape));
+    body_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", css_class, toSvgPath(shape));
 }
 
 void SvgDrawing::path(const Path& path, const std::string& css_class) {

@@ -14,7 +14,7 @@ class SvgDrawing {
     /// `frame` is what the picture shows, with a small margin added around it.
     explicit SvgDrawing(const Box2& frame);
 
-    void region(const Region& shape, const std::string& css_class, const std::string& style = {});
+    void region(const Region& shape, const std::string& css_class);
     void path(const Path& path, const std::string& css_class);
     void paths(const std::vector<Path>& paths, const std::string& css_class);
     void polylines(const std::vector<std::vector<Vec2>>& lines, const std::string& css_class);

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/core/plain_text.h"
 #include "stepmill/sequence/sequence.h"
 
 namespace stepmill {
 
 std::string escapeHtml(const std::string& text) {
     std::string safe;
-    for (const char c : text)
+    for (const char c : plainText(text))
         switch (c) {
             case '&':
                 safe += "&amp;";
@@ -21,6 +22,9 @@ std::string escapeHtml(const std::string& text) {
                 break;
             case '"':
                 safe += "&quot;";
+                break;
+            case '\'':
+                safe += "&#39;";
                 break;
             default:
                 safe += c;

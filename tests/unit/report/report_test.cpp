@@ -105,33 +105,12 @@ TEST(SummaryText, NamesToolsTimesAndBooks) {
 
 TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     const test::TemporaryFolder folder;
-    writePlan(provenShoulder(), fs::path(folder.path()) / "a" / "job", Tolerances());
+    JobFolder job(fs::path(folder.path()) / "a" / "job");
+    writePlan(provenShoulder(), job, Tolerances());
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) names.insert(entry.path().filename().string());
-    EXPECT_EQ(names, (std::set<std::string>{"plan.json", "report.html", "S1.ngc"}));
-    EXPECT_FALSE(fs::exists(fs::path(folder.path()) / "a" / ".job.partial"));
-}
-
-TEST(WritePlan, LeavesNothingBehindWhereItCannotWrite) {
-    const test::TemporaryFolder folder;
-    writeFile(fs::path(folder.path()) / "file", "in the way");
-    const fs::path target = fs::path(folder.path()) / "file" / "job";
-    try {
-        writePlan(provenShoulder(), target, Tolerances());
-        FAIL() << "a folder below a file cannot be made";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::OutputUnwritable);
-    }
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
-}
-
-TEST(RemoveUnfinished, ClearsWhatAKilledRunLeft) {
-    const test::TemporaryFolder folder;
-    const fs::path dir = fs::path(folder.path()) / "job";
-    fs::create_directories(fs::path(folder.path()) / ".job.partial" / "deep");
-    removeUnfinished(dir);
-    EXPECT_TRUE(fs::is_empty(folder.path()));
+    EXPECT_EQ(names, (std::set<std::string>{"manifest.json", "plan.json", "report.html", "S1.ngc"}));
 }
 
 TEST(PartViews, DrawsFourViewsWithVisibleAndHiddenEdges) {
