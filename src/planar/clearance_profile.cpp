@@ -14,7 +14,8 @@ constexpr double kSameClearance = 1e-10;
 /// Points of a site closer than this are one [mm].
 constexpr double kSamePointMm = 1e-11;
 constexpr int kDeepest = 200;
-/// Two clearances at one place that differ by more than this share of 1 mm + themselves are a jump, no rounding.
+/// Two clearances at one place that differ by more than this share of 1 mm + themselves are a jump, no
+/// rounding.
 constexpr double kJump = 1e-3;
 /// Beyond this clearances rise so steeply that they differ by that at any step [mm].
 constexpr double kFarMm = 1e3;
@@ -125,6 +126,20 @@ Profile::Sample Profile::nearerAt(int site, double u, double limit) const {
     return nearer.site == kNone ? Sample{u, kNone, limit} : Sample{u, nearer.site, nearer.clearance};
 }
 
+/// Round the far side of an arc the ends' stop is far off: discs at the ends close in the arc itself, not
+/// what lies before its middle.
+std::optional<Profile::Sample> Profile::hiddenBetween(int index, const Sample& a, const Sample& b) const {
+    const Site& site = sites()[index];
+    if (!site.round() || a.stop < 0 || b.u - a.u <= 16 * smallestStep(site)) return std::nullopt;
+    const double middle = (a.u + b.u) / 2;
+    const double believed = clearanceAt(index, middle, a.stop);
+    if (believed <= std::max(a.clearance, b.clearance)) return std::nullopt;
+    const Sample truth = sample(index, middle);
+    const bool hidden =
+        truth.stop != a.stop && truth.clearance < believed && !same(truth.clearance, believed);
+    return hidden ? std::optional(truth) : std::nullopt;
+}
+
 void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pieces& pieces) const {
     const auto append = [&](const Piece& piece) {
         Piece* last = pieces.empty() ? nullptr : &pieces.back();
@@ -136,7 +151,12 @@ void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pi
         }
     };
     if (a.stop == b.stop) {
-        append({a.u, b.u, a.stop, a.clearance, b.clearance});
+        if (const auto hidden = hiddenBetween(index, a, b)) {
+            between(index, a, *hidden, depth + 1, pieces);
+            between(index, *hidden, b, depth + 1, pieces);
+        } else {
+            append({a.u, b.u, a.stop, a.clearance, b.clearance});
+        }
         return;
     }
     const double step = smallestStep(sites()[index]);

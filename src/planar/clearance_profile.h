@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct Piece {
 /// the tree for their stop; where two stops differ, the point at which both stop the disc alike is asked:
 /// either nothing is nearer there, and it is a vertex of the Voronoi diagram, or a third stop shows up. Equal
 /// stops at both ends can only hide an island between them, which then names the site as its own stop: such
-/// one-sided pairs are looked up until there are none.
+/// one-sided pairs are looked up until there are none. On an arc whose middle looks away from such a stop the
+/// middle is asked too.
 /// Build O(n log n) for n edges on ordinary regions, sites in parallel.
 class Profile {
   public:
@@ -59,6 +61,7 @@ class Profile {
     Sample sample(int site, double u) const;
     Sample nearerAt(int site, double u, double limit) const;
     Pieces envelope(int site) const;
+    std::optional<Sample> hiddenBetween(int site, const Sample& a, const Sample& b) const;
     void between(int site, const Sample& a, const Sample& b, int depth, Pieces& pieces) const;
     double equalAt(int site, const Sample& a, const Sample& b) const;
     bool lookUpOneSided(std::vector<Pieces>& all) const;

@@ -52,6 +52,19 @@ TEST(ClearanceOpening, DiscsOnBothSidesOfANeckUnite) {
     EXPECT_EQ(components(opened).size(), 1u) << "the discs of both sides overlap in the neck";
 }
 
+TEST(ClearanceOpening, ClosesTheFarSideOfAnIslandThatStandsNearerToTheOtherWall) {
+    // Discs at both ends of the island's lower half meet the upper wall, 4.3 mm away; below it are 3.2 mm.
+    const Region slot = subtract(makeRectangle({0, 0}, {62, 10}), makeCircle({14, 5.7}, 2.5), kTol);
+    const ClearanceDiagram diagram(slot, kTol);
+    EXPECT_TRUE(contains(diagram.opening(1.59), {14, 1.6}));
+    for (const double r : {2.0, 3.0}) {
+        const Region opened = diagram.opening(r);
+        EXPECT_FALSE(contains(opened, {14, 1.6})) << r;
+        // Booleans move shared walls by up to 0.1 um.
+        EXPECT_NEAR(area(opened), area(intersect(offset(offset(slot, -r, kTol), r, kTol), slot, kTol)), 1e-4);
+    }
+}
+
 TEST(ClearanceOpening, OfARectangleRoundsItsCorners) {
     const ClearanceDiagram diagram(makeRectangle({0, 0}, {20, 10}), kTol);
     for (const double r : {0.001, 1.0, 3.25, 4.999}) {
