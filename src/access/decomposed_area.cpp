@@ -25,21 +25,8 @@ void sweepUseful(const FeatureGround& ground, const Region& centres, const Regio
     if (!swept.empty()) found.area = unite(swept, tol);
 }
 
-/// Centres within this of their region's both walls get no pass, so what only they sweep stays.
-double halfSliverMm(const Tolerances& tol) {
-    return tol.sliver_mm / 2;
-}
-
-/// What m's passes sweep for sure: of its centres only what a disc of half a sliver opens. Where a neck runs
-/// out to m's own width, strips of some hundredths of a millimetre are longer than that.
-Region sweptForSure(const AccessibleArea& m, const Tolerances& tol) {
-    const Region wide = offset(m.free_centres, -halfSliverMm(tol), tol);
-    Region swept = access::swept(wide, m.radius_mm + halfSliverMm(tol), tol);
-    return m.given_up.empty() ? swept : subtract(swept, m.given_up, tol);
-}
-
 Region shrunkSwept(const AccessibleArea& m, double by_mm, const Tolerances& tol) {
-    const auto swept = [&] { return sweptForSure(m, tol); };
+    const auto swept = [&] { return access::sweptForSure(m, tol); };
     if (m.swept_diagram) return m.swept_diagram->from(swept, tol).offset(-by_mm);
     return offset(swept(), -by_mm, tol);
 }
@@ -48,8 +35,8 @@ Region shrunkSwept(const AccessibleArea& m, double by_mm, const Tolerances& tol)
 DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m, const AccessibleArea& n) {
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;
-    // Opening the target by half a sliver more is opening m's centres by that: see sweptForSure().
-    const Region rest = ground.targetRestCentres(m.radius_mm + halfSliverMm(tol), n.radius_mm);
+    // Opening the target by half a sliver more is opening m's centres by that: see access::sweptForSure().
+    const Region rest = ground.targetRestCentres(m.radius_mm + access::halfSliverMm(tol), n.radius_mm);
     found.centres = access::withoutSliverComponents(rest, tol);
     found.new_area_mm2 = std::max(0.0, n.coverable_area_mm2 - m.coverable_area_mm2);
     if (found.centres.empty() || found.new_area_mm2 <= tol.area_mm2) return {{}, {}, n.free_centres, 0};

@@ -13,4 +13,10 @@ Region swept(const Region& centres, double radius_mm, const Tolerances& tol) {
     return grown.size() == 1 ? std::move(grown.front()) : unite(grown, tol);
 }
 
+Region sweptForSure(const AccessibleArea& area, const Tolerances& tol) {
+    const Region wide = offset(area.free_centres, -halfSliverMm(tol), tol);
+    Region sure = swept(wide, area.radius_mm + halfSliverMm(tol), tol);
+    return area.given_up.empty() ? sure : subtract(sure, area.given_up, tol);
+}
+
 }  // namespace stepmill::access

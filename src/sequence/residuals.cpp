@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "access/swept.h"
 #include "sequence/drilling.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "toolpath/swept_region.h"
 
 namespace stepmill {
 namespace {
@@ -55,6 +57,19 @@ std::string whatWouldClear(const Withheld& withheld) {
         "{:.1f} mm below that",
         withheld.diameter_mm, withheld.stick_out_mm, withheld.stick_out_mm - withheld.has_stick_out_mm,
         withheld.holder_diameter_mm);
+}
+
+/// What the last tool covers on paper and no pass sweeps: there its centres are thinner than a sliver.
+Region beyondPasses(const std::vector<const Candidate*>& used, const Tolerances& tol) {
+    const Candidate& last = *used.back();
+    Region missed = subtract(last.area->coverable, access::sweptForSure(*last.area, tol), tol);
+    for (const Candidate* tool : used)
+        if (tool != &last && !missed.empty())
+            missed = subtract(missed, access::sweptForSure(*tool->area, tol), tol);
+    Region beyond;
+    for (const Region& piece : toolpath::piecesBeyondSkins(missed, tol))
+        beyond.loops.insert(beyond.loops.end(), piece.loops.begin(), piece.loops.end());
+    return beyond;
 }
 
 struct Vote {
@@ -111,7 +126,8 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
     const Tolerances& tol = ground.tolerances();
     const Candidate& last = *used.back();
     if (last.drill()) return drillPoint(feature, *last.tool);
-    if (feature.area_mm2 - last.coverable_mm2 <= sameArea(feature, tol)) return {};
+    const Region missed = beyondPasses(used, tol);
+    if (missed.empty() && feature.area_mm2 - last.coverable_mm2 <= sameArea(feature, tol)) return {};
 
     Region rest = feature.target;
     // With a free holder the last tool's area holds those of all before it.
@@ -119,6 +135,7 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
         if (tool == &last || !tool->area->limited.empty() || !last.area->limited.empty())
             rest = subtract(rest, tool->area->coverable, tol);
     }
+    if (!missed.empty()) rest = unite(rest, missed, tol);
     Residual held_off;
     if (withheld) {
         held_off.reason = "holder collision";

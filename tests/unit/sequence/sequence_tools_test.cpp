@@ -65,6 +65,21 @@ TEST(SequenceTools, LeavesTheCornersTheSmallestCutterCannotReach) {
     EXPECT_NEAR(residualVolumeMm3(sequence), cusps_mm2 * depth, 0.01 * cusps_mm2 * depth);
 }
 
+TEST(SequenceTools, NamesTheEndOfANeckThatNoPassReaches) {
+    // Beside the island's corner the way narrows to the cutter's own width at x = 20. On paper its centre
+    // gets there; passes end where the strip of centres is a sliver wide.
+    const Region island = makeRoundedRectangle({16, 10}, {50, 28}, 4);
+    const Feature pocket = makePocket(subtract(makeRectangle({0, 0}, {66, 30}), island, kTol), 2);
+    const ToolSequence sequence =
+        sequenceTools(pocket, makeLibrary({makeMill(2)}), makeMachine(), inAluminium(), kTol);
+    const auto names = [&](const Vec2& at) {
+        return std::any_of(sequence.residual.begin(), sequence.residual.end(),
+                           [&](const Residual& residual) { return contains(residual.region, at); });
+    };
+    EXPECT_TRUE(names({20.98, 29}));
+    EXPECT_FALSE(names({20.8, 29}));
+}
+
 TEST(SequenceTools, NamesTheCutterThatWouldFitWhenNoneDoes) {
     const Feature slot = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(40, 5), 2.5), 5);
     const ToolSequence sequence =
