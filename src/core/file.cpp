@@ -177,13 +177,11 @@ void writeFile(const std::filesystem::path& path, std::string_view bytes) {
     if (::rename(temporary.c_str(), path.c_str()) != 0) fail(errno);
 }
 
-void writeNewFile(const std::filesystem::path& path, std::string_view bytes, Disk& disk) {
+std::error_code writeNewFile(const std::filesystem::path& path, std::string_view bytes, Disk& disk) {
     Descriptor file(disk.create(path));
     const bool written =
         file.open() && writeAll(file.get(), bytes, disk) && disk.sync(file.get()) == 0 && file.close();
-    const int why = errno;
-    if (!written)
-        throw Error(ErrorCode::OutputUnwritable, path.string(), "cannot be written: " + systemReason(why));
+    return written ? std::error_code() : std::error_code(errno, std::generic_category());
 }
 
 void syncFolder(const std::filesystem::path& folder, Disk& disk) {

@@ -30,10 +30,14 @@ bool isImpossibleHere(int error_number) {
 }
 
 /// The manifest first: what it names in a work folder is known to be ours, however far the writing came.
-void writeAll(const fs::path& work, const Replacement& with, Disk& disk) {
-    writeNewFile(work / kManifestName, manifestJson(with.manifest), disk);
+void writeAll(const fs::path& work, const fs::path& job, const Replacement& with, Disk& disk) {
+    const auto write = [&](const std::string& name, const std::string& bytes) {
+        const std::error_code why = writeNewFile(work / name, bytes, disk);
+        if (why) fail(job / name, why.value());  // the name that the user knows
+    };
+    write(kManifestName, manifestJson(with.manifest));
     for (const NewFile& file : with.files)
-        writeNewFile(work / file.name, file.bytes, disk);
+        write(file.name, file.bytes);
 }
 
 /// False where the file system has no second names.
@@ -114,7 +118,7 @@ bool replaceAtOnce(const fs::path& job, const Replacement& with, Disk& disk) {
     bool swapped = false;
     orUndo(
         [&] {
-            writeAll(work, with, disk);
+            writeAll(work, job, with, disk);
             if (!linkAll(job, work, with, disk)) return;
             takeMode(job, work, disk);
             syncFolder(work, disk);
@@ -132,7 +136,7 @@ void replaceOneByOne(const fs::path& job, const Replacement& with, Disk& disk) {
     const fs::path work = makeWorkFolder(insidePrefix(job), disk);
     orUndo(
         [&] {
-            writeAll(work, with, disk);
+            writeAll(work, job, with, disk);
             syncFolder(work, disk);
             moveAll(job, work, with, disk);
         },

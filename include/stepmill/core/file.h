@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "stepmill/core/disk.h"
 
@@ -20,10 +21,11 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t max_bytes
 /// \throws Error(OutputUnwritable)
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
-/// Writes a file of a new name and waits until it is on the disk. What an error leaves is the caller's to
+/// Writes a file of a new name and waits until it is on the disk. What a failure leaves is the caller's to
 /// remove.
-/// \throws Error(OutputUnwritable), also where anything of that name exists
-void writeNewFile(const std::filesystem::path& path, std::string_view bytes, Disk& disk = systemDisk());
+/// \return why it failed; also where anything of that name exists
+[[nodiscard]] std::error_code writeNewFile(const std::filesystem::path& path, std::string_view bytes,
+                                           Disk& disk = systemDisk());
 
 /// Waits until the names in a folder are on the disk; a file system that cannot is taken as it is.
 /// \throws Error(OutputUnwritable)

@@ -90,7 +90,7 @@ std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 /// The setup on another stock: work offset and box moved to it.
 Setup onStock(const Setup& setup, const Stock& stock);
 
-/// "+z" ... "-x", or "x,y,z" numbers; nothing when the text is neither.
+/// "+z" ... "-x", or "x,y,z" numbers of at most 1e6; nothing when the text is neither.
 std::optional<Vec3> parseAxis(const std::string& text);
 /// "+z" and so on for box directions, "x,y,z" with 4 decimals for others.
 std::string axisName(const Vec3& axis);

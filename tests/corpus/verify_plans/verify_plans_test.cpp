@@ -134,7 +134,7 @@ class SpoiltProgram : public testing::Test {
 
     void expectFails(std::size_t index, const std::string& words) const {
         const ProgramRun run = verifySpoilt();
-        EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+        EXPECT_EQ(run.exit_code, 2) << run.out << run.err;
         const std::string place = fmt::format("S1.ngc, line {}: ", index + 1);
         const std::size_t at = run.out.find(place);
         ASSERT_NE(at, std::string::npos) << place << " is not named in\n" << run.out;
@@ -251,7 +251,7 @@ TEST_F(SpoiltProgram, ShowsAnOperationLeftOut) {
     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first),
                  lines_.begin() + static_cast<std::ptrdiff_t>(find("M30") - 2));
     const ProgramRun run = verifySpoilt();
-    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_EQ(run.exit_code, 2);
     EXPECT_NE(run.out.find("S1.ngc: S1.O2: the program does not have this operation"), std::string::npos)
         << run.out;
 }
@@ -289,7 +289,7 @@ TEST_F(SpoiltProgram, ShowsAHolderThatWouldTouch) {
     tool["holder"][0]["bottom_mm"] = 8;
     std::ofstream(dir_ / "plan.json") << plan;
     const ProgramRun run = verify(dir_);
-    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_EQ(run.exit_code, 2) << run.out;
     EXPECT_NE(run.out.find("from 8 mm over the tip) comes into material"), std::string::npos) << run.out;
 }
 
@@ -301,7 +301,7 @@ TEST_F(SpoiltProgram, ShowsAClampInTheWay) {
     plan["setups"][0]["fixtures"].push_back(clamp);
     std::ofstream(dir_ / "plan.json") << plan;
     const ProgramRun run = verify(dir_);
-    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_EQ(run.exit_code, 2) << run.out;
     EXPECT_NE(run.out.find("cuts into what must stay"), std::string::npos) << run.out;
 }
 
@@ -376,7 +376,7 @@ TEST_F(SpoiltFinishing, ShowsAFloorThatIsNotFinished) {
         if (const std::size_t z = lines_[i].find("Z-12.0000"); z != std::string::npos)
             lines_[i].replace(z, 9, "Z-11.9000");
     const ProgramRun run = verifySpoilt();
-    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_EQ(run.exit_code, 2) << run.out;
     EXPECT_NE(run.out.find("that the plan does not name"), std::string::npos) << run.out;
 }
 
@@ -387,7 +387,7 @@ TEST_F(SpoiltProgram, ShowsCutsDeeperThanPlanned) {
     plan["operations"][1]["step_down_mm"] = 3;
     std::ofstream(dir_ / "plan.json") << plan;
     const ProgramRun run = verify(dir_);
-    EXPECT_EQ(run.exit_code, 3) << run.out;
+    EXPECT_EQ(run.exit_code, 2) << run.out;
     EXPECT_NE(run.out.find("S1.O2: goes more than the planned 3 mm below what was cut before"),
               std::string::npos)
         << run.out;
@@ -397,7 +397,7 @@ TEST_F(SpoiltProgram, IsNotPosted) {
     replace(find(" G0 Z1.0000"), "Z1.0000", "Z-3.0000");
     verifySpoilt();
     const ProgramRun run = runProgram({stepmillBinary(), "post", dir_.string(), "--dialect", "fanuc"});
-    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_EQ(run.exit_code, 2);
     EXPECT_FALSE(fs::exists(dir_ / "S1.nc"));
 }
 

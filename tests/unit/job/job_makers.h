@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "stepmill/core/error.h"
@@ -24,7 +25,7 @@ inline NewJob planJob(const std::string& part, int programs) {
     job.files.push_back({"plan.json", "", "plan of " + part});
     job.files.push_back({"report.html", "", "report of " + part});
     for (int i = 1; i <= programs; ++i) {
-        const std::string id = "S" + std::to_string(i);
+        const std::string id = fmt::format("S{}", i);
         job.files.push_back({id + ".ngc", "linuxcnc", id + " of " + part});
     }
     return job;

@@ -110,7 +110,31 @@ TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) names.insert(entry.path().filename().string());
-    EXPECT_EQ(names, (std::set<std::string>{"manifest.json", "plan.json", "report.html", "S1.ngc"}));
+    EXPECT_EQ(names, (std::set<std::string>{"plan.json", "report.html", "S1.ngc", "manifest.json",
+                                            ".job.stepmill-lock"}));
+}
+
+TEST(WritePlan, WithoutAProofThereIsNoProgramAndNoneOfAnEarlierPlan) {
+    const test::TemporaryFolder folder;
+    JobFolder job(fs::path(folder.path()) / "job");
+    writePlan(provenShoulder(), job, Tolerances());
+    ProvenPlan failed = provenShoulder();
+    failed.verification.failures.push_back({"S1.ngc", 1, "S1.O1", "cuts too deep"});
+    writePlan(failed, job, Tolerances());
+    EXPECT_TRUE(fs::exists(job.path() / "plan.json"));
+    EXPECT_FALSE(fs::exists(job.path() / "S1.ngc"));
+}
+
+TEST(WritePlan, LeavesNothingBehindWhereItCannotWrite) {
+    const test::TemporaryFolder folder;
+    writeFile(fs::path(folder.path()) / "file", "in the way");
+    try {
+        const JobFolder job(fs::path(folder.path()) / "file" / "job");
+        FAIL() << "a folder below a file cannot be made";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::OutputUnwritable);
+    }
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST(PartViews, DrawsFourViewsWithVisibleAndHiddenEdges) {

@@ -14,7 +14,8 @@ TEST(ParseAxis, ReadsNamesAndNumbers) {
 }
 
 TEST(ParseAxis, RefusesWhatIsNoDirection) {
-    for (const char* text : {"", "z", "+w", "1,2", "0,0,0", "1,2,3,4", "a,b,c", "nan,0,0", "1,2,3 "})
+    for (const char* text : {"", "z", "+w", "1,2", "0,0,0", "1e308,1e308,1e308", "0,0,1e300", "1,2,3,4",
+                             "a,b,c", "nan,0,0", "1,2,3 "})
         EXPECT_FALSE(parseAxis(text).has_value()) << text;
 }
 

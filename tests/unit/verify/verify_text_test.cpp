@@ -38,6 +38,17 @@ TEST(VerificationJson, KeepsItsSchemaAndSaysWhatIsProven) {
     EXPECT_EQ(json.at("left").at(0).at("reason"), "corner radius");
 }
 
+TEST(VerificationJson, TellsOfFilesThatAreNotAsTheyWereWritten) {
+    Verification verification = oneOfEach();
+    verification.failures.push_back({"S9.ngc", 0, "", "is a program that is not of this job"});
+    verification.remarks = {{"S1.ngc", FileRemark::Kind::Changed}, {"S1.nc", FileRemark::Kind::NotRead}};
+    const std::string text = verificationJson(verification);
+    EXPECT_TRUE(schemaErrors(SchemaName::Verify, text).empty());
+    EXPECT_EQ(Json::parse(text).at("remarks").at(1).at("is"), "not read");
+    EXPECT_NE(verificationText(verification).find("S9.ngc: is a program"), std::string::npos);
+    EXPECT_NE(verificationText(verification).find("S1.ngc: is not as it was written"), std::string::npos);
+}
+
 TEST(VerificationJson, ThatBreaksItsSchemaIsABugOfOurs) {
     Verification nameless = oneOfEach();
     nameless.operations.front().tool.clear();
