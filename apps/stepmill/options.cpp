@@ -13,6 +13,11 @@ namespace stepmill {
 
 namespace {
 
+/// Stock that stands over the part by more is a unit gone wrong [mm].
+constexpr double kMostMarginMm = 1000;
+/// What of a wrong value a message repeats.
+constexpr std::size_t kLongestQuote = 40;
+
 double parseLength(const std::string& text, const std::string& option) {
     std::size_t used = 0;
     double value = 0;
@@ -21,9 +26,10 @@ double parseLength(const std::string& text, const std::string& option) {
     } catch (const std::exception&) {
         used = std::string::npos;
     }
-    if (used != text.size() || !std::isfinite(value) || value < 0)
+    if (used != text.size() || !(value >= 0 && value <= kMostMarginMm))
         throw Error(ErrorCode::Usage, option,
-                    fmt::format("expected a length of 0 mm or more, found '{}'", text));
+                    fmt::format("expected a length of 0 to {:g} mm, found '{}'", kMostMarginMm,
+                                text.substr(0, kLongestQuote)));
     return value;
 }
 
@@ -34,7 +40,8 @@ StockMargin parseMargin(const std::string& text) {
         values.push_back(parseLength(item, "--stock-margin"));
     if (values.size() != 3)
         throw Error(ErrorCode::Usage, "--stock-margin",
-                    fmt::format("expected three lengths side,top,bottom in mm, found '{}'", text));
+                    fmt::format("expected three lengths side,top,bottom in mm, found '{}'",
+                                text.substr(0, kLongestQuote)));
     return {values[0], values[1], values[2]};
 }
 
@@ -129,6 +136,7 @@ double allowance(double mm, const char* option) {
 
 PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     PlanRequest request;
+    request.unit = options.unit;
     request.setup = setupRequest(options);
     request.sequence.material = options.material;
     request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;

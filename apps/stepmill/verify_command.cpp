@@ -6,8 +6,8 @@
 #include "output.h"
 #include "run.h"
 #include "stepmill/core/error.h"
-#include "stepmill/core/file.h"
 #include "stepmill/verify/verify.h"
+#include "verify_claim.h"
 
 namespace stepmill {
 
@@ -18,19 +18,10 @@ namespace fs = std::filesystem;
 struct VerifyOptions {
     std::string dir;
     std::string dialect;
-    std::string part_file;
+    ClaimOptions claim;
     bool json = false;
     RunLimits limits;
 };
-
-/// The plan is of this part, byte by byte.
-void requirePart(const PlanFiles& files, const VerifyOptions& options, const Tolerances& tol) {
-    const PlanRecord record = planRecordFromText(files.plan_json, tol);
-    if (sha256(readFile(options.part_file, options.limits.maxFileBytes())) == record.part_sha256) return;
-    throw Error(ErrorCode::Usage, "--part " + options.part_file,
-                "is not the file that was planned: its SHA-256 differs from that of " + record.part_file +
-                    " in plan.json");
-}
 
 bool isAmong(const PlanFiles& files, const std::string& name) {
     for (const auto& [setup, programs] : files.programs)
@@ -72,9 +63,10 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
     const JobCheck check = checkJob(options.dir);
     const PlanFiles files =
         readPlanFiles(options.dir, dialectFrom(options.dialect), tol, options.limits.maxFileBytes());
-    if (!options.part_file.empty()) requirePart(files, options, tol);
     place.progress.show("proving the programs", 0.1);
     Verification verification = verifyPlan(files, tol);
+    verifyClaim(options.claim, planRecordFromText(files.plan_json, tol), options.limits.maxFileBytes(), tol,
+                verification);
     addFolder(check, readManifest(options.dir).value_or(Manifest{}).files, files, verification);
     if (options.json)
         printData(verificationJson(verification));
@@ -98,7 +90,7 @@ void addVerifyCommand(CLI::App& app, int& exit_code) {
     verify->add_option("DIR", options->dir, "folder that plan wrote")->required();
     verify->add_option("--dialect", options->dialect, "programs that post wrote; default: those of plan.json")
         ->check(CLI::IsMember({"linuxcnc", "fanuc", "grbl"}));
-    verify->add_option("--part", options->part_file, "STEP file; must be the one that was planned");
+    addClaimOptions(*verify, options->claim);
     verify->add_flag("--json", options->json, "print the result as JSON");
     addLimitOptions(*verify, options->limits);
     verify->footer(
@@ -112,6 +104,7 @@ void addVerifyCommand(CLI::App& app, int& exit_code) {
         "are\nnamed), or files are missing or unreadable.\n"
         "Examples:\n"
         "  stepmill verify bracket-plan\n"
+        "  stepmill verify bracket-plan --part bracket.step --tools my_tools.json\n"
         "  stepmill verify bracket-plan --dialect grbl --json");
     verify->callback([options, &exit_code] { exit_code = runVerify(*options); });
 }

@@ -92,7 +92,9 @@ class FixtureReader {
 FixtureFile fixturesFromText(std::string_view text, const std::string& file_name) {
     const ParsedJson parsed = checkedJson(text, schemaJson(SchemaName::Fixtures));
     throwFirstError(parsed.findings, file_name);
-    return FixtureReader(parsed.value, file_name).read();
+    FixtureFile file = FixtureReader(parsed.value, file_name).read();
+    file.sha256 = sha256(text);
+    return file;
 }
 
 FixtureFile readFixtures(const std::filesystem::path& path, std::uintmax_t max_bytes) {

@@ -326,6 +326,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
               const Machine& machine, const Tolerances& tol, const Progress& progress) {
     requireMaterial(library, request.sequence.material);
     Plan plan;
+    plan.request = request;
     plan.part = part;
     plan.machine = machine;
     plan.material = request.sequence.material;

@@ -45,6 +45,24 @@ Json stockJson(const Stock& stock) {
             {"volume_mm3", number(stock.volume_mm3)}};
 }
 
+Json sourceJson(const std::string& file, const std::string& sha256) {
+    return sha256.empty() ? Json(nullptr) : Json{{"file", file}, {"sha256", sha256}};
+}
+
+/// What verify needs beside the files to derive setups and features anew.
+Json requestJson(const Plan& plan) {
+    const PlanRequest& request = plan.request;
+    const StockMargin& margin = request.setup.margin;
+    const std::optional<Part>& stock = request.setup.stock_part;
+    return {{"solid", plan.part.solid_index},
+            {"unit", request.unit},
+            {"stock_margin_mm", {number(margin.side_mm), number(margin.top_mm), number(margin.bottom_mm)}},
+            {"stock", stock ? sourceJson(stock->file, stock->sha256) : Json(nullptr)},
+            {"fixtures", sourceJson(request.fixtures.file, request.fixtures.sha256)},
+            {"finish_walls_mm", number(request.sequence.finish.walls_mm)},
+            {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
+}
+
 Json machineJson(const Machine& machine) {
     Json json{{"name", machine.name},
               {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
@@ -277,9 +295,17 @@ Json fixtureJson(const Fixture& fixture) {
             {"section", regionToJson(fixture.section)}};
 }
 
+/// All digits: a direction rounded to six decimals is another plane.
+Json directionJson(const Vec3& direction) {
+    Json numbers = Json::array();
+    for (const double value : direction)
+        numbers.push_back(value == 0 ? 0.0 : value);
+    return numbers;
+}
+
 Json setupJson(const PlannedSetup& setup, Dialect dialect) {
     return {{"id", setup.setup.id},
-            {"axis", point(setup.setup.axis)},
+            {"axis", directionJson(setup.setup.axis)},
             {"transform", transformJson(setup.setup.part_to_setup)},
             {"program", programName(setup.setup.id, dialect)},
             {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
@@ -322,6 +348,7 @@ std::string planJson(const Plan& plan) {
         {"stepmill", {{"version", STEPMILL_VERSION}}},
         {"part", partJson(plan.part)},
         {"stock", stockJson(plan.stock)},
+        {"request", requestJson(plan)},
         {"machine", machineJson(plan.machine)},
         {"material", plan.material},
         {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},

@@ -6,7 +6,6 @@
 
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
-#include "stepmill/core/file.h"
 #include "stepmill/planar/region_json.h"
 #include "verify/plan_rules.h"
 
@@ -115,6 +114,10 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
 RecordedSetup setup(const Json& json, const std::string& pointer) {
     RecordedSetup setup;
     setup.id = json["id"];
+    for (int i = 0; i < 3; ++i)
+        setup.axis[i] = json["axis"][i];
+    for (int i = 0; i < 16; ++i)
+        setup.part_to_setup.matrix()(i / 4, i % 4) = json["transform"][i];
     setup.axis_name = json.value("axis_name", "");
     setup.program = json["program"];
     if (json.contains("stock"))
@@ -139,8 +142,8 @@ Machine machine(const Json& json) {
     machine.name = json["name"];
     machine.rapid_mm_per_min = json["rapid_mm_per_min"];
     machine.max_feed_mm_per_min = json.value("max_feed_mm_per_min", 0.0);
-    if (json.contains("travel_mm"))
-        machine.travel_mm = json["travel_mm"].get<std::array<double, 3>>();
+    if (json.contains("travel_mm")) machine.travel_mm = json["travel_mm"].get<std::array<double, 3>>();
+    machine.max_speed_rpm = json.value("max_speed_rpm", 0.0);
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     return machine;
 }
@@ -152,10 +155,24 @@ void noteTravel(const Json& plan, PlanRecord& record) {
             if (warning["code"] == "travel" && warning["subject"] == setup.id) setup.within_travel = false;
 }
 
+RecordedFile file(const Json& json) {
+    return json.is_null() ? RecordedFile{} : RecordedFile{json["file"], json["sha256"]};
+}
+
+RecordedRequest request(const Json& json) {
+    const Json& margin = json["stock_margin_mm"];
+    return {json["solid"],       json["unit"],           {margin[0], margin[1], margin[2]},
+            file(json["stock"]), file(json["fixtures"]), {json["finish_walls_mm"], json["finish_floors_mm"]}};
+}
+
 void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
     const Json& books = plan["volume_balance"];
     record.rounding_mm3 =
         std::max(kVolumeRoundingMm3, tol.volume_share * books["stock_minus_part_mm3"].get<double>());
+    record.books.stock_minus_part_mm3 = books["stock_minus_part_mm3"];
+    record.books.planned_mm3 = books["planned_mm3"];
+    record.books.residual_mm3 = books["residual_mm3"];
+    record.books.unreachable_mm3 = books["unreachable_mm3"];
     for (const char* list : {"residual_by_reason", "unreachable_by_reason"})
         if (books.contains(list))
             for (const Json& entry : books[list])
@@ -180,116 +197,22 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.part_name = plan["part"]["name"];
     record.material = plan["material"];
     record.machine = machine(plan["machine"]);
-    std::map<std::string, ToolAssembly> tools;
+    if (plan.contains("request")) record.request = request(plan["request"]);
+    record.library = file(plan["tool_library"]);
+    record.part_volume_mm3 = plan["part"]["volume_mm3"];
+    record.stock_volume_mm3 = plan["stock"]["volume_mm3"];
     for (const Json& one : plan["tools"])
-        tools[one["id"]] = tool(one);
+        record.tools[one["id"]] = tool(one);
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
         record.features[plan["features"][i]["id"]] =
             feature(plan["features"][i], fmt::format("#/features/{}", i));
     for (const Json& one : plan["operations"])
-        record.operations[one["id"]] = operation(one, tools);
+        record.operations[one["id"]] = operation(one, record.tools);
     for (std::size_t i = 0; i < plan["setups"].size(); ++i)
         record.setups.push_back(setup(plan["setups"][i], fmt::format("#/setups/{}", i)));
     noteTravel(plan, record);
     readBalance(plan, tol, record);
     return record;
-}
-
-namespace {
-
-/// "S1-2-T5.nc" is the second of S1: its number, 0 for other names.
-int visitOf(const std::string& file, const std::string& setup_id, Dialect dialect) {
-    const std::string begin = setup_id + "-";
-    if (!file.starts_with(begin) || !file.ends_with(programName("", dialect))) return 0;
-    return std::atoi(file.c_str() + begin.size());
-}
-
-/// The setup's program of that name, or those for every visit of a tool.
-std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& whole,
-                                      const std::string& setup_id, Dialect dialect,
-                                      std::uintmax_t max_bytes) {
-    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole, max_bytes)}};
-    std::map<int, std::string> visits;
-    for (const auto& entry : std::filesystem::directory_iterator(dir)) {
-        const std::string name = entry.path().filename().string();
-        const int visit = visitOf(name, setup_id, dialect);
-        if (visit > 0) visits[visit] = name;
-    }
-    if (visits.empty()) return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
-    std::vector<PostedProgram> programs;
-    for (const auto& [visit, name] : visits)
-        programs.push_back({name, readFile(dir / name, max_bytes)});
-    return programs;
-}
-
-}  // namespace
-
-PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
-                        const Tolerances& tol, std::uintmax_t max_bytes) {
-    PlanFiles files;
-    files.plan_json = readFile(dir / kPlanFile, max_bytes);
-    const PlanRecord record = planRecordFromText(files.plan_json, tol);
-    files.dialect = dialect.value_or(dialectOf(record.machine));
-    for (const RecordedSetup& setup : record.setups)
-        files.programs[setup.id] = programsIn(dir, dialect ? programName(setup.id, *dialect) : setup.program,
-                                              setup.id, files.dialect, max_bytes);
-    return files;
-}
-
-std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup) {
-    const auto found = files.programs.find(setup.id);
-    if (found == files.programs.end())
-        throw Error(ErrorCode::FileUnreadable, setup.program, "the plan's program is missing");
-    std::vector<ReadProgram> programs;
-    for (const PostedProgram& program : found->second)
-        programs.push_back(readProgram(program.text, program.file, files.dialect));
-    return programs;
-}
-
-namespace {
-
-JobOperation jobOperation(const RecordedOperation& planned, const ReadOperation& read) {
-    JobOperation operation;
-    operation.id = planned.id;
-    operation.feature_id = planned.feature_id;
-    operation.role = planned.role;
-    operation.pattern = planned.pattern;
-    operation.tool = planned.tool;
-    operation.layers = planned.layers;
-    operation.step_down_mm = planned.step_down_mm;
-    operation.z_floor_mm = planned.z_floor_mm;
-    operation.leaves = planned.leaves;
-    operation.speed_rpm = planned.speed_rpm;
-    operation.coolant = planned.coolant;
-    operation.dwell_s = planned.dwell_s;
-    operation.start = read.start;
-    for (const ReadMove& move : read.moves)
-        operation.moves.push_back(move.fed);
-    return operation;
-}
-
-}  // namespace
-
-Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs) {
-    Job job;
-    job.part_name = record.part_name;
-    job.part_file = record.part_file;
-    job.setup_id = setup.id;
-    job.axis_name = setup.axis_name;
-    job.material = record.material;
-    job.machine_name = record.machine.name;
-    job.stock_size_mm = setup.stock_size_mm;
-    job.time_s = setup.time_s;
-    for (const ReadProgram& program : programs) {
-        for (const ReadOperation& read : program.operations) {
-            const auto found = record.operations.find(read.id);
-            if (found == record.operations.end())
-                throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", program.file, read.line),
-                            fmt::format("the plan has no operation '{}'", read.id));
-            job.operations.push_back(jobOperation(found->second, read));
-        }
-    }
-    return job;
 }
 
 }  // namespace stepmill

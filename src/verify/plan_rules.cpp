@@ -188,6 +188,17 @@ void checkBooks(const Json& plan, const Tolerances& tol) {
     if (std::abs(told_mm3 - removable_mm3) > rounding_mm3)
         failAt("#/volume_balance/stock_minus_part_mm3",
                fmt::format("expected stock less part, {:.3f}, found {:.3f}", removable_mm3, told_mm3));
+    for (const char* account : {"residual", "unreachable"}) {
+        const std::string list = fmt::format("{}_by_reason", account);
+        if (!plan["volume_balance"].contains(list)) continue;
+        double sum_mm3 = 0;
+        for (const Json& entry : plan["volume_balance"][list])
+            sum_mm3 += entry["volume_mm3"].get<double>();
+        const double account_mm3 = plan["volume_balance"][fmt::format("{}_mm3", account)];
+        if (std::abs(sum_mm3 - account_mm3) > rounding_mm3)
+            failAt("#/volume_balance/" + list,
+                   fmt::format("adds up to {:.3f}, not {:.3f}", sum_mm3, account_mm3));
+    }
     std::map<std::string, double> volume_of;
     for (const Json& feature : plan["features"])
         volume_of[feature["setup"]] += feature["volume_mm3"].get<double>();

@@ -40,8 +40,9 @@ void checkPecks(const ReadOperation& operation, const RecordedOperation& planned
         drilled_mm = std::min(drilled_mm, z_mm);
         const double sunk_mm = emptied_at_mm - drilled_mm;
         if (sunk_mm <= planned.step_down_mm + 2 * kSameHeightMm) continue;
-        findings.add(read.line, fmt::format("drills {:.4f} mm without coming out, planned are pecks of {:.4f} mm",
-                                            sunk_mm, planned.step_down_mm));
+        findings.add(read.line,
+                     fmt::format("drills {:.4f} mm without coming out, planned are pecks of {:.4f} mm",
+                                 sunk_mm, planned.step_down_mm));
         return;
     }
 }
@@ -52,14 +53,15 @@ void checkDwell(const ReadOperation& operation, const RecordedOperation& planned
     for (const ReadDwell& dwell : operation.dwells)
         if (dwell.z_mm <= tip_z_mm + kSameHeightMm) stayed_s += dwell.seconds;
     if (stayed_s < planned.dwell_s - kDwellRoundingS)
-        findings.add(operation.line, fmt::format("stays {:.3f} s at the bottom of the hole, planned are {:.3f} s",
-                                                 stayed_s, planned.dwell_s));
+        findings.add(operation.line,
+                     fmt::format("stays {:.3f} s at the bottom of the hole, planned are {:.3f} s", stayed_s,
+                                 planned.dwell_s));
 }
 
 }  // namespace
 
-void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
-                   const Findings& findings) {
+void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
+                   const FeatureState& state, const Findings& findings) {
     if (!planned.tool.isDrill()) return;
     const double tip_z_mm = plannedTipZ(planned, state.feature);
     checkDepth(operation, tip_z_mm, findings);

@@ -24,10 +24,11 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Words of feeds and speeds are rounded: more than this share over what is planned is not rounding.
 constexpr double kFeedRounding = 1e-3;
 
-/// How far the ends of an arc may be unequally far from its centre, rounded to decimals of an inch or not [mm].
+/// How far the ends of an arc may be unequally far from its centre, rounded to decimals of an inch or not
+/// [mm].
 constexpr double kSpiralMm = 2e-3;
-/// The spindle may turn this much slower than planned at the planned feed: what a tooth cuts then is within the
-/// scatter of cutting data.
+/// The spindle may turn this much slower than planned at the planned feed: what a tooth cuts then is within
+/// the scatter of cutting data.
 constexpr double kSlowSpindle = 0.9;
 
 /// How much less the feed must be because the spindle turns slower than planned.
@@ -288,18 +289,17 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
         const double sinking =
             drop > kSameHeightMm ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
         const double slow = slowSpindleShare(program.states[read.state].speed_rpm, planned.speed_rpm);
-        const double share =
-            std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit) / slow;
+        const double share = std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit) / slow;
         findings.proof.feed_share = std::max(findings.proof.feed_share, share);
         if (told || share <= 1 + kFeedRounding) continue;
         told = true;
-        findings.add(read.line,
-                     fmt::format("feeds at {:.1f} mm/min ({:.1f} down); planned are {:.1f} at most and "
-                                 "{:.1f} down{}",
-                                 read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit,
-                                 slow < 1 ? fmt::format(", less at S{:.0f}",
-                                                        program.states[read.state].speed_rpm)
-                                          : std::string()));
+        findings.add(
+            read.line,
+            fmt::format("feeds at {:.1f} mm/min ({:.1f} down); planned are {:.1f} at most and "
+                        "{:.1f} down{}",
+                        read.fed.feed_mm_per_min, sinking, feed_limit, sink_limit,
+                        slow < 1 ? fmt::format(", less at S{:.0f}", program.states[read.state].speed_rpm)
+                                 : std::string()));
     }
 }
 

@@ -20,7 +20,18 @@ std::string workOffsetName(int number) {
 }
 
 /// What is wrong, each kind once.
-enum class Fault { Tool, LengthOffset, WorkOffset, Compensation, Plane, Path, FeedMode, Spin, Speed, Coolant };
+enum class Fault {
+    Tool,
+    LengthOffset,
+    WorkOffset,
+    Compensation,
+    Plane,
+    Path,
+    FeedMode,
+    Spin,
+    Speed,
+    Coolant
+};
 
 class StateProver {
   public:
@@ -47,9 +58,10 @@ class StateProver {
     void checkOffsets(const MachineState& state) {
         const int tool = planned_.tool.number;
         if (state.tool != tool)
-            tell(Fault::Tool, state.tool ? fmt::format("runs with T{}, planned is T{} {}", *state.tool, tool,
-                                                       planned_.tool.id)
-                                         : fmt::format("runs before T{} {} is put in", tool, planned_.tool.id));
+            tell(Fault::Tool,
+                 state.tool
+                     ? fmt::format("runs with T{}, planned is T{} {}", *state.tool, tool, planned_.tool.id)
+                     : fmt::format("runs before T{} {} is put in", tool, planned_.tool.id));
         if (program_.has_length_offsets && !move_->home && state.length_offset != tool)
             tell(Fault::LengthOffset, lengthOffsetText(state, tool));
         if (state.work_offset != kPlannedWorkOffset)
@@ -78,7 +90,8 @@ class StateProver {
         const bool blends = state.path_control == PathControl::Blend;
         if (!state.path_control) tell(Fault::Path, "runs before G61: the controller may round every corner");
         if (blends && state.blend_mm <= 0)
-            tell(Fault::Path, "runs with G64 without P, which rounds corners by as much as the controller likes");
+            tell(Fault::Path,
+                 "runs with G64 without P, which rounds corners by as much as the controller likes");
         if (state.blend_mm > kLargestBlendMm)
             tell(Fault::Path, fmt::format("corners may be rounded by {:.4g} mm (G64 P); {} are proven",
                                           state.blend_mm, kLargestBlendMm));
@@ -92,8 +105,8 @@ class StateProver {
         } else if (state.speed_rpm <= 0) {
             tell(Fault::Speed, "feeds at S0");
         } else if (state.speed_rpm > planned_.speed_rpm + kSpeedRoundingRpm) {
-            tell(Fault::Speed, fmt::format("runs at S{:.0f}, planned is S{:.0f}", state.speed_rpm,
-                                           planned_.speed_rpm));
+            tell(Fault::Speed,
+                 fmt::format("runs at S{:.0f}, planned is S{:.0f}", state.speed_rpm, planned_.speed_rpm));
         }
     }
 
@@ -126,8 +139,9 @@ std::string faultOf(const ReadProgram& program, const ReadLeap& leap, double saf
         return fmt::format("goes away across from Z{:.4f}, below the top of stock and fixtures",
                            *leap.from_z_mm);
     if (leap.to_z_mm && *leap.to_z_mm < safe_z_mm)
-        return fmt::format("comes from a place that is not known to Z{:.4f}, below the top of stock and fixtures",
-                           *leap.to_z_mm);
+        return fmt::format(
+            "comes from a place that is not known to Z{:.4f}, below the top of stock and fixtures",
+            *leap.to_z_mm);
     if (!leap.names_place) return {};
     if ((leap.across || leap.to_z_mm) && state.work_offset != kPlannedWorkOffset)
         return "goes to a place in another work offset than G54";
@@ -144,8 +158,8 @@ std::string faultOf(const ReadStop& stop, double safe_z_mm) {
 
 }  // namespace
 
-void proveStates(const ReadProgram& program, const ReadOperation& operation,
-                 const RecordedOperation& planned, const Findings& findings) {
+void proveStates(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
+                 const Findings& findings) {
     StateProver prover(program, planned, findings);
     for (const ReadMove& move : operation.moves)
         prover.prove(move);
@@ -169,7 +183,8 @@ void TravelProver::prove(const ReadProgram& program) {
     }
 }
 
-void TravelProver::extend(const Vec3& place, const std::string& file, int line, const std::string& operation) {
+void TravelProver::extend(const Vec3& place, const std::string& file, int line,
+                          const std::string& operation) {
     box_.extend(place);
     for (int axis = 0; axis < 3; ++axis) {
         const double travel_mm = machine_.travel_mm[static_cast<std::size_t>(axis)];

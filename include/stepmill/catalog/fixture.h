@@ -26,7 +26,8 @@ inline constexpr double kFixtureGrowth = 0.05;
 
 /// How the shop clamps a part: the fixtures of each setup it names.
 struct FixtureFile {
-    std::string file;
+    std::string file;    ///< empty: no file was given
+    std::string sha256;  ///< of the file
     double growth = kFixtureGrowth;
     std::map<std::string, std::vector<Fixture>> setups;  ///< by setup id; as they are, not grown
 };

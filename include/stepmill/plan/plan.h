@@ -107,7 +107,29 @@ struct PlannedSetup {
     double motion_s = 0;  ///< the same with the machine's acceleration where that is given
 };
 
+/// How a feature is planned after a plan whose programs were not proven in it. Later fields are safer.
+struct FeatureCaution {
+    std::string why;          ///< what the proof said first, and where
+    bool plain_ways = false;  ///< one pattern of rings, and rapids as withPlainRapids() makes them
+    std::set<std::string> without_tools;  ///< ids
+    std::vector<Residual> left;  ///< what its tools were found to leave: it stays, and what lies below it
+    bool dropped = false;        ///< no tool touches it
+};
+
+/// By feature id.
+using Cautions = std::map<std::string, FeatureCaution>;
+
+struct PlanRequest {
+    std::string unit;  ///< ReadOptions::unit, by which the part was read
+    SetupRequest setup;
+    SliceOptions slicing;
+    SequenceOptions sequence;
+    FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
+    Cautions cautions;     ///< none in the first plan of a part
+};
+
 struct Plan {
+    PlanRequest request;
     Part part;
     Stock stock;
     Machine machine;
@@ -123,26 +145,6 @@ struct Plan {
 
     /// Is all of stock - part machined, nothing left over but rounding?
     bool complete(const Tolerances& tol) const;
-};
-
-/// How a feature is planned after a plan whose programs were not proven in it. Later fields are safer.
-struct FeatureCaution {
-    std::string why;          ///< what the proof said first, and where
-    bool plain_ways = false;  ///< one pattern of rings, and rapids as withPlainRapids() makes them
-    std::set<std::string> without_tools;  ///< ids
-    std::vector<Residual> left;  ///< what its tools were found to leave: it stays, and what lies below it
-    bool dropped = false;        ///< no tool touches it
-};
-
-/// By feature id.
-using Cautions = std::map<std::string, FeatureCaution>;
-
-struct PlanRequest {
-    SetupRequest setup;
-    SliceOptions slicing;
-    SequenceOptions sequence;
-    FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
-    Cautions cautions;     ///< none in the first plan of a part
 };
 
 /// Called at the start of each stage ("slicing S1", "S1.F2") with the share done in [0, 1].

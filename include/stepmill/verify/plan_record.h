@@ -33,6 +33,8 @@ struct RecordedOperation {
 
 struct RecordedSetup {
     std::string id;
+    Vec3 axis = Vec3::UnitZ();  ///< in part coordinates
+    Eigen::Isometry3d part_to_setup = Eigen::Isometry3d::Identity();
     std::string axis_name;
     std::string program;  ///< file name
     Vec3 stock_size_mm = Vec3::Zero();
@@ -44,8 +46,29 @@ struct RecordedSetup {
     bool within_travel = true;
 };
 
+/// A file the plan was made from; empty: none.
+struct RecordedFile {
+    std::string file;
+    std::string sha256;
+};
+
+/// What was asked for that neither the part's file nor the library says.
+struct RecordedRequest {
+    int solid = 0;
+    std::string unit;  ///< ReadOptions::unit
+    StockMargin margin;
+    RecordedFile stock;
+    RecordedFile fixtures;
+    FinishAllowance finish;
+};
+
 /// What plan.json says that programs are proven against.
 struct PlanRecord {
+    std::optional<RecordedRequest> request;  ///< none in plans of older versions
+    RecordedFile library;
+    double part_volume_mm3 = 0;
+    double stock_volume_mm3 = 0;
+    std::map<std::string, ToolAssembly> tools;  ///< by id; without cutting data
     std::string part_file;
     std::string part_sha256;
     std::string part_name;
@@ -54,6 +77,7 @@ struct PlanRecord {
     std::vector<RecordedSetup> setups;
     std::map<std::string, PlannedFeature> features;  ///< regions, heights, obstacles, residuals alone
     std::map<std::string, RecordedOperation> operations;
+    VolumeBalance books;  ///< of the part; without the reasons
     /// What stays of stock minus part at the end, by reason, and how much of it is rounding [mm3].
     std::vector<ReasonVolume> left;
     double rounding_mm3 = 0;

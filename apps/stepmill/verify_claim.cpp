@@ -1,0 +1,99 @@
+#include "verify_claim.h"
+
+#include <fmt/core.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/verify/claim.h"
+
+namespace stepmill {
+
+namespace {
+
+/// The file of an option is the one that was planned with, byte by byte.
+void requireSame(const char* option, const std::string& path, const RecordedFile& recorded,
+                 std::uintmax_t max_bytes) {
+    if (!recorded.sha256.empty() && sha256(readFile(path, max_bytes)) == recorded.sha256) return;
+    throw Error(ErrorCode::Usage, fmt::format("{} {}", option, path),
+                recorded.sha256.empty()
+                    ? "the plan was made without such a file"
+                    : "is not the file that was planned with: its SHA-256 differs from that of " +
+                          recorded.file + " in plan.json");
+}
+
+/// Where the plan was made with such a file, it must be given.
+void requireGiven(const char* option, const std::string& path, const RecordedFile& recorded,
+                  std::uintmax_t max_bytes) {
+    if (path.empty() && !recorded.sha256.empty())
+        throw Error(ErrorCode::Usage, option, "the plan was made with " + recorded.file + ": give that file");
+    if (!path.empty()) requireSame(option, path, recorded, max_bytes);
+}
+
+ToolLibrary libraryOf(const ClaimOptions& options, const PlanRecord& record, std::uintmax_t max_bytes) {
+    if (options.tools_file.empty()) {
+        ToolLibrary library = defaultToolLibrary();
+        if (library.sha256 == record.library.sha256) return library;
+    }
+    requireGiven("--tools", options.tools_file, record.library, max_bytes);
+    return readToolLibrary(options.tools_file, max_bytes);
+}
+
+ReadOptions readOptions(int solid, const std::string& unit, std::uintmax_t max_bytes) {
+    ReadOptions options;
+    options.solid = solid;
+    options.unit = unit;
+    options.max_file_bytes = max_bytes;
+    return options;
+}
+
+Part onlySolid(const std::string& path, const ReadOptions& options) {
+    std::vector<Part> parts = readStep(path, options);
+    if (parts.size() != 1)
+        throw Error(ErrorCode::InvalidCatalog, "plan.json#/request/solid",
+                    fmt::format("{} has no solid {}", path, options.solid));
+    return std::move(parts.front());
+}
+
+/// What the plan claims of part, stock and fixtures, derived anew.
+std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanRecord& record,
+                                        const ToolLibrary& library, std::uintmax_t max_bytes,
+                                        const Tolerances& tol) {
+    requireSame("--part", options.part_file, {record.part_file, record.part_sha256}, max_bytes);
+    const RecordedRequest request = record.request.value_or(RecordedRequest{});
+    requireGiven("--stock", options.stock_file, request.stock, max_bytes);
+    requireGiven("--fixtures", options.fixtures_file, request.fixtures, max_bytes);
+    ClaimSources sources;
+    sources.part = onlySolid(options.part_file, readOptions(request.solid, request.unit, max_bytes));
+    sources.library = library;
+    if (!options.stock_file.empty())
+        sources.stock = onlySolid(options.stock_file, readOptions(-1, "", max_bytes));
+    if (!options.fixtures_file.empty()) sources.fixtures = readFixtures(options.fixtures_file, max_bytes);
+    return compareWithPart(record, sources, tol);
+}
+
+}  // namespace
+
+void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
+    verify.add_option("--part", options.part_file,
+                      "STEP file that was planned: the plan's setups and features are derived anew from it");
+    verify.add_option("--tools", options.tools_file,
+                      "tool library that was planned with: the plan's tools and cutting data are compared");
+    verify.add_option("--stock", options.stock_file,
+                      "with --part: the stock's STEP file, where there is one");
+    verify.add_option("--fixtures", options.fixtures_file,
+                      "with --part: the fixture file, where there is one");
+}
+
+void verifyClaim(const ClaimOptions& options, const PlanRecord& record, std::uintmax_t max_bytes,
+                 const Tolerances& tol, Verification& verification) {
+    if (options.part_file.empty() && options.tools_file.empty()) return;
+    const ToolLibrary library = libraryOf(options, record, max_bytes);
+    std::vector<ProofFailure> failures = compareWithLibrary(record, library);
+    if (!options.part_file.empty())
+        for (ProofFailure& failure : claimFailures(options, record, library, max_bytes, tol))
+            failures.push_back(std::move(failure));
+    verification.failures.insert(verification.failures.end(), failures.begin(), failures.end());
+}
+
+}  // namespace stepmill

@@ -1,0 +1,120 @@
+// Tools and cutting data of a plan against the library it names.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "stepmill/verify/claim.h"
+
+namespace stepmill {
+namespace {
+
+/// Numbers in plan.json have six decimals; two of them differ by a rounding each.
+constexpr double kWritten = 2e-6;
+/// Feeds and speeds come from products of such numbers.
+constexpr double kFeedShare = 1e-6;
+
+/// Looks at one tool or operation; every difference is a failure.
+class Comparison {
+  public:
+    Comparison(std::string place, std::vector<ProofFailure>& failures)
+        : place_(std::move(place)), failures_(failures) {}
+
+    void same(const char* what, double recorded, double expected) {
+        if (std::abs(recorded - expected) > kWritten) differs(what, recorded, expected);
+    }
+
+    void atMost(const char* what, double recorded, double limit) {
+        if (limit > 0 && recorded > limit * (1 + kFeedShare) + kWritten) differs(what, recorded, limit);
+    }
+
+    void sameWord(const char* what, const std::string& recorded, const std::string& expected) {
+        if (recorded != expected) fail(fmt::format("{} is {}, in the library {}", what, recorded, expected));
+    }
+
+    void same(const HolderCylinder& recorded, const HolderCylinder& expected, const char* what) {
+        same(what, recorded.diameter_mm, expected.diameter_mm);
+        same(what, recorded.bottom_mm, expected.bottom_mm);
+        same(what, recorded.top_mm, expected.top_mm);
+    }
+
+    void fail(const std::string& text) { failures_.push_back({"plan.json", 0, place_, text}); }
+
+  private:
+    void differs(const char* what, double recorded, double expected) {
+        fail(fmt::format("{} is {:g}, in the library {:g}", what, recorded, expected));
+    }
+
+    std::string place_;
+    std::vector<ProofFailure>& failures_;
+};
+
+const ToolAssembly* toolIn(const ToolLibrary& library, const std::string& id) {
+    for (const ToolAssembly& tool : library.tools)
+        if (tool.id == id) return &tool;
+    return nullptr;
+}
+
+bool mayStandOut(const ToolAssembly& tool, double stick_out_mm) {
+    const StickOutRange range =
+        tool.stick_out_range.value_or(StickOutRange{tool.stick_out_mm, tool.stick_out_mm});
+    return stick_out_mm >= range.shortest_mm - kWritten && stick_out_mm <= range.longest_mm + kWritten;
+}
+
+void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library,
+                 std::vector<ProofFailure>& failures) {
+    Comparison compare("tool " + recorded.id, failures);
+    compare.same("the number", recorded.number, in_library.number);
+    compare.sameWord("the type", toString(recorded.type), toString(in_library.type));
+    compare.same("the diameter", recorded.diameter_mm, in_library.diameter_mm);
+    compare.same("the corner radius", recorded.corner_radius_mm, in_library.corner_radius_mm);
+    compare.same("the flute length", recorded.flute_length_mm, in_library.flute_length_mm);
+    if (!mayStandOut(in_library, recorded.stick_out_mm))
+        return compare.fail(fmt::format("the stick-out of {:g} is not the library's", recorded.stick_out_mm));
+    const ToolAssembly expected = setTo(in_library, recorded.stick_out_mm);
+    compare.same(recorded.shank, expected.shank, "the shank");
+    if (recorded.holder.size() != expected.holder.size())
+        return compare.fail(fmt::format("the holder has {} cylinders, in the library {}",
+                                        recorded.holder.size(), expected.holder.size()));
+    for (std::size_t i = 0; i < expected.holder.size(); ++i)
+        compare.same(recorded.holder[i], expected.holder[i], "the holder");
+}
+
+void compareCutting(const RecordedOperation& operation, const CuttingData& data,
+                    std::vector<ProofFailure>& failures) {
+    Comparison compare(operation.id, failures);
+    const double plunge =
+        data.plunge_feed_mm_per_min > 0 ? data.plunge_feed_mm_per_min : data.feed_mm_per_min;
+    compare.atMost("the feed", operation.feed_mm_per_min, data.feed_mm_per_min);
+    compare.atMost("the feed down", operation.plunge_feed_mm_per_min, plunge);
+    compare.atMost("the speed", operation.speed_rpm, data.speed_rpm);
+    // A finishing pass takes little off a wall and goes deeper for it.
+    if (operation.role != toString(Role::Finish))
+        compare.atMost("the step-down", operation.step_down_mm, data.step_down_mm);
+    compare.sameWord("the coolant", toString(operation.coolant), toString(data.coolant));
+}
+
+}  // namespace
+
+std::vector<ProofFailure> compareWithLibrary(const PlanRecord& record, const ToolLibrary& library) {
+    std::vector<ProofFailure> failures;
+    for (const auto& [id, tool] : record.tools) {
+        const ToolAssembly* in_library = toolIn(library, id);
+        if (in_library != nullptr)
+            compareTool(tool, *in_library, failures);
+        else
+            Comparison("tool " + id, failures).fail("is not in " + library.file);
+    }
+    for (const auto& [id, operation] : record.operations) {
+        const ToolAssembly* tool = toolIn(library, operation.tool.id);
+        if (tool == nullptr) continue;
+        if (const CuttingData* data = tool->cuttingFor(record.material))
+            compareCutting(operation, *data, failures);
+        else
+            Comparison(id, failures)
+                .fail(fmt::format("{} has no cutting data for {}", tool->id, record.material));
+    }
+    return failures;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,109 @@
+// A plan.json with the programs that belong to it.
+
+#include <fmt/format.h>
+
+#include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
+#include "stepmill/verify/plan_record.h"
+
+namespace stepmill {
+namespace {
+
+constexpr const char* kPlanFile = "plan.json";
+
+/// "S1-2-T5.nc" is the second of S1: its number, 0 for other names.
+int visitOf(const std::string& file, const std::string& setup_id, Dialect dialect) {
+    const std::string begin = setup_id + "-";
+    if (!file.starts_with(begin) || !file.ends_with(programName("", dialect))) return 0;
+    return std::atoi(file.c_str() + begin.size());
+}
+
+/// The setup's program of that name, or those for every visit of a tool.
+std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& whole,
+                                      const std::string& setup_id, Dialect dialect,
+                                      std::uintmax_t max_bytes) {
+    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole, max_bytes)}};
+    std::map<int, std::string> visits;
+    for (const auto& entry : std::filesystem::directory_iterator(dir)) {
+        const std::string name = entry.path().filename().string();
+        const int visit = visitOf(name, setup_id, dialect);
+        if (visit > 0) visits[visit] = name;
+    }
+    if (visits.empty()) return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
+    std::vector<PostedProgram> programs;
+    for (const auto& [visit, name] : visits)
+        programs.push_back({name, readFile(dir / name, max_bytes)});
+    return programs;
+}
+
+}  // namespace
+
+PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
+                        const Tolerances& tol, std::uintmax_t max_bytes) {
+    PlanFiles files;
+    files.plan_json = readFile(dir / kPlanFile, max_bytes);
+    const PlanRecord record = planRecordFromText(files.plan_json, tol);
+    files.dialect = dialect.value_or(dialectOf(record.machine));
+    for (const RecordedSetup& setup : record.setups)
+        files.programs[setup.id] = programsIn(dir, dialect ? programName(setup.id, *dialect) : setup.program,
+                                              setup.id, files.dialect, max_bytes);
+    return files;
+}
+
+std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup) {
+    const auto found = files.programs.find(setup.id);
+    if (found == files.programs.end())
+        throw Error(ErrorCode::FileUnreadable, setup.program, "the plan's program is missing");
+    std::vector<ReadProgram> programs;
+    for (const PostedProgram& program : found->second)
+        programs.push_back(readProgram(program.text, program.file, files.dialect));
+    return programs;
+}
+
+namespace {
+
+JobOperation jobOperation(const RecordedOperation& planned, const ReadOperation& read) {
+    JobOperation operation;
+    operation.id = planned.id;
+    operation.feature_id = planned.feature_id;
+    operation.role = planned.role;
+    operation.pattern = planned.pattern;
+    operation.tool = planned.tool;
+    operation.layers = planned.layers;
+    operation.step_down_mm = planned.step_down_mm;
+    operation.z_floor_mm = planned.z_floor_mm;
+    operation.leaves = planned.leaves;
+    operation.speed_rpm = planned.speed_rpm;
+    operation.coolant = planned.coolant;
+    operation.dwell_s = planned.dwell_s;
+    operation.start = read.start;
+    for (const ReadMove& move : read.moves)
+        operation.moves.push_back(move.fed);
+    return operation;
+}
+
+}  // namespace
+
+Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs) {
+    Job job;
+    job.part_name = record.part_name;
+    job.part_file = record.part_file;
+    job.setup_id = setup.id;
+    job.axis_name = setup.axis_name;
+    job.material = record.material;
+    job.machine_name = record.machine.name;
+    job.stock_size_mm = setup.stock_size_mm;
+    job.time_s = setup.time_s;
+    for (const ReadProgram& program : programs) {
+        for (const ReadOperation& read : program.operations) {
+            const auto found = record.operations.find(read.id);
+            if (found == record.operations.end())
+                throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", program.file, read.line),
+                            fmt::format("the plan has no operation '{}'", read.id));
+            job.operations.push_back(jobOperation(found->second, read));
+        }
+    }
+    return job;
+}
+
+}  // namespace stepmill
