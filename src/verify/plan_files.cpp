@@ -18,18 +18,18 @@ int visitOf(const std::string& file, const std::string& setup_id, Dialect dialec
     return std::atoi(file.c_str() + begin.size());
 }
 
-/// The setup's program of that name, or those for every visit of a tool.
+/// The setup's program of that name, or those for every visit of a tool: none where nothing is cut.
 std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& whole,
-                                      const std::string& setup_id, Dialect dialect,
-                                      std::uintmax_t max_bytes) {
+                                      const RecordedSetup& setup, Dialect dialect, std::uintmax_t max_bytes) {
     if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole, max_bytes)}};
     std::map<int, std::string> visits;
     for (const auto& entry : std::filesystem::directory_iterator(dir)) {
         const std::string name = entry.path().filename().string();
-        const int visit = visitOf(name, setup_id, dialect);
+        const int visit = visitOf(name, setup.id, dialect);
         if (visit > 0) visits[visit] = name;
     }
-    if (visits.empty()) return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
+    if (visits.empty() && !setup.operation_ids.empty())
+        return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
     std::vector<PostedProgram> programs;
     for (const auto& [visit, name] : visits)
         programs.push_back({name, readFile(dir / name, max_bytes)});
@@ -46,7 +46,7 @@ PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Di
     files.dialect = dialect.value_or(dialectOf(record.machine));
     for (const RecordedSetup& setup : record.setups)
         files.programs[setup.id] = programsIn(dir, dialect ? programName(setup.id, *dialect) : setup.program,
-                                              setup.id, files.dialect, max_bytes);
+                                              setup, files.dialect, max_bytes);
     return files;
 }
 

@@ -3,8 +3,8 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include <sys/stat.h>
@@ -29,8 +29,9 @@ const std::string kPocket = kSource + "/step_parts/rounded_pocket.step";
 const std::string kSlow = kSource + "/step_parts/bossed_pocket.step";
 
 std::string slurp(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
 }
 
 std::set<std::string> namesIn(const fs::path& folder) {
@@ -89,7 +90,7 @@ class JobFolders : public testing::Test {
 };
 
 TEST_F(JobFolders, NothingOfAnEarlierPlanAndItsPostsStays) {
-    plan(kPocket, {"--setup", "+z", "--setup", "-z"});
+    plan(kPocket, {"--setup", "+z", "--setup", "-z"});  // nothing is left for the second
     for (const Words& how : {Words{"fanuc"}, {"grbl"}, {"grbl", "--per", "tool"}}) {
         Words words{"post", job_.string(), "--dialect"};
         words.insert(words.end(), how.begin(), how.end());
@@ -282,7 +283,9 @@ TEST_F(JobFolders, LargeFilesAreRefusedByTheirSize) {
 
 TEST_F(JobFolders, LimitsAreToldAsWhatTheyAre) {
     const std::string slow = "'" + kSlow + "' -o job";
-    const ProgramRun memory = shell("$S plan " + slow + " --memory 0.035 --jobs 1");
+    std::ofstream(file("spaces.json")) << std::string(std::size_t{40} << 20, ' ');
+    const ProgramRun memory =
+        shell("$S tools validate spaces.json --memory 0.05; code=$?; rm spaces.json; exit $code");
     EXPECT_EQ(memory.exit_code, 2) << memory.err;
     EXPECT_NE(memory.err.find("ran out of memory"), std::string::npos) << memory.err;
     EXPECT_NE(memory.err.find("--memory"), std::string::npos) << memory.err;
@@ -294,7 +297,7 @@ TEST_F(JobFolders, LimitsAreToldAsWhatTheyAre) {
 }
 
 TEST_F(JobFolders, RangesAreToldInShortMessages) {
-    for (const std::string& option :
+    for (const std::string option :
          {"--timeout nan", "--timeout inf", "--timeout -1", "--timeout 1e400", "--memory 0", "--memory nan",
           "--max-file-size -3", "--jobs -1", "--jobs 99999999999999999999", "--setup 1e308,1e308,1e308",
           "--setup 0,0,1e300", "--setup nan,0,1"}) {
