@@ -74,6 +74,10 @@ class Gatherer {
             program_.operations.back().dwells.push_back({dwell.seconds, action_->line, dwell.z_mm});
     }
 
+    void take(const reader::ToolPrepared& prepared) {
+        program_.tool_words.push_back({action_->line, operationId(), prepared.tool});
+    }
+
     void take(const reader::ToolChange&) {
         stop(false);
         at_.reset();

@@ -174,6 +174,13 @@ void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofF
             failures.push_back({program.file, stop.line, stop.operation, fault});
 }
 
+void proveTools(const ReadProgram& program, const std::set<int>& tools, std::vector<ProofFailure>& failures) {
+    for (const ReadToolWord& word : program.tool_words)
+        if (tools.count(word.tool) == 0)
+            failures.push_back(
+                {program.file, word.line, word.operation, fmt::format("T{} is no tool of this setup", word.tool)});
+}
+
 void TravelProver::prove(const ReadProgram& program) {
     for (const ReadOperation& operation : program.operations) {
         if (operation.moves.empty()) continue;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "stepmill/verify/verify.h"
 #include "verify/prove_operation.h"
 
@@ -14,6 +16,9 @@ void proveStates(const ReadProgram& program, const ReadOperation& operation,
 /// Rapids from or to places that the program does not say stay over stock and fixtures, with the right offsets;
 /// tools change and programs end there too.
 void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofFailure>& failures);
+
+/// Every tool that is named is one of the setup's: a controller refuses those its table lacks.
+void proveTools(const ReadProgram& program, const std::set<int>& tools, std::vector<ProofFailure>& failures);
 
 /// How far the tool goes along each axis over a setup's programs; a failure where that is first more than the
 /// machine travels.

@@ -37,6 +37,7 @@ class SetupProver {
             file_ = program.file;
             if (setup_.within_travel) travel.prove(program);
             verify::proveLeaps(program, highestFixtureMm(setup_.fixtures), into_.failures);
+            verify::proveTools(program, toolNumbers(), into_.failures);
             for (const ReadOperation& operation : program.operations)
                 proveOne(operation);
         }
@@ -46,6 +47,13 @@ class SetupProver {
     }
 
   private:
+    std::set<int> toolNumbers() const {
+        std::set<int> numbers;
+        for (const std::string& id : setup_.operation_ids)
+            numbers.insert(record_.operations.at(id).tool.number);
+        return numbers;
+    }
+
     void proveOne(const ReadOperation& operation) {
         const RecordedOperation& planned = plannedOf(operation);
         FeatureState& state = stateOf(planned.feature_id);

@@ -15,7 +15,7 @@ class CanonReader {
         const std::size_t open = line.find('(');
         if (open == std::string::npos) return;
         std::size_t name = open;
-        while (name > 0 && (std::isupper(static_cast<unsigned char>(line[name - 1])) || line[name - 1] == '_'))
+        while (name > 0 && line[name - 1] != ' ')
             --name;
         const std::string call = line.substr(name, open - name);
         const std::string inside = line.substr(open + 1, line.rfind(')') - open - 1);
@@ -48,8 +48,13 @@ class CanonReader {
         if (call == "MIST_OFF") now_.mist = false;
         if (call == "FLOOD_ON") now_.flood = true;
         if (call == "FLOOD_OFF") now_.flood = false;
-        if (call == "COMMENT") now_.comment = inside;
-        if (call == "CHANGE_TOOL") now_.tool = static_cast<int>(v.at(0));
+        if (call == "COMMENT" && inside.find(".O") != std::string::npos) now_.comment = inside;
+        if (call == "USE_TOOL_LENGTH_OFFSET") now_.length_offset = v.at(2) * unit_;
+        if (call == "SET_G5X_OFFSET") now_.work_offset = static_cast<int>(v.at(0));
+        if (call == "SET_MOTION_CONTROL_MODE") now_.path_control = inside;
+        // CHANGE_TOOL names a row of the table.
+        if (call == "SELECT_TOOL") selected_ = static_cast<int>(v.at(0));
+        if (call == "CHANGE_TOOL") now_.tool = selected_;
         if (call == "CHANGE_TOOL") add(CanonEvent::Kind::ToolChange);
         if (call == "PROGRAM_END") add(CanonEvent::Kind::End);
         if (call == "DWELL") add(CanonEvent::Kind::Dwell).seconds = v.at(0);
@@ -72,12 +77,15 @@ class CanonReader {
     void straight(CanonEvent::Kind kind, const std::vector<double>& v) {
         const std::array<double, 3> to{v.at(0) * unit_, v.at(1) * unit_, v.at(2) * unit_};
         const double way = std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]);
+        const double open = kPrinted * (unit_ + unit_before_);
         at_ = to;
-        if (way > 1e-9) add(kind);
+        unit_before_ = unit_;
+        if (way > 1.01 * open) add(kind);
     }
 
     void arc(const std::vector<double>& v) {
         at_ = {v.at(0) * unit_, v.at(1) * unit_, v.at(5) * unit_};
+        unit_before_ = unit_;
         CanonEvent& event = add(CanonEvent::Kind::Arc);
         event.centre = {v.at(2) * unit_, v.at(3) * unit_};
         event.turns = static_cast<int>(v.at(4));
@@ -86,6 +94,8 @@ class CanonReader {
     CanonEvent now_;
     std::array<double, 3> at_{};
     double unit_ = 1;
+    double unit_before_ = 1;  ///< when at_ was printed
+    int selected_ = 0;
     double feed_ = 0;
     bool per_rev_ = false;
 };

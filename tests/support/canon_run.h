@@ -15,14 +15,17 @@ struct CanonEvent {
     std::array<double, 2> centre{};
     int turns = 0;  ///< of an arc: positive counter-clockwise
     double feed_mm_per_min = 0;
-    double seconds = 0;  ///< of a dwell
+    double seconds = 0;     ///< of a dwell
     double printed_mm = 0;  ///< what the four printed decimals leave open
     int spin = 0;           ///< 1 clockwise, -1 counter-clockwise
     double speed_rpm = 0;
     bool mist = false;
     bool flood = false;
     int tool = 0;
-    std::string comment;  ///< last one before
+    double length_offset = 0;   ///< in z [mm]
+    int work_offset = 1;       ///< 1 to 9: G54 to G59.3
+    std::string path_control;  ///< as printed
+    std::string comment;       ///< the last one before that begins an operation
 };
 
 /// Reads what rs274 -g prints. Motions that go nowhere are left out.

@@ -35,7 +35,7 @@ constexpr const char* kFaults[] = {"G0 G1 X1",
                                    "G2 I1 P0",
                                    "G80 X1",
                                    "G4",
-                                   "G4 P-2",
+                                   "G4 P-1",
                                    "G4 P1 G2 I1",
                                    "G28 G1 X1",
                                    "G91 G53 G0 Z0",
@@ -74,7 +74,7 @@ constexpr const char* kFaults[] = {"G0 G1 X1",
                                    "G1 X$5"};
 
 /// Blocks that LinuxCNC obeys in most places and our reader refuses.
-constexpr const char* kBeyond[] = {"#1=5",          "G1 X#5220 F100",  "G1 X[1+2] F100", "G92 X0",     "/G0 X1",
+constexpr const char* kBeyond[] = {"#1=5", "G4 P-2","G1 X#5220 F100",  "G1 X[1+2] F100", "G92 X0",     "/G0 X1",
                                    "G10 L2 P1 X0",  "G41 D1",          "G0 A5",          "G43.1 Z1",   "G53 G1 X1 F100",
                                    "G53 G0 Z1",     "M60",             "G97 S100",       "M48",        "N1.5 G0 X1",
                                    "G0 X-+5",       "G90.1 G17 G90 G81 X1 Z-3 R1 L2 F100", "(ABORT, stop)",
@@ -136,7 +136,7 @@ class Generator {
         const double grid = std::pow(10.0, decimals());
         return std::round(number * grid) / grid;
     }
-    std::string word(char letter, double number) { return letter + spelt(number, decimals()); }
+    std::string word(char letter, double number) { return fmt::format("{}{}", letter, spelt(number, decimals())); }
 
     /// The axis word that leads to `to_mm`; the place is then where the written number leads.
     std::string axis(int index, double to_mm) {
@@ -199,7 +199,7 @@ class Generator {
     }
 
     void setFeed() {
-        block({"F" + spelt(inch_ ? real(1, 50) : real(20, 2000), 2)});
+        block({fmt::format("F{}", spelt(inch_ ? real(1, 50) : real(20, 2000), 2))});
         fed_ = true;
     }
 
@@ -268,7 +268,7 @@ class Generator {
         Words words;
         const bool modal = motion_ == code && chance(0.6);
         if (!modal) words.push_back(g(code));
-        if (chance(0.1)) words.push_back("F" + spelt(inch_ ? real(1, 50) : real(20, 2000), 1));
+        if (chance(0.1)) words.push_back(fmt::format("F{}", spelt(inch_ ? real(1, 50) : real(20, 2000), 1)));
         int axes = 0;
         for (int i = 0; i < 3; ++i) {
             if (!chance(0.5) && !(i == 2 && axes == 0)) continue;
@@ -376,7 +376,7 @@ class Generator {
 
     void inverseTime() {
         block({g(93)});
-        Words words{g(1), axis(0, real(-50, 50)), "F" + spelt(real(0.5, 20), 2)};
+        Words words{g(1), axis(0, real(-50, 50)), fmt::format("F{}", spelt(real(0.5, 20), 2))};
         block(words, true);
         block({g(94)});
         setFeed();

@@ -50,12 +50,13 @@ struct CanonOperation {
 /// A run of LinuxCNC's interpreter in a folder of its own: it keeps its tool table under HOME.
 class SecondReader {
   public:
-    SecondReader(const std::string& text, const std::string& table) {
+    /// \param variables  of the interpreter, "number value" a line; offsets are in inches
+    SecondReader(const std::string& text, const std::string& table, const std::string& variables = "") {
         namespace fs = std::filesystem;
         const fs::path folder = folder_.path();
         std::ofstream(folder / "in.ngc") << text;
         std::ofstream(folder / "tool.tbl") << table;
-        std::ofstream(folder / "rs274.var") << "";
+        std::ofstream(folder / "rs274.var") << variables;
         const std::string command =
             "cd '" + folder.string() +
             "' && HOME=\"$PWD\" timeout 60 rs274 -t tool.tbl -v rs274.var -g in.ngc out.txt"

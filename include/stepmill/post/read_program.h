@@ -60,6 +60,13 @@ struct ReadStop {
     bool is_end = false;
 };
 
+/// A T word.
+struct ReadToolWord {
+    int line = 0;
+    std::string operation;
+    int tool = 0;
+};
+
 struct ReadProgram {
     std::string file;
     bool has_length_offsets = false;  ///< the controller takes a tool's length from a table (G43 H)
@@ -68,6 +75,7 @@ struct ReadProgram {
     std::vector<ReadOperation> operations;
     std::vector<ReadLeap> leaps;
     std::vector<ReadStop> stops;  ///< in the program's order
+    std::vector<ReadToolWord> tool_words;
 };
 
 /// Reads a program as the controller will run it: an interpreter of RS274/NGC with its modal groups and order

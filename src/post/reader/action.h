@@ -43,6 +43,10 @@ struct Dwell {
     double z_mm = std::numeric_limits<double>::infinity();  ///< infinite: not known
 };
 
+/// A tool is asked for; it comes into the spindle later.
+struct ToolPrepared {
+    int tool = 0;
+};
 /// The tool in the state is the new one.
 struct ToolChange {};
 struct ProgramEnd {};
@@ -50,7 +54,7 @@ struct Comment {
     std::string text;
 };
 
-using Doing = std::variant<Motion, Dwell, ToolChange, ProgramEnd, Comment>;
+using Doing = std::variant<Motion, Dwell, ToolPrepared, ToolChange, ProgramEnd, Comment>;
 
 /// One thing the machine does, the line that asks for it, and what the machine is set to by then.
 struct Action {

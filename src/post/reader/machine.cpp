@@ -139,6 +139,7 @@ void Machine::prepareTool(const Block& block) {
     const auto t = block.number('T');
     if (!t) return;
     prepared_tool_ = static_cast<int>(std::round(*t));
+    act(ToolPrepared{*prepared_tool_});
     // Without a changer the first tool is in the spindle when the program starts.
     if (!rules_.tool_changer && !state_.tool) state_.tool = prepared_tool_;
 }

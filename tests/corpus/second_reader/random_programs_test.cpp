@@ -65,6 +65,7 @@ class Comparison {
   private:
     std::string compare(const reader::Comment&, const Action&) { return {}; }
     std::string compare(const reader::ProgramEnd&, const Action&) { return expect(CanonEvent::Kind::End); }
+    std::string compare(const reader::ToolPrepared&, const Action&) { return {}; }
     std::string compare(const reader::ToolChange&, const Action& action) {
         const std::string found = expect(CanonEvent::Kind::ToolChange);
         return found.empty() && theirs_[next_ - 1].tool != run_.states[action.state].tool ? "another tool" : found;
