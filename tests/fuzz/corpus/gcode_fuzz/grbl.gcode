@@ -1,0 +1,98 @@
+(Part Halter [links] ? 100  from part.step)
+(Setup S1, tool axis +z of the part, material aluminium)
+(Stock 100.000 x 50.000 x 20.000 mm)
+(Work offset G54: X0 Y0 at the lower-left corner, Z0 at the top of the stock)
+(Machine mill)
+(T3 EM10 flat D10.000 mm, stick-out 30.000 mm)
+(T5 DR5 drill D5.000 mm, stick-out 30.000 mm)
+(T12 EM6 flat D6.000 mm, stick-out 30.000 mm)
+(6 operations)
+G21 G17 G40 G49 G80 G90 G94 G54
+G61
+(S1.O1 feature S1.F1 T3 rough contour-parallel, 1 x 2.000 mm deep to Z0.000)
+M5
+M9
+(Put in T3 EM10, then set Z0 with it on the top of the stock)
+T3
+S8000 M3
+M8
+N1 G0 Z5.0000
+N2 G0 X37.7778 Y20.1235
+N3 G0 Z1.0000
+N4 G1 Z0.0000 F300.00
+N5 G3 X22.2222 Y20.1235 Z-1.0000 I-7.7778 J0.0000 F900.00
+N6 G3 X37.7778 Y20.1235 Z-2.0001 I7.7778 J0.0000
+N7 G3 X22.2222 Y20.1235 I-7.7778 J0.0000 F1200.00
+N8 G3 X37.7778 Y20.1235 I7.7778 J0.0000
+N9 G3 X23.2642 Y24.0123 I-7.7778 J0.0000
+N10 G3 X33.8889 Y13.3877 I6.7358 J-3.8888
+N11 G1 X60.3333 Y21.1000
+N12 G0 Z5.0000
+(S1.O2 feature S1.F1 T3 rough contour-parallel, 1 x 2.000 mm deep to Z0.000)
+N13 G0 X10.0000 Y10.0000
+N14 G1 Z-1.0000 F300.00
+N15 G1 X20.0000 F1200.00
+N16 G3 X22.0000 Y12.0000 I0.0000 J2.0000
+N17 G2 X24.0000 Y14.0000 I2.0000 J0.0000
+N18 G0 Z5.0000
+(S1.O3 feature S1.F1 T12 rough contour-parallel, 1 x 2.000 mm deep to Z0.000)
+M5
+M9
+(Put in T12 EM6, then set Z0 with it on the top of the stock)
+T12
+M0
+S8000 M3
+M8
+N19 G0 Z5.0000
+N20 G0 X24.0000 Y14.0000
+N21 G0 X70.0000 Y40.0000
+N22 G1 Z-3.0000 F300.00
+N23 G0 Z5.0000
+(S1.O4 feature S1.F2 T5 drill drill, 1 x 10.000 mm deep to Z-10.000)
+M5
+M9
+(Put in T5 DR5, then set Z0 with it on the top of the stock)
+T5
+M0
+S4000 M3
+M7
+N24 G0 Z5.0000
+N25 G0 X70.0000 Y40.0000
+N26 G0 X10.0000 Y40.1235
+N27 G0 Z1.0000
+N28 G1 Z-10.0000 F250.00
+G4 P0.500
+N29 G0 Z5.0000
+(S1.O5 feature S1.F3 T5 drill drill, 4 x 2.500 mm deep to Z-10.000)
+M9
+N30 G0 X20.0000
+N31 G0 Z1.0000
+N32 G1 Z-2.5000
+N33 G0 Z1.0000
+N34 G0 Z-2.0000
+N35 G1 Z-5.0000
+N36 G0 Z1.0000
+N37 G0 Z-4.5000
+N38 G1 Z-7.5000
+N39 G0 Z1.0000
+N40 G0 Z-7.0000
+N41 G1 Z-10.0000
+N42 G0 Z5.0000
+(S1.O6 feature S1.F4 T5 drill drill, 4 x 2.500 mm deep to Z-10.000)
+N43 G0 X30.0000
+N44 G0 Z1.0000
+N45 G1 Z-2.5000
+N46 G0 Z1.0000
+N47 G0 Z-2.0000
+N48 G1 Z-5.0000
+N49 G0 Z1.0000
+N50 G0 Z-4.5000
+N51 G1 Z-7.5000
+N52 G0 Z1.0000
+N53 G0 Z-7.0000
+N54 G1 Z-10.0000
+G4 P0.500
+N55 G0 Z5.0000
+M9
+M5
+M30
