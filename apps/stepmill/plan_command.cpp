@@ -63,15 +63,24 @@ int planOne(const Part& part, const PlanOptions& options, const PlanRequest& req
     return exitCodeOf(proven, options, tol);
 }
 
+NewJob withSolidsOf(const Manifest& before, NewJob job) {
+    for (const std::string& solid : before.solids)
+        if (std::find(job.solids.begin(), job.solids.end(), solid) == job.solids.end())
+            job.solids.push_back(solid);
+    return job;
+}
+
 /// Each solid is a job of its own, in a folder below; the folder above names them.
 int planSolids(const std::vector<Part>& parts, const PlanOptions& options, const PlanRequest& request,
                const Shop& shop, Workplace& place) {
     int exit_code = kComplete;
     NewJob all{JobWriter::Plan, parts.front().file, parts.front().sha256, "", {}, {}};
+    const Manifest before = readManifest(place.folder->path()).value_or(Manifest{});
     for (const Part& part : parts) {
         all.solids.push_back(fmt::format("solid-{}", part.solid_index));
         JobFolder folder(place.folder->path() / all.solids.back());
         exit_code = std::max(exit_code, planOne(part, options, request, shop, folder, place.progress));
+        place.folder->write(withSolidsOf(before, all));  // a run that is stopped later leaves none unnamed
     }
     place.folder->write(all);
     return exit_code;
