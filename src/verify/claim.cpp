@@ -144,10 +144,9 @@ class SetupComparison {
         region(derived.id, "the obstruction", recorded.obstruction, derived.obstruction);
         if (recorded.parents != derived.parents)
             fail(derived.id, "waits for other features than the part says");
-        if (recorded.through != derived.through)
-            fail(derived.id, recorded.through ? "has a floor" : "goes through");
-        if (isHole(recorded.feature_class) != isHole(derived.feature_class))
-            fail(derived.id, fmt::format("is a {}", toString(derived.feature_class)));
+        if (recorded.feature_class != derived.feature_class)
+            fail(derived.id, fmt::format("is a {}, not a {}", toString(derived.feature_class),
+                                         toString(recorded.feature_class)));
         compareObstacles(recorded, derived);
     }
 

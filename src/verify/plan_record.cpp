@@ -54,6 +54,19 @@ ToolAssembly tool(const Json& json) {
     return tool;
 }
 
+/// \pre the schema allows the word
+FeatureClass featureClass(const std::string& word) {
+    for (int i = 0; i <= static_cast<int>(FeatureClass::Engraving); ++i)
+        if (toString(static_cast<FeatureClass>(i)) == word) return static_cast<FeatureClass>(i);
+    throw Error(ErrorCode::Internal, word,
+                "a class of features the schema allows and the reader does not know");
+}
+
+bool hasNoFloor(FeatureClass feature_class) {
+    return feature_class == FeatureClass::HoleThrough || feature_class == FeatureClass::ThroughPocket ||
+           feature_class == FeatureClass::OpenProfile;
+}
+
 PlannedFeature feature(const Json& json, const std::string& pointer) {
     PlannedFeature planned;
     Feature& feature = planned.feature;
@@ -62,11 +75,8 @@ PlannedFeature feature(const Json& json, const std::string& pointer) {
     feature.parents = json["parents"].get<std::vector<std::string>>();
     feature.top_z_mm = json["top_z_mm"];
     feature.floor_z_mm = json["floor_z_mm"];
-    // Of the classes only whether there is a floor matters here.
-    const std::string name = json["class"];
-    feature.through = name.starts_with("through") || name == toString(FeatureClass::OpenProfile);
-    if (name == toString(FeatureClass::HoleThrough)) feature.feature_class = FeatureClass::HoleThrough;
-    if (name == toString(FeatureClass::HoleBlind)) feature.feature_class = FeatureClass::HoleBlind;
+    feature.feature_class = featureClass(json["class"]);
+    feature.through = hasNoFloor(feature.feature_class);
     feature.area_mm2 = json["area_mm2"];
     feature.volume_mm3 = json["volume_mm3"];
     feature.target = region(json["target"], pointer + "/target");

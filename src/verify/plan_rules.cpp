@@ -22,6 +22,9 @@ constexpr double kSameRadiusMm = 2 * kWritten;
 /// An area or a volume and what it is of agree to this share: both come from one computation and are rounded.
 constexpr double kSameShare = 1e-6;
 
+/// Three numbers of six decimals are of length 1 to this.
+constexpr double kUnitLength = 1e-5;
+
 std::string at(const char* list, std::size_t index, const char* field = nullptr) {
     return field == nullptr ? fmt::format("#/{}/{}", list, index)
                             : fmt::format("#/{}/{}/{}", list, index, field);
@@ -117,6 +120,16 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
         failAt(pointer + "/z_top_mm", "expected a top above the floor");
 }
 
+void checkAxes(const Json& plan) {
+    for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
+        const Json& axis = plan["setups"][i]["axis"];
+        const double length = std::hypot(axis[0].get<double>(), axis[1].get<double>(), axis[2].get<double>());
+        if (std::abs(length - 1) > kUnitLength)
+            failAt(at("setups", i, "axis"),
+                   fmt::format("expected a unit vector, found one of length {:g}", length));
+    }
+}
+
 void checkPrograms(const Json& plan) {
     const std::optional<Dialect> dialect =
         dialectFrom(plan["machine"].value("dialect", toString(Dialect::LinuxCnc)));
@@ -155,6 +168,7 @@ void checkPlanRules(const Json& plan) {
         checkOperation(plan["operations"][i], tools, feature_setup, at("operations", i));
     checkListed(plan, "features");
     checkListed(plan, "operations");
+    checkAxes(plan);
     checkPrograms(plan);
 }
 

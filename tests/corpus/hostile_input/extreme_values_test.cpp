@@ -92,7 +92,7 @@ std::vector<Number> numbersOf(const Job& job) {
     for (const auto& [file, name] :
          {std::pair("tools", SchemaName::Tools), std::pair("machine", SchemaName::Machine),
           std::pair("fixtures", SchemaName::Fixtures)})
-        collect(file, schemaJson(name), job.at(file), {}, {}, numbers);
+        collect(file, schemaJson(name), job.at(file), json::json_pointer(), {}, numbers);
     return numbers;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -411,6 +412,35 @@ TEST_P(WholePlan, IsProvenAgainstPartAndLibrary) {
 }
 
 INSTANTIATE_TEST_SUITE_P(One, WholePlan, testing::Values(Weakening{"none", {}}));
+
+/// One number for every field that the format has, by its place; the first of each list stands for all.
+void collectNumbers(const Json& value, const Json::json_pointer& place,
+                    std::vector<Json::json_pointer>& places) {
+    if (value.is_number()) places.push_back(place);
+    if (value.is_object())
+        for (const auto& [name, item] : value.items())
+            collectNumbers(item, place / name, places);
+    if (value.is_array() && !value.empty()) collectNumbers(value[0], place / std::size_t{0}, places);
+}
+
+TEST_P(WholePlan, EndsInNoBugWhateverItsNumbers) {
+    std::vector<Json::json_pointer> places;
+    collectNumbers(*plan_, Json::json_pointer(), places);
+    EXPECT_GT(places.size(), 100U);
+    for (const Json::json_pointer& place : places) {
+        for (const double value : {0.0, -1.0, 1.0, 1e-9, 1e6, 1e12, 1e308}) {
+            Json plan = *plan_;
+            plan[place] = value;
+            std::ofstream(job() / "plan.json", std::ios::binary) << plan.dump();
+            const ProgramRun run = runProgram({stepmillBinary(), "verify", job().string()});
+            EXPECT_GE(run.exit_code, 0) << place.to_string() << " = " << value;
+            // A broken promise of ours names its line.
+            EXPECT_EQ(run.err.find(".cpp:"), std::string::npos)
+                << place.to_string() << " = " << value << run.err;
+            EXPECT_LT(run.err.size(), 1000U) << place.to_string() << " = " << value;
+        }
+    }
+}
 
 }  // namespace
 }  // namespace stepmill::test

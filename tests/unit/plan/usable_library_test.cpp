@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include "plan/plan_steps.h"
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
+#include "toolpath/path_frame.h"
+
+namespace stepmill {
+namespace {
+
+SequenceOptions inAluminium() {
+    SequenceOptions options;
+    options.material = "aluminium";
+    return options;
+}
+
+/// How many tools keep their cutting data, over that height of stock.
+std::size_t usable(const ToolLibrary& library, const SequenceOptions& options, const Machine& machine,
+                   double deepest_mm, std::vector<Warning>& warnings) {
+    std::size_t count = 0;
+    for (const ToolAssembly& tool : usableLibrary(library, options, machine, deepest_mm, warnings).tools)
+        count += tool.cuttingFor(options.material) != nullptr ? 1 : 0;
+    return count;
+}
+
+TEST(UsableLibrary, IsAllOfAGoodOne) {
+    const ToolLibrary library = defaultToolLibrary();
+    std::vector<Warning> warnings;
+    EXPECT_EQ(usable(library, inAluminium(), defaultMachine(), 300, warnings), library.tools.size());
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST(UsableLibrary, LeavesOutFeedsThatASlowSpindleMakesNothing) {
+    Machine machine = defaultMachine();
+    machine.max_speed_rpm = 1;
+    std::vector<Warning> warnings;
+    EXPECT_EQ(usable(defaultToolLibrary(), inAluminium(), machine, 30, warnings), 0U);
+    ASSERT_EQ(warnings.size(), defaultToolLibrary().tools.size());
+    EXPECT_EQ(warnings.front().code, "tool-unusable");
+}
+
+TEST(UsableLibrary, LeavesOutStepDownsTooThinForTheStock) {
+    ToolLibrary library = defaultToolLibrary();
+    for (CuttingData& data : library.tools.front().cutting)
+        data.step_down_mm = 0.01;
+    std::vector<Warning> warnings;
+    EXPECT_EQ(usable(library, inAluminium(), defaultMachine(), 9, warnings), library.tools.size());
+    EXPECT_EQ(usable(library, inAluminium(), defaultMachine(), 11, warnings), library.tools.size() - 1);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings.front().subject, library.tools.front().id);
+}
+
+TEST(UsableLibrary, LeavesOutFinishingCutsTooThinForTheStock) {
+    ToolLibrary library = defaultToolLibrary();
+    for (CuttingData& data : library.tools.front().cutting) {
+        data.step_over_mm = 0.05;
+        data.step_down_mm = 0.5;
+    }
+    SequenceOptions options = inAluminium();
+    options.finish.walls_mm = 2;
+    std::vector<Warning> warnings;
+    EXPECT_EQ(usable(library, options, defaultMachine(), 20, warnings), library.tools.size() - 1);
+}
+
+TEST(LayersFor, RefusesMoreThanAPathCanHave) {
+    EXPECT_EQ(toolpath::layersFor(10, 0.01), 1000);
+    for (const double step_down_mm : {0.009, 3e-9, 1e-300})
+        EXPECT_THROW(toolpath::layersFor(10, step_down_mm), Error) << step_down_mm;
+}
+
+}  // namespace
+}  // namespace stepmill
