@@ -156,7 +156,8 @@ class Gatherer {
         const bool home = motion.to.z_home;
         if (program_.operations.empty()) {
             if (motion.from.known() && !home)
-                throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", program_.file, action_->line),
+                throw Error(ErrorCode::InvalidCatalog,
+                            fmt::format("{}, line {}", program_.file, action_->line),
                             "a motion before the first operation's comment");
             return;
         }

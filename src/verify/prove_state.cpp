@@ -177,8 +177,8 @@ void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofF
 void proveTools(const ReadProgram& program, const std::set<int>& tools, std::vector<ProofFailure>& failures) {
     for (const ReadToolWord& word : program.tool_words)
         if (tools.count(word.tool) == 0)
-            failures.push_back(
-                {program.file, word.line, word.operation, fmt::format("T{} is no tool of this setup", word.tool)});
+            failures.push_back({program.file, word.line, word.operation,
+                                fmt::format("T{} is no tool of this setup", word.tool)});
 }
 
 void TravelProver::prove(const ReadProgram& program) {

@@ -10,11 +10,11 @@ namespace stepmill::verify {
 /// What the machine is set to at every motion of an operation: the planned tool with its length offset, the
 /// planned work offset, G17, G40, G94, a path that is kept to, and at feeds the spindle and the coolant as
 /// planned. Each fault is told where it shows first.
-void proveStates(const ReadProgram& program, const ReadOperation& operation,
-                 const RecordedOperation& planned, const Findings& findings);
+void proveStates(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
+                 const Findings& findings);
 
-/// Rapids from or to places that the program does not say stay over stock and fixtures, with the right offsets;
-/// tools change and programs end there too.
+/// Rapids from or to places that the program does not say stay over stock and fixtures, with the right
+/// offsets; tools change and programs end there too.
 void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofFailure>& failures);
 
 /// Every tool that is named is one of the setup's: a controller refuses those its table lacks.
@@ -38,8 +38,9 @@ class TravelProver {
     std::array<bool, 3> told_{};
 };
 
-/// A drill goes as deep as planned, in pecks no deeper than planned, and stays at the bottom as long as planned.
-void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
-                   const Findings& findings);
+/// A drill goes as deep as planned, in pecks no deeper than planned, and stays at the bottom as long as
+/// planned.
+void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
+                   const FeatureState& state, const Findings& findings);
 
 }  // namespace stepmill::verify

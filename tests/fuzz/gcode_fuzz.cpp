@@ -1,5 +1,5 @@
-// The reader of programs, over any text in any dialect: it reads or refuses, it never dies, and what it reads is
-// finite and stands in order.
+// The reader of programs, over any text in any dialect: it reads or refuses, it never dies, and what it reads
+// is finite and stands in order.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "support/canon_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -76,7 +77,9 @@ class CanonReader {
 
     void straight(CanonEvent::Kind kind, const std::vector<double>& v) {
         const std::array<double, 3> to{v.at(0) * unit_, v.at(1) * unit_, v.at(2) * unit_};
-        const double way = std::hypot(to[0] - at_[0], to[1] - at_[1], to[2] - at_[2]);
+        double way = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            way = std::max(way, std::abs(to[i] - at_[i]));
         const double open = kPrinted * (unit_ + unit_before_);
         at_ = to;
         unit_before_ = unit_;

@@ -6,8 +6,8 @@
 
 namespace stepmill::test {
 
-/// One thing LinuxCNC's interpreter has the machine do, in mm whatever the program's units, and what the machine
-/// is set to by then.
+/// One thing LinuxCNC's interpreter has the machine do, in mm whatever the program's units, and what the
+/// machine is set to by then.
 struct CanonEvent {
     enum class Kind { Rapid, Feed, Arc, Dwell, ToolChange, End };
     Kind kind = Kind::Rapid;
@@ -22,7 +22,7 @@ struct CanonEvent {
     bool mist = false;
     bool flood = false;
     int tool = 0;
-    double length_offset = 0;   ///< in z [mm]
+    double length_offset = 0;  ///< in z [mm]
     int work_offset = 1;       ///< 1 to 9: G54 to G59.3
     std::string path_control;  ///< as printed
     std::string comment;       ///< the last one before that begins an operation

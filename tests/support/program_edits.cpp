@@ -8,18 +8,43 @@
 namespace stepmill::test {
 namespace {
 
-constexpr const char* kCodes[] = {"G0",  "G1",  "G2",  "G3",  "G80", "G81", "G90", "G91", "G20", "G21", "G17", "G18",
-                                  "G54", "G55", "G43", "G49", "G40", "G61", "G64", "G94", "G93", "G98", "G99", "G28",
-                                  "G53", "M3",  "M4",  "M5",  "M6",  "M7",  "M8",  "M9",  "M30", "M0"};
-constexpr const char* kWords[] = {"X0",  "Y10", "Z-5", "Z5",  "F5000", "F50", "S500", "S30000", "P3",  "I5", "R5",
-                                  "T1",  "H1",  "G91", "G0",  "M5",    "M9",  "M8",   "G54",    "G64", "Q1", "X1e2",
-                                  "G61", "G40"};
-constexpr const char* kLines[] = {"G28 X0 Y0 Z-12", "G91 G28 Z-30", "G53 G0 Z0", "G4 P0.5",     "G4 P0 X90 Y70",
-                                  "M0",             "M1",           "G0 Z30",    "G0 Z-20",     "X20 Y20",
-                                  "T1",             "T2 M6",        "M5",        "M9",          "M3",
-                                  "G49",            "G55",          "G91",       "G20",         "S500",
-                                  "G64",            "G64 P0.01",    "G61",       "G92 X0",      "%",
-                                  "M30",            "G1 X0 Y0",     "G0 X0 Y0",  "G90 G17 G40", "G28 Z40"};
+constexpr const char* kCodes[] = {"G0",  "G1",  "G2",  "G3",  "G80", "G81", "G90", "G91", "G20",
+                                  "G21", "G17", "G18", "G54", "G55", "G43", "G49", "G40", "G61",
+                                  "G64", "G94", "G93", "G98", "G99", "G28", "G53", "M3",  "M4",
+                                  "M5",  "M6",  "M7",  "M8",  "M9",  "M30", "M0"};
+constexpr const char* kWords[] = {"X0", "Y10", "Z-5", "Z5",  "F5000", "F50",  "S500", "S30000",
+                                  "P3", "I5",  "R5",  "T1",  "H1",    "G91",  "G0",   "M5",
+                                  "M9", "M8",  "G54", "G64", "Q1",    "X1e2", "G61",  "G40"};
+constexpr const char* kLines[] = {"G28 X0 Y0 Z-12",
+                                  "G91 G28 Z-30",
+                                  "G53 G0 Z0",
+                                  "G4 P0.5",
+                                  "G4 P0 X90 Y70",
+                                  "M0",
+                                  "M1",
+                                  "G0 Z30",
+                                  "G0 Z-20",
+                                  "X20 Y20",
+                                  "T1",
+                                  "T2 M6",
+                                  "M5",
+                                  "M9",
+                                  "M3",
+                                  "G49",
+                                  "G55",
+                                  "G91",
+                                  "G20",
+                                  "S500",
+                                  "G64",
+                                  "G64 P0.01",
+                                  "G61",
+                                  "G92 X0",
+                                  "%",
+                                  "M30",
+                                  "G1 X0 Y0",
+                                  "G0 X0 Y0",
+                                  "G90 G17 G40",
+                                  "G28 Z40"};
 
 /// Word boundaries of a line without comments: [begin, end) of each word.
 std::vector<std::pair<std::size_t, std::size_t>> wordsOf(const std::string& line) {
@@ -39,7 +64,9 @@ std::vector<std::pair<std::size_t, std::size_t>> wordsOf(const std::string& line
 
 class Editor {
   public:
-    Editor(const std::vector<std::string>& lines, std::mt19937& random) : random_(random) { edit_.lines = lines; }
+    Editor(const std::vector<std::string>& lines, std::mt19937& random) : random_(random) {
+        edit_.lines = lines;
+    }
 
     ProgramEdit make() {
         edit_.kind = static_cast<EditKind>(below(kEditKinds));
@@ -107,13 +134,14 @@ class Editor {
     void changeNumber() {
         const auto [begin, end] = anyWord(false);
         const double value = std::atof(line().c_str() + begin + 1);
-        const double steps[] = {-value, value + 0.01, value - 0.01, value + 1,  value - 1,  value * 10,
-                                value / 2, value + 10, value - 10,   value - 0.1, value + 0.3};
+        const double steps[] = {-value,    value + 0.01, value - 0.01, value + 1,   value - 1,  value * 10,
+                                value / 2, value + 10,   value - 10,   value - 0.1, value + 0.3};
         const char letter = line()[begin];
         const bool whole = letter == 'T' || letter == 'S' || letter == 'H';
         const double now = steps[below(std::size(steps))];
         told(at_, line().substr(0, begin + 1) +
-                      (whole ? fmt::format("{:.0f}", std::abs(now)) : fmt::format("{:.4f}", now)) + line().substr(end));
+                      (whole ? fmt::format("{:.0f}", std::abs(now)) : fmt::format("{:.4f}", now)) +
+                      line().substr(end));
     }
 
     void removeWord() {
@@ -165,7 +193,8 @@ class Editor {
                 now += " ; G0 Z-50";
                 break;
             case 2:
-                std::transform(now.begin(), now.end(), now.begin(), [](unsigned char c) { return std::tolower(c); });
+                std::transform(now.begin(), now.end(), now.begin(),
+                               [](unsigned char c) { return std::tolower(c); });
                 break;
             case 3:
                 std::erase(now, ' ');
@@ -204,8 +233,9 @@ class Editor {
 }  // namespace
 
 std::string toString(EditKind kind) {
-    constexpr const char* kNames[] = {"number changed", "word removed",  "word added", "code replaced", "line removed",
-                                      "line doubled",   "lines swapped", "line moved", "line added",    "harmless"};
+    constexpr const char* kNames[] = {"number changed", "word removed", "word added",    "code replaced",
+                                      "line removed",   "line doubled", "lines swapped", "line moved",
+                                      "line added",     "harmless"};
     return kNames[static_cast<int>(kind)];
 }
 

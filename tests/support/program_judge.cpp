@@ -85,7 +85,8 @@ class SettingsJudge {
         if (fresh_ && event.to[2] < setup_.safe_z_mm) return "comes from a tool change too low";
         const bool feeds = event.kind != Kind::Rapid;
         const bool moves_z = fresh_ || feeds;
-        if (moves_z && std::abs(event.length_offset - setup_.length_mm_per_tool * event.tool) > 1e-3) return "another length offset";
+        if (moves_z && std::abs(event.length_offset - setup_.length_mm_per_tool * event.tool) > 1e-3)
+            return "another length offset";
         fresh_ = false;
         for (std::size_t i = 0; i < 3; ++i) {
             low_[i] = std::min(low_[i], event.to[i]);
@@ -141,7 +142,8 @@ StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup
         if (!moves) continue;
         // Places far off are told as beyond the travel; sampling the way there would take for ever.
         const bool near = placeOf(event).cwiseAbs().maxCoeff() < 2000;
-        if (at && near) left.rapid_hits += map.run(pathOf(*at, event), radius_mm[event.tool], kRimMm).rapid_hits;
+        if (at && near)
+            left.rapid_hits += map.run(pathOf(*at, event), radius_mm[event.tool], kRimMm).rapid_hits;
         if (near) at = placeOf(event);
     }
     const Raster& raster = map.raster();
@@ -158,7 +160,8 @@ StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup
     return left;
 }
 
-std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& events, const JudgedSetup& setup) {
+std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& events,
+                      const JudgedSetup& setup) {
     const std::string wrong = SettingsJudge(setup).judge(events);
     if (!wrong.empty()) return wrong;
     const StockLeft now = leftBy(events, setup);
@@ -175,13 +178,14 @@ std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& ev
 }
 
 bool sameRun(const std::vector<CanonEvent>& one, const std::vector<CanonEvent>& other) {
-    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const CanonEvent& a, const CanonEvent& b) {
-        return a.kind == b.kind && a.to == b.to && a.centre == b.centre && a.turns == b.turns &&
-               a.feed_mm_per_min == b.feed_mm_per_min && a.seconds == b.seconds && a.spin == b.spin &&
-               a.speed_rpm == b.speed_rpm && a.mist == b.mist && a.flood == b.flood && a.tool == b.tool &&
-               a.length_offset == b.length_offset && a.work_offset == b.work_offset &&
-               a.path_control == b.path_control && operationOf(a.comment) == operationOf(b.comment);
-    });
+    return std::equal(
+        one.begin(), one.end(), other.begin(), other.end(), [](const CanonEvent& a, const CanonEvent& b) {
+            return a.kind == b.kind && a.to == b.to && a.centre == b.centre && a.turns == b.turns &&
+                   a.feed_mm_per_min == b.feed_mm_per_min && a.seconds == b.seconds && a.spin == b.spin &&
+                   a.speed_rpm == b.speed_rpm && a.mist == b.mist && a.flood == b.flood && a.tool == b.tool &&
+                   a.length_offset == b.length_offset && a.work_offset == b.work_offset &&
+                   a.path_control == b.path_control && operationOf(a.comment) == operationOf(b.comment);
+        });
 }
 
 }  // namespace stepmill::test

@@ -23,13 +23,13 @@ struct JudgedSetup {
     std::map<std::string, AllowedOperation> operations;  ///< by id
     std::array<double, 3> stock_mm{};                    ///< top at z = 0, a corner at x = y = 0
     double length_mm_per_tool = 0;  ///< the tool table has number times this as a tool's length
-    double safe_z_mm = 0;                                ///< nothing stands higher
+    double safe_z_mm = 0;           ///< nothing stands higher
     std::array<double, 3> travel_mm{};
 };
 
 /// What a program leaves of the stock, over square cells.
 struct StockLeft {
-    std::vector<double> lowest;   ///< around each cell within what cells are uncertain by
+    std::vector<double> lowest;  ///< around each cell within what cells are uncertain by
     std::vector<double> highest;
     std::vector<double> heights;
     int rapid_hits = 0;
@@ -38,9 +38,10 @@ struct StockLeft {
 /// Cuts the stock as LinuxCNC's interpreter understands a program.
 StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup);
 
-/// Why a program's result is worse than that of the one it was made from, as far as this judge sees it; empty when
-/// it sees nothing. \param before  what the original leaves
-std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& events, const JudgedSetup& setup);
+/// Why a program's result is worse than that of the one it was made from, as far as this judge sees it; empty
+/// when it sees nothing. \param before  what the original leaves
+std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& events,
+                      const JudgedSetup& setup);
 
 /// Is it the same motions with the same settings?
 bool sameRun(const std::vector<CanonEvent>& one, const std::vector<CanonEvent>& other);

@@ -74,11 +74,27 @@ constexpr const char* kFaults[] = {"G0 G1 X1",
                                    "G1 X$5"};
 
 /// Blocks that LinuxCNC obeys in most places and our reader refuses.
-constexpr const char* kBeyond[] = {"#1=5", "G4 P-2","G1 X#5220 F100",  "G1 X[1+2] F100", "G92 X0",     "/G0 X1",
-                                   "G10 L2 P1 X0",  "G41 D1",          "G0 A5",          "G43.1 Z1",   "G53 G1 X1 F100",
-                                   "G53 G0 Z1",     "M60",             "G97 S100",       "M48",        "N1.5 G0 X1",
-                                   "G0 X-+5",       "G90.1 G17 G90 G81 X1 Z-3 R1 L2 F100", "(ABORT, stop)",
-                                   "G91 G73 X1 Z-3 R-1 Q1 F50",        "G0 X200000"};
+constexpr const char* kBeyond[] = {"#1=5",
+                                   "G4 P-2",
+                                   "G1 X#5220 F100",
+                                   "G1 X[1+2] F100",
+                                   "G92 X0",
+                                   "/G0 X1",
+                                   "G10 L2 P1 X0",
+                                   "G41 D1",
+                                   "G0 A5",
+                                   "G43.1 Z1",
+                                   "G53 G1 X1 F100",
+                                   "G53 G0 Z1",
+                                   "M60",
+                                   "G97 S100",
+                                   "M48",
+                                   "N1.5 G0 X1",
+                                   "G0 X-+5",
+                                   "G90.1 G17 G90 G81 X1 Z-3 R1 L2 F100",
+                                   "(ABORT, stop)",
+                                   "G91 G73 X1 Z-3 R-1 Q1 F50",
+                                   "G0 X200000"};
 
 template <typename List, typename Random>
 const auto& oneOf(const List& list, Random& random) {
@@ -136,7 +152,9 @@ class Generator {
         const double grid = std::pow(10.0, decimals());
         return std::round(number * grid) / grid;
     }
-    std::string word(char letter, double number) { return fmt::format("{}{}", letter, spelt(number, decimals())); }
+    std::string word(char letter, double number) {
+        return fmt::format("{}{}", letter, spelt(number, decimals()));
+    }
 
     /// The axis word that leads to `to_mm`; the place is then where the written number leads.
     std::string axis(int index, double to_mm) {
@@ -238,9 +256,9 @@ class Generator {
     }
 
     void smallWords() {
-        static constexpr const char* kSmall[] = {"M0", "M1", "G61", "G64", "G64 P0.02", "G61.1", "G91.1", "G98", "G99",
-                                                 "G17", "G54", "G40", "S500", "T3", "N5", "G0", "(S1.O1 comment)",
-                                                 "G94", "G80"};
+        static constexpr const char* kSmall[] = {
+            "M0",  "M1",  "G61",  "G64", "G64 P0.02", "G61.1", "G91.1",           "G98", "G99", "G17",
+            "G54", "G40", "S500", "T3",  "N5",        "G0",    "(S1.O1 comment)", "G94", "G80"};
         const std::string words = oneOf(kSmall, random_);
         block({words});
         if (words == "G94") setFeed();
@@ -307,7 +325,8 @@ class Generator {
         if (!full && chance(0.3)) {
             words.push_back(word('R', rounded((sweep > kPi ? -radius : radius) / unit())));
         } else if (chance(0.1)) {
-            words.insert(words.end(), {"G90.1", word('I', rounded(cx / unit())), word('J', rounded(cy / unit()))});
+            words.insert(words.end(),
+                         {"G90.1", word('I', rounded(cx / unit())), word('J', rounded(cy / unit()))});
             block(words, true);
             block({"G91.1"});
             motion_ = ccw ? 3 : 2;

@@ -6,11 +6,11 @@
 
 namespace stepmill {
 
-enum class Plane { XY, ZX, YZ };                               ///< G17, G18, G19
-enum class DistanceMode { Absolute, Incremental };             ///< G90, G91
+enum class Plane { XY, ZX, YZ };                                ///< G17, G18, G19
+enum class DistanceMode { Absolute, Incremental };              ///< G90, G91
 enum class FeedMode { InverseTime, PerMinute, PerRevolution };  ///< G93, G94, G95
-enum class PathControl { ExactPath, ExactStop, Blend };        ///< G61, G61.1, G64
-enum class Spin { Off, Clockwise, CounterClockwise };          ///< M5, M3, M4
+enum class PathControl { ExactPath, ExactStop, Blend };         ///< G61, G61.1, G64
+enum class Spin { Off, Clockwise, CounterClockwise };           ///< M5, M3, M4
 
 /// H of a length offset that is off (G49).
 inline constexpr int kNoLengthOffset = 0;
@@ -23,16 +23,16 @@ struct MachineState {
     std::optional<Plane> plane;
     std::optional<DistanceMode> distance;
     std::optional<FeedMode> feed_mode;
-    bool compensation_off = false;      ///< G40 was said; G41 and G42 are not read
-    std::optional<int> length_offset;   ///< H in force, or kNoLengthOffset
-    std::optional<int> work_offset;     ///< 1 to 9: G54 to G59.3
+    bool compensation_off = false;     ///< G40 was said; G41 and G42 are not read
+    std::optional<int> length_offset;  ///< H in force, or kNoLengthOffset
+    std::optional<int> work_offset;    ///< 1 to 9: G54 to G59.3
     std::optional<PathControl> path_control;
-    double blend_mm = 0;                ///< P of G64: how far corners may be cut; 0: as far as it likes
+    double blend_mm = 0;  ///< P of G64: how far corners may be cut; 0: as far as it likes
     Spin spin = Spin::Off;
     double speed_rpm = 0;
     bool mist = false;
     bool flood = false;
-    std::optional<int> tool;            ///< in the spindle; none until one was put in
+    std::optional<int> tool;  ///< in the spindle; none until one was put in
 
     bool operator==(const MachineState&) const = default;
 };

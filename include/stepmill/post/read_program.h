@@ -32,8 +32,8 @@ struct ReadOperation {
     std::string id;  ///< "S1.O3", from the comment
     int line = 0;    ///< of the comment
     Vec3 start = Vec3::Zero();
-    /// From `start` on without a gap: where the tool was away (at a change, at home), a rapid at the program's
-    /// highest place stands for the way.
+    /// From `start` on without a gap: where the tool was away (at a change, at home), a rapid at the
+    /// program's highest place stands for the way.
     std::vector<ReadMove> moves;
     std::vector<ReadDwell> dwells;
 };
@@ -54,7 +54,7 @@ struct ReadLeap {
 
 /// A tool change or the end of the program, where the tool must be out of the way.
 struct ReadStop {
-    int line = 0;         ///< of the last motion before it, if any
+    int line = 0;  ///< of the last motion before it, if any
     std::string operation;
     std::optional<double> z_mm;  ///< where the tool was left; nothing: at home, or not moved
     bool is_end = false;
@@ -80,14 +80,14 @@ struct ReadProgram {
 
 /// Reads a program as the controller will run it: an interpreter of RS274/NGC with its modal groups and order
 /// of execution, in the dialect's variant. What it knows it obeys; it refuses everything else and skips
-/// nothing. Cycles come move by move (pecks come back to 0.254 mm over the last one's bottom, as LinuxCNC's do).
-/// Knows nothing of how the program was written. Feeds down are Plunge where they are straight, Ramp where they
-/// are not.
+/// nothing. Cycles come move by move (pecks come back to 0.254 mm over the last one's bottom, as LinuxCNC's
+/// do). Knows nothing of how the program was written. Feeds down are Plunge where they are straight, Ramp
+/// where they are not.
 ///
 /// \throws Error(InvalidCatalog) with "file, line N" as subject for words it does not know, words that a
 ///         controller refuses, feeds from a place that is not known, feeds without F, moves of an operation
 ///         without its comment.
-/// \see docs/adr/0007-the-reader-is-a-controller.md for what is read and what is refused
+/// \see docs/adr/0008-the-reader-is-a-controller.md for what is read and what is refused
 ReadProgram readProgram(std::string_view text, const std::string& file, Dialect dialect);
 
 }  // namespace stepmill

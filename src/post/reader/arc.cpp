@@ -23,8 +23,8 @@ ArcShape fromRadius(const Vec2& from, const Vec2& to, bool ccw, double r, const 
     if (half_mm == 0) where.refuse("an arc by its radius that ends where it starts");
     const double radius_mm = std::abs(r);
     if (half_mm > radius_mm + kShortRadiusMm)
-        where.refuse(fmt::format("an arc of radius {:.4f} mm does not reach an end {:.4f} mm away",
-                                 radius_mm, 2 * half_mm));
+        where.refuse(fmt::format("an arc of radius {:.4f} mm does not reach an end {:.4f} mm away", radius_mm,
+                                 2 * half_mm));
     const double height_mm = std::sqrt(std::max(0.0, radius_mm * radius_mm - half_mm * half_mm));
     // A positive radius is the shorter way round: its centre lies left of the chord when it turns left.
     const Vec2 left = Vec2(-chord.y(), chord.x()).normalized();
@@ -51,7 +51,8 @@ ArcShape arcShape(const Vec2& from, const Vec2& to, bool ccw, const ArcWords& wo
     return {centre, start_mm - end_mm};
 }
 
-double arcLengthMm(const Vec2& from, const Vec2& to, const Vec2& centre, bool ccw, int turns, double rise_mm) {
+double arcLengthMm(const Vec2& from, const Vec2& to, const Vec2& centre, bool ccw, int turns,
+                   double rise_mm) {
     const double radius_mm = (from - centre).norm();
     const double flat_mm =
         radius_mm * (std::abs(sweepAngle(from, to, Arc{centre, radius_mm, ccw})) + 2 * kPi * (turns - 1));

@@ -115,10 +115,9 @@ Block::Block(const std::vector<Word>& words, const DialectRules& rules, const Wh
 
 void Block::addCode(const Word& word, const DialectRules& rules, const Where& where) {
     const double tenths = 10 * word.value;
-    const KnownCode* known =
-        tenths >= 0 && tenths < code(100) && std::abs(tenths - std::round(tenths)) < 1e-6
-            ? find(word.letter, static_cast<int>(std::round(tenths)), rules)
-            : nullptr;
+    const KnownCode* known = tenths >= 0 && tenths < code(100) && std::abs(tenths - std::round(tenths)) < 1e-6
+                                 ? find(word.letter, static_cast<int>(std::round(tenths)), rules)
+                                 : nullptr;
     if (known == nullptr) where.refuse(fmt::format("{}{:g} is not read", word.letter, word.value));
     const auto [there, is_new] = codes_.emplace(known->group, known->code);
     if (!is_new)

@@ -140,8 +140,7 @@ class WordReader {
         const std::string number = code_.substr(digits, at_ - digits);
         word.has_point = number.find('.') != std::string::npos;
         const char* end = number.data() + number.size();
-        const auto [stop, error] =
-            std::from_chars(number.data(), end, word.value, std::chars_format::fixed);
+        const auto [stop, error] = std::from_chars(number.data(), end, word.value, std::chars_format::fixed);
         if (error != std::errc{} || stop != end)
             where_.refuse(fmt::format("expected a number after {}, found '{}'", word.letter,
                                       readable(code_.substr(begin, at_ - begin + 1))));

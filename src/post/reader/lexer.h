@@ -23,9 +23,9 @@ struct Line {
     bool percent = false;  ///< a % and nothing else
 };
 
-/// Splits a line as RS274/NGC does: blanks mean nothing, neither does case; comments stand in brackets or after
-/// a semicolon; a number is a sign, digits and a point, nothing else. Refuses parameters, expressions, block
-/// delete, and comments that a controller acts on.
+/// Splits a line as RS274/NGC does: blanks mean nothing, neither does case; comments stand in brackets or
+/// after a semicolon; a number is a sign, digits and a point, nothing else. Refuses parameters, expressions,
+/// block delete, and comments that a controller acts on.
 Line lex(std::string_view text, const DialectRules& rules, const Where& where);
 
 }  // namespace stepmill::reader

@@ -208,7 +208,8 @@ void Machine::setPathControl(const Block& block) {
                           : *control == code(61, 1) ? PathControl::ExactStop
                                                     : PathControl::Blend;
     state_.blend_mm = *control == code(64) && block.has('P') ? length(*block.number('P')) : 0;
-    if (*control == code(64) && block.has('Q')) state_.blend_mm = std::max(state_.blend_mm, length(*block.number('Q')));
+    if (*control == code(64) && block.has('Q'))
+        state_.blend_mm = std::max(state_.blend_mm, length(*block.number('Q')));
 }
 
 bool Machine::stop(const Block& block) {

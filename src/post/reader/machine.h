@@ -6,8 +6,8 @@
 
 namespace stepmill::reader {
 
-/// What a cycle keeps from block to block. Lengths are numbers as the program has them: a change of units does
-/// not change these.
+/// What a cycle keeps from block to block. Lengths are numbers as the program has them: a change of units
+/// does not change these.
 struct CycleWords {
     double z = 0;
     double r = 0;
@@ -79,11 +79,11 @@ class Machine {
     Place at_;
     double mm_per_unit_ = 0;
     bool arc_centre_absolute_ = false;
-    std::optional<int> motion_;  ///< in force; nothing after G80 and at first
+    std::optional<int> motion_;          ///< in force; nothing after G80 and at first
     std::optional<bool> back_to_start_;  ///< G98: cycles return to the height they came from; else to R
     CycleWords cycle_;
     std::optional<double> cycles_from_;  ///< height at which the first of the cycles in a row began [mm]
-    double feed_ = 0;  ///< F in force, mm/min or mm/rev
+    double feed_ = 0;                    ///< F in force, mm/min or mm/rev
     std::optional<int> prepared_tool_;
 };
 

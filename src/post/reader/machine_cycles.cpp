@@ -19,7 +19,8 @@ CycleWords Machine::cycleWords(const Block& block, int cycle) const {
     const bool goes_on = motion_ == cycle;
     const auto take = [&](char letter, double& kept) {
         lengthOf(block, letter);  // refuses what is no length
-        if (!goes_on && !block.has(letter)) refuse(fmt::format("{} without {}", codeName('G', cycle), letter));
+        if (!goes_on && !block.has(letter))
+            refuse(fmt::format("{} without {}", codeName('G', cycle), letter));
         kept = block.number(letter).value_or(kept);
     };
     CycleWords words = cycle_;
@@ -79,7 +80,8 @@ void Machine::goToHeight(MotionKind kind, double z_mm) {
     Motion motion;
     motion.kind = kind;
     if (kind == MotionKind::Feed)
-        motion.feed_mm_per_min = state_.feed_mode == FeedMode::PerRevolution ? feed_ * state_.speed_rpm : feed_;
+        motion.feed_mm_per_min =
+            state_.feed_mode == FeedMode::PerRevolution ? feed_ * state_.speed_rpm : feed_;
     Place to = at_;
     to.z = snapToGrid(z_mm);
     goTo(motion, to);

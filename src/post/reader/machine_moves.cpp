@@ -85,8 +85,8 @@ void Machine::arc(const Block& block, bool ccw) {
     motion.ccw = ccw;
     motion.turns = static_cast<int>(std::round(block.number('P').value_or(1)));
     motion.radii_differ_mm = shape.radii_differ_mm;
-    motion.feed_mm_per_min = feedFor(
-        block, arcLengthMm(from_xy, to_xy, shape.centre, ccw, motion.turns, *to.z - *at_.z));
+    motion.feed_mm_per_min =
+        feedFor(block, arcLengthMm(from_xy, to_xy, shape.centre, ccw, motion.turns, *to.z - *at_.z));
     goTo(motion, to);
 }
 
@@ -105,8 +105,7 @@ std::optional<double> Machine::axisTarget(const Block& block, char letter,
     const auto number = lengthOf(block, letter);
     if (!number) return at;
     if (state_.distance == DistanceMode::Absolute) return snapToGrid(*number);
-    if (!at && *number != 0)
-        refuse(fmt::format("{} by a distance from a place that is not known", letter));
+    if (!at && *number != 0) refuse(fmt::format("{} by a distance from a place that is not known", letter));
     return at ? std::optional(snapToGrid(*at + *number)) : std::nullopt;
 }
 

@@ -1,5 +1,5 @@
-// Random programs through our reader and through LinuxCNC's interpreter: both refuse one, or both make the same of
-// it, motion by motion.
+// Random programs through our reader and through LinuxCNC's interpreter: both refuse one, or both make the
+// same of it, motion by motion.
 
 #include <gtest/gtest.h>
 
@@ -43,8 +43,8 @@ bool agrees(const std::optional<double>& ours, double theirs, double tolerance) 
     return !ours || std::abs(*ours - theirs) <= tolerance;
 }
 
-/// Walks along what both make of a program. A rapid of ours whose ends are not known may be one of theirs that
-/// goes nowhere.
+/// Walks along what both make of a program. A rapid of ours whose ends are not known may be one of theirs
+/// that goes nowhere.
 class Comparison {
   public:
     Comparison(const Run& run, const std::vector<CanonEvent>& theirs) : run_(run), theirs_(theirs) {}
@@ -52,7 +52,8 @@ class Comparison {
     /// The first difference; empty without any.
     std::string difference() {
         for (const Action& action : run_.actions) {
-            const std::string found = std::visit([&](const auto& doing) { return compare(doing, action); }, action.doing);
+            const std::string found =
+                std::visit([&](const auto& doing) { return compare(doing, action); }, action.doing);
             if (!found.empty()) return fmt::format("line {}: {}", action.line, found);
         }
         if (next_ < theirs_.size() && theirs_[next_].kind != CanonEvent::Kind::End)
@@ -68,7 +69,8 @@ class Comparison {
     std::string compare(const reader::ToolPrepared&, const Action&) { return {}; }
     std::string compare(const reader::ToolChange&, const Action& action) {
         const std::string found = expect(CanonEvent::Kind::ToolChange);
-        return found.empty() && theirs_[next_ - 1].tool != run_.states[action.state].tool ? "another tool" : found;
+        return found.empty() && theirs_[next_ - 1].tool != run_.states[action.state].tool ? "another tool"
+                                                                                          : found;
     }
     std::string compare(const reader::Dwell& dwell, const Action&) {
         const std::string found = expect(CanonEvent::Kind::Dwell);
@@ -91,18 +93,21 @@ class Comparison {
         const auto kind = motion.kind == MotionKind::Rapid  ? CanonEvent::Kind::Rapid
                           : motion.kind == MotionKind::Feed ? CanonEvent::Kind::Feed
                                                             : CanonEvent::Kind::Arc;
-        const bool there = next_ < theirs_.size() && theirs_[next_].kind == kind && ends(motion, theirs_[next_]);
+        const bool there =
+            next_ < theirs_.size() && theirs_[next_].kind == kind && ends(motion, theirs_[next_]);
         if (!there && !known) return {};
         // What goes nowhere once it is printed.
         const double printed_mm = next_ < theirs_.size() ? theirs_[next_].printed_mm : 0;
-        if (!there && kind != CanonEvent::Kind::Arc && lengthOf(motion) <= kSameMm + 2.5 * printed_mm) return {};
+        if (!there && kind != CanonEvent::Kind::Arc && lengthOf(motion) <= kSameMm + 2.5 * printed_mm)
+            return {};
         if (!there) return describe(motion, kind);
         ++motions;
         return compareSettings(motion, run_.states[action.state], theirs_[next_++]);
     }
 
     static double lengthOf(const Motion& motion) {
-        return std::hypot(*motion.to.x - *motion.from.x, *motion.to.y - *motion.from.y, *motion.to.z - *motion.from.z);
+        return std::hypot(*motion.to.x - *motion.from.x, *motion.to.y - *motion.from.y,
+                          *motion.to.z - *motion.from.z);
     }
 
     static bool ends(const Motion& motion, const CanonEvent& event) {
@@ -119,18 +124,21 @@ class Comparison {
                            static_cast<int>(event.kind), event.to[0], event.to[1], event.to[2]);
     }
 
-    static std::string compareSettings(const Motion& motion, const MachineState& state, const CanonEvent& event) {
+    static std::string compareSettings(const Motion& motion, const MachineState& state,
+                                       const CanonEvent& event) {
         if (motion.kind != MotionKind::Rapid &&
             std::abs(motion.feed_mm_per_min - event.feed_mm_per_min) >
                 kSameFeed * (1 + motion.feed_mm_per_min) + event.printed_mm)
             return fmt::format("feed {}, LinuxCNC's {}", motion.feed_mm_per_min, event.feed_mm_per_min);
         const int spin = state.spin == Spin::Off ? 0 : state.spin == Spin::Clockwise ? 1 : -1;
-        if (spin != event.spin || std::abs(state.speed_rpm - event.speed_rpm) > 1e-3) return "another spindle";
+        if (spin != event.spin || std::abs(state.speed_rpm - event.speed_rpm) > 1e-3)
+            return "another spindle";
         if (state.mist != event.mist || state.flood != event.flood) return "another coolant";
         if (state.tool.value_or(0) != event.tool) return "another tool";
         if (motion.kind != MotionKind::Arc) return {};
         const double tolerance = kSameMm + event.printed_mm;
-        if (std::hypot(motion.centre.x() - event.centre[0], motion.centre.y() - event.centre[1]) > 2 * tolerance)
+        if (std::hypot(motion.centre.x() - event.centre[0], motion.centre.y() - event.centre[1]) >
+            2 * tolerance)
             return fmt::format("centre {} {}, LinuxCNC's {} {}", motion.centre.x(), motion.centre.y(),
                                event.centre[0], event.centre[1]);
         return (motion.ccw ? motion.turns : -motion.turns) == event.turns ? "" : "other turns";

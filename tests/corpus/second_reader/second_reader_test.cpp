@@ -143,7 +143,8 @@ void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSet
         const std::string where = part + " " + operation.id;
         ASSERT_EQ(canon.id, operation.id) << part;
         EXPECT_EQ(canon.tool, record.operations.at(operation.id).tool.number) << where;
-        const std::vector<CanonMotion> motions = fromStart(canon, operation, comesFromLeap(ours, operation.id));
+        const std::vector<CanonMotion> motions =
+            fromStart(canon, operation, comesFromLeap(ours, operation.id));
         ASSERT_EQ(motions.size(), operation.moves.size()) << where;
         for (std::size_t k = 0; k < motions.size(); ++k) {
             expectSame(motions[k], operation.moves[k],

@@ -142,21 +142,61 @@ Vec3 endOf(const std::string& blocks) {
 }
 
 TEST(ReadProgram, RefusesWhatAControllerRefuses) {
-    for (const char* block :
-         {"G2 X2 R1 I1", "G0 G1 X5", "G1 X1e2", "T5.7", "G1 (X5", "G1 X5 X6", "G90 G91", "M3 M5", "G1 X", "G1 X-",
-          "G1 X--5", "X5 N7", "G2 X2", "G2 X2 R.9", "G2 X0 Y0 R2", "G2 X2 I1 P1.5", "G2 X2 I1 P0", "G80 X5",
-          "G4", "G4 P-1", "G28 G1 X5", "G53 G1 Z0", "G91 G53 G0 Z0", "H5", "P5", "R5", "Q5", "I5", "S-5", "F-5",
-          "G83 X1 Z-1 R1", "G81 X1 Z2 R1", "G82 X1 Z-1 R1", "G81 X1 Z-1", "G54 G55", "%", "G1 X5 (a(b)) Y5",
-          "G1 X5) Y5", "M5 M5", "G1 X5 \x01", "\xC3\x84", "G93 G1 X5", "G1.5 X5", "M3.5", "G200"})
+    for (const char* block : {"G2 X2 R1 I1",
+                              "G0 G1 X5",
+                              "G1 X1e2",
+                              "T5.7",
+                              "G1 (X5",
+                              "G1 X5 X6",
+                              "G90 G91",
+                              "M3 M5",
+                              "G1 X",
+                              "G1 X-",
+                              "G1 X--5",
+                              "X5 N7",
+                              "G2 X2",
+                              "G2 X2 R.9",
+                              "G2 X0 Y0 R2",
+                              "G2 X2 I1 P1.5",
+                              "G2 X2 I1 P0",
+                              "G80 X5",
+                              "G4",
+                              "G4 P-1",
+                              "G28 G1 X5",
+                              "G53 G1 Z0",
+                              "G91 G53 G0 Z0",
+                              "H5",
+                              "P5",
+                              "R5",
+                              "Q5",
+                              "I5",
+                              "S-5",
+                              "F-5",
+                              "G83 X1 Z-1 R1",
+                              "G81 X1 Z2 R1",
+                              "G82 X1 Z-1 R1",
+                              "G81 X1 Z-1",
+                              "G54 G55",
+                              "%",
+                              "G1 X5 (a(b)) Y5",
+                              "G1 X5) Y5",
+                              "M5 M5",
+                              "G1 X5 \x01",
+                              "\xC3\x84",
+                              "G93 G1 X5",
+                              "G1.5 X5",
+                              "M3.5",
+                              "G200"})
         expectRefused(block);
     expectRefused("G1 X5 (" + std::string(250, 'a') + ")");
 }
 
 TEST(ReadProgram, RefusesWhatItDoesNotObey) {
-    for (const char* block :
-         {"#1=5", "G1 X#1", "G1 X[1+2]", "O100 SUB", "/G1 X5", "G92 X0", "G10 L2 P1 X0", "G41 D1", "G5 X5", "A5",
-          "G43.1 Z5", "G73 X1 Z-1 R1 Q1", "G38.2 X5", "M19", "M60", "M98 P1", "G96 S100", "G7", "L2", "G52 X5",
-          "(ABORT, no)", "; py, print(1)", "G53 G0 Z-5"})
+    for (const char* block : {"#1=5",        "G1 X#1",           "G1 X[1+2]", "O100 SUB", "/G1 X5",
+                              "G92 X0",      "G10 L2 P1 X0",     "G41 D1",    "G5 X5",    "A5",
+                              "G43.1 Z5",    "G73 X1 Z-1 R1 Q1", "G38.2 X5",  "M19",      "M60",
+                              "M98 P1",      "G96 S100",         "G7",        "L2",       "G52 X5",
+                              "(ABORT, no)", "; py, print(1)",   "G53 G0 Z-5"})
         expectRefused(block);
 }
 
@@ -164,11 +204,13 @@ TEST(ReadProgram, TakesHarmlessText) {
     const Vec3 end(5, 2.5, 1);
     for (const char* blocks :
          {"G1 X5 Y2.5 Z1\n", "g1x5y2.5z1\n", "G1 X+5 Y02.50 Z1.\n", "G01 X5. Y+2.5 Z 1 ; comment (\n",
-          "N70 G1 (one) X5 (two) Y 2 . 5 Z1\n", "M1\nG64 P0.01\nG1 X5 Y2.5 Z1\n", "\n\n  \t\r\nG1 X5 Y2.5\r\nZ1\n",
-          "G91\nG1 X5 Y2.5\nZ-4\nG90\n", "G20 G1\nX.19685039370 Y.09842519685 F2\nG21\nG94\nG1 Z1 F100\n",
-          "G4 P1\nG1 X5 Y2.5 Z1\n", "(G0 Z-50)\n;G0 Z-50\nG1 X5 Y2.5 Z1\n", "G0 X9\nG1\nX5 Y2.5 Z1\n"})
+          "N70 G1 (one) X5 (two) Y 2 . 5 Z1\n", "M1\nG64 P0.01\nG1 X5 Y2.5 Z1\n",
+          "\n\n  \t\r\nG1 X5 Y2.5\r\nZ1\n", "G91\nG1 X5 Y2.5\nZ-4\nG90\n",
+          "G20 G1\nX.19685039370 Y.09842519685 F2\nG21\nG94\nG1 Z1 F100\n", "G4 P1\nG1 X5 Y2.5 Z1\n",
+          "(G0 Z-50)\n;G0 Z-50\nG1 X5 Y2.5 Z1\n", "G0 X9\nG1\nX5 Y2.5 Z1\n"})
         EXPECT_LT((endOf(blocks) - end).norm(), 1e-5) << blocks;
-    EXPECT_EQ(read("\xEF\xBB\xBF" + kBegin + "M2").operations.size(), 1U) << "a byte order mark, no last line end";
+    EXPECT_EQ(read("\xEF\xBB\xBF" + kBegin + "M2").operations.size(), 1U)
+        << "a byte order mark, no last line end";
     EXPECT_EQ(read("%\n" + kBegin + "%\n(whatever)").operations.size(), 1U);
     EXPECT_EQ(read("g21 g90\n(s1.o1 feature)\nm2\n").operations.at(0).id, "S1.O1");
 }
@@ -194,7 +236,8 @@ TEST(ReadProgram, DrillsAgainWhereACycleIsInForce) {
 }
 
 TEST(ReadProgram, KnowsThePreparedToolFromTheOneInTheSpindle) {
-    const ReadProgram program = read(kBegin + "G0 Z5\nG0 X0 Y0\nT7\nG1 X5 F100\nG0 Z9\nM6\nG43 H7\nS1 M3\nG0 Z9\nG0 X1 Y1\nM30\n");
+    const ReadProgram program =
+        read(kBegin + "G0 Z5\nG0 X0 Y0\nT7\nG1 X5 F100\nG0 Z9\nM6\nG43 H7\nS1 M3\nG0 Z9\nG0 X1 Y1\nM30\n");
     const ReadOperation& operation = program.operations.at(0);
     EXPECT_EQ(program.states[operation.moves.at(0).state].tool, 3);
     EXPECT_EQ(program.states[operation.moves.back().state].tool, 7);
@@ -220,7 +263,8 @@ TEST(ReadProgram, StandsAtTheHighestPlaceForTheTopOfTheMachine) {
 }
 
 TEST(ReadProgram, ReadsEachControllersOwnWords) {
-    const std::string fanuc = "%\nO0001\nG21 G17 G40 G49 G80 G90 G94 G54\n(S1.O1)\nT3 M6\nS1 M3\nG0 G43 H3 Z5.\nG0 X0. Y0.\n";
+    const std::string fanuc =
+        "%\nO0001\nG21 G17 G40 G49 G80 G90 G94 G54\n(S1.O1)\nT3 M6\nS1 M3\nG0 G43 H3 Z5.\nG0 X0. Y0.\n";
     EXPECT_NEAR(read(fanuc + "G4 P500\nM30\n%\n", Dialect::Fanuc).operations[0].dwells[0].seconds, 0.5, 1e-9);
     EXPECT_THROW(read(fanuc + "G0 X50\nM30\n%\n", Dialect::Fanuc), Error) << "50 mm or 0.05?";
     EXPECT_THROW(read(fanuc + "G0 X5. ; G0 Z-5.\nM30\n%\n", Dialect::Fanuc), Error) << "; ends a block";
