@@ -34,8 +34,11 @@ Way wayOf(const Vec2& from, const Segment& segment, int line) {
 
 /// A step is the difference of two heights, both rounded [mm].
 constexpr double kStepRoundingMm = 2 * kSameHeightMm;
-/// Ramps are looked at in pieces that sink no more than this share of the step-down.
+/// A ramp may sink by this share of the step-down more: heights along it are known by pieces.
 constexpr double kRampPiece = 1.0 / 64;
+/// Pieces for that share: the ramp counts with its lower end, the turn above it with its upper one, and the
+/// pieces of both need not begin at the same places.
+constexpr int kLooksPerPiece = 3;
 /// A ramp begins this much over the material, so that turn by turn it sinks as much more than the step-down
 /// [mm].
 constexpr double kRampStartMm = 0.2;
@@ -108,8 +111,8 @@ class DepthProver {
             return feed(wayOf(from.head<2>(), segment, read.line), low_mm,
                         plunge ? low_mm : std::max(from.z(), move.to.z()));
         }
-        const int pieces =
-            std::max(1, static_cast<int>(std::ceil(drop_mm / (kRampPiece * planned_.step_down_mm))));
+        const double sinks_mm = kRampPiece * planned_.step_down_mm / kLooksPerPiece;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(drop_mm / sinks_mm)));
         Vec2 at = from.head<2>();
         for (int i = 1; i <= pieces; ++i) {
             const double share = static_cast<double>(i) / pieces;
