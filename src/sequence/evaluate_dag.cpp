@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include "access/collision.h"
 #include "sequence/drilling.h"
 #include "sequence/edge_work.h"
 #include "sequence/surrogates.h"
@@ -303,6 +304,12 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;
     clearing.obstruction = n.own().obstruction ? *n.own().obstruction : feature.obstruction;
+    // The plan may set the tool out less far than it can be, and then takes the shortest that will do.
+    const ToolAssembly shortest =
+        n.tool->stick_out_range ? setTo(*n.tool, n.tool->stick_out_range->shortest_mm) : *n.tool;
+    for (const access::Blocker& blocker : access::blockers(feature, shortest))
+        clearing.kept_off.push_back({feature.obstacles[blocker.obstacle].section, blocker.radius_mm});
+    clearing.free_reach_mm = access::freeReachMm(shortest);
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;

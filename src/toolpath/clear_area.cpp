@@ -73,7 +73,7 @@ void writeRegions(const ClearingTask& task, const RingFamily& family, const tool
     MoveWriter writer(path);
     for (const std::size_t i : visitOrder(stops)) {
         const bool over_top =
-            !path.regions.empty() && layer.standing.isClear(writer.at(), cuts[i].blocks.front().begin);
+            !path.regions.empty() && layer.standing.isClearForAll(writer.at(), cuts[i].blocks.front().begin);
         cutter.write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
         path.regions.push_back(std::move(weighed[i]));
     }

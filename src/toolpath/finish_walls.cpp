@@ -291,7 +291,7 @@ void writePasses(const ClearingTask& clearing, const std::vector<WallPass>& pass
     for (const WallPass& pass : passes)
         stops.push_back({pass.path.start, pass.path.end()});
     const auto over = [&](const Vec2& from, const Vec2& to, bool within_pass) {
-        if (!standing.isClear(from, to)) return Over::Retract;
+        if (!standing.isClearForAll(from, to)) return Over::Retract;
         return within_pass && cleared.isClear(from, to) ? Over::Layer : Over::Top;
     };
     MoveWriter writer(path);

@@ -7,12 +7,6 @@ namespace stepmill::toolpath {
 /// A finishing cut is no deeper than this many diameters, however thin it is.
 inline constexpr double kDeepestFinishDiameters = 2;
 
-/// What the axis keeps that far from, for shank or holder.
-struct KeptOff {
-    Region section;
-    double distance_mm = 0;
-};
-
 /// What a finishing pass along walls has to do.
 struct WallTask {
     /// The cutter's whole free centres; of these `cleared_centres`, from where its disc meets nothing any

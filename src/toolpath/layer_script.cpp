@@ -376,7 +376,7 @@ class LayerPlanner {
 
     /// The whole layer has been cut when the next one asks: what it clears, it clears for the one below.
     Over overWay(const Vec2& from, const Vec2& to, const SweptGround& ground) const {
-        if (!standing_.isClear(from, to)) return Over::Retract;
+        if (!standing_.isClearForAll(from, to)) return Over::Retract;
         return ground.isClear(from, to) ? Over::Layer : Over::Top;
     }
 
@@ -504,12 +504,22 @@ class LayerPlanner {
 }  // namespace
 
 Standing::Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol)
-    : obstruction_(task.obstruction),
-      edges_(edgesOf(task.obstruction)),
-      distance_mm_(radius_mm + tol.guard_mm / 2) {}
+    : obstruction_{task.obstruction, edgesOf(task.obstruction), radius_mm + tol.guard_mm / 2} {
+    for (const KeptOff& kept : task.kept_off)
+        holder_.push_back({kept.section, edgesOf(kept.section), kept.distance_mm});
+}
+
+bool Standing::keeps(const Kept& kept, const Vec2& from, const Vec2& to) {
+    return !anyNearer(kept.edges, makeEdge(from, {to, {}}), kept.distance_mm) && !contains(kept.section, to);
+}
 
 bool Standing::isClear(const Vec2& from, const Vec2& to) const {
-    return !anyNearer(edges_, makeEdge(from, {to, {}}), distance_mm_) && !contains(obstruction_, to);
+    return keeps(obstruction_, from, to);
+}
+
+bool Standing::isClearForAll(const Vec2& from, const Vec2& to) const {
+    return isClear(from, to) && std::all_of(holder_.begin(), holder_.end(),
+                                            [&](const Kept& kept) { return keeps(kept, from, to); });
 }
 
 LayerScript scriptLayer(const LayerTask& task, const RingFamily::Component& component, const Entry& entry,

@@ -95,13 +95,21 @@ class Standing {
   public:
     Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol);
 
-    /// Is the straight way clear at every height over the floor?
+    /// Is the straight way clear for the cutter at every height over the floor?
     bool isClear(const Vec2& from, const Vec2& to) const;
+    /// And for shank and holder?
+    bool isClearForAll(const Vec2& from, const Vec2& to) const;
 
   private:
-    const Region& obstruction_;
-    std::vector<Edge> edges_;
-    double distance_mm_;
+    struct Kept {
+        const Region& section;
+        std::vector<Edge> edges;
+        double distance_mm;
+    };
+    static bool keeps(const Kept& kept, const Vec2& from, const Vec2& to);
+
+    Kept obstruction_;
+    std::vector<Kept> holder_;
 };
 
 /// What the layers of one task have in common.

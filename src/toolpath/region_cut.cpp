@@ -98,7 +98,9 @@ RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry&
     }
     made.blocks = {std::move(script.whole)};
     made.time = {variant.pattern, degrees(variant.angle_rad), timeOf(made), false};
-    if (frame_.layers == 1 || script.apart.empty()) return made;
+    // Blocks still to be cut stand beside shank and holder while one is cut deep.
+    const bool dips = task_.clearing.top_z_mm - task_.clearing.floor_z_mm > task_.clearing.free_reach_mm;
+    if (frame_.layers == 1 || script.apart.empty() || dips) return made;
     RegionCut apart{std::move(script.apart), made.time};
     apart.time.time_s = timeOf(apart);
     return apart.time.time_s < made.time.time_s ? apart : made;
@@ -134,7 +136,7 @@ void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writ
     Over over = first_over;
     for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
         const LayerBlock& block = cut.blocks[k];
-        if (k > 0) over = task_.standing.isClear(writer.at(), block.begin) ? Over::Top : Over::Retract;
+        if (k > 0) over = task_.standing.isClearForAll(writer.at(), block.begin) ? Over::Top : Over::Retract;
         for (int i = 1; i <= frame_.layers; ++i)
             writer.writeLayer(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
     }

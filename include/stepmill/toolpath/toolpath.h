@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,6 +105,12 @@ struct Toolpath {
 /// tasks of that tool in that feature. Immutable; share it between threads.
 class RingFamily;
 
+/// Standing material that shank or holder reach while the tip is at depth: the axis stays off it.
+struct KeptOff {
+    Region section;
+    double distance_mm = 0;
+};
+
 /// What one tool has to clear in one feature.
 struct ClearingTask {
     Region free_centres;         ///< where the axis may go at every depth of the feature
@@ -112,6 +119,10 @@ struct ClearingTask {
     Region cleared_centres;      ///< centres where the disc meets no material; empty for a first tool
     Region target;               ///< T, to see open edges and trim passes that would only cut air
     Region obstruction;          ///< O, for the proof
+    /// On the free centres all of this is kept; ways over ground that is clear for the cutter may leave them.
+    std::vector<KeptOff> kept_off;
+    /// Deeper than this shank or holder are below the top of what the tool cuts [mm].
+    double free_reach_mm = std::numeric_limits<double>::infinity();
     double top_z_mm = 0;
     double floor_z_mm = 0;
     double retract_z_mm = 0;          ///< rapids across what must stay go here

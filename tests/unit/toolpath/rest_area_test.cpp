@@ -4,6 +4,7 @@
 
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
+#include "toolpath/layer_script.h"
 
 namespace stepmill {
 namespace {
@@ -60,6 +61,40 @@ TEST(RestArea, IsCutHoweverThinWhereItIsMoreThanASkin) {
     const Toolpath path = clearArea(task, flatEndMill(11.9), cuttingData(3, 10), kMachine, kTol);
     EXPECT_FALSE(path.moves.empty());
     expectSound(path, task, 5.95);
+}
+
+TEST(RestArea, GoesDepthByDepthWhereShankOrHolderDip) {
+    // Each corner is a block of its own; cut whole, it would be done beside three that still stand.
+    const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 4);
+    ClearingTask task = restTask(pocket, blockAround(pocket, {}, kTol), 10, 4, kTol);
+    const auto rises = [&] {
+        const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(3, 2), kMachine, kTol);
+        expectSound(path, task, 4);
+        int count = 0;
+        double last_mm = 0;
+        for (const Move& move : path.moves) {
+            if (move.kind != MoveKind::Feed) continue;
+            count += move.to.z() > last_mm;
+            last_mm = move.to.z();
+        }
+        return count;
+    };
+    EXPECT_EQ(rises(), 3);
+    task.free_reach_mm = 5;
+    EXPECT_EQ(rises(), 0);
+}
+
+TEST(RestArea, HasNoLowWaysWhereTheHolderWouldTouch) {
+    const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 4);
+    ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 4, kTol);
+    const Vec2 left(10, 5);
+    const Vec2 right(60, 5);
+    EXPECT_TRUE(toolpath::Standing(task, 4, kTol).isClearForAll(left, right));
+    task.kept_off.push_back({makeCircle({35, -10}, 4), 13});
+    const toolpath::Standing standing(task, 4, kTol);
+    EXPECT_TRUE(standing.isClear(left, right)) << "for the cutter";
+    EXPECT_FALSE(standing.isClearForAll(left, right));
+    EXPECT_TRUE(standing.isClearForAll({10, 25}, {60, 25}));
 }
 
 TEST(RestArea, OfALimitedTaskStaysAtItsLimits) {
