@@ -41,8 +41,10 @@ Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const
     const double limit = machine.max_feed_mm_per_min;
     const auto limited = [&](double feed) { return limit > 0 ? std::min(feed, limit) : feed; };
     path.feed_mm_per_min = limited(cutting.feed_mm_per_min);
-    path.plunge_feed_mm_per_min = limited(cutting.plunge_feed_mm_per_min > 0 ? cutting.plunge_feed_mm_per_min
-                                                                             : cutting.feed_mm_per_min);
+    // No mill goes down faster than it cuts.
+    path.plunge_feed_mm_per_min = path.feed_mm_per_min;
+    if (cutting.plunge_feed_mm_per_min > 0)
+        path.plunge_feed_mm_per_min = std::min(path.feed_mm_per_min, cutting.plunge_feed_mm_per_min);
     path.ramp_feed_mm_per_min =
         rampFeed(path.feed_mm_per_min, path.plunge_feed_mm_per_min, rampAngle(cutting));
     // A slot feed that is none slower needs no telling apart; ramps cut full width too.
