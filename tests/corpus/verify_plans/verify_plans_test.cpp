@@ -305,6 +305,66 @@ TEST_F(SpoiltProgram, ShowsAClampInTheWay) {
     EXPECT_NE(run.out.find("cuts into what must stay"), std::string::npos) << run.out;
 }
 
+TEST_F(SpoiltProgram, ShowsEverySettingThatIsMissingOrAnother) {
+    const std::vector<std::string> whole = lines_;
+    const std::size_t change = find(" M6", find("(S1.O2 "));
+    const std::size_t cut = find(" G1 X", change);
+    const std::size_t up = find(" G0 Z5", cut);
+    const std::string tool = lines_[change].substr(0, lines_[change].find(' '));
+    struct Slip {
+        std::size_t line;
+        std::string by;  ///< in its place, or before it when it ends with a line end
+    };
+    const std::size_t safe = find("G21 G17");
+    for (const Slip& slip : std::vector<Slip>{{change, tool},
+                                              {find("G43", change), ""},
+                                              {find("G43", change), "G43 H99"},
+                                              {find("G43", change) + 1, "G49\n"},
+                                              {safe, "G21"},
+                                              {safe, "G21 G17 G40 G49 G80 G90 G94"},
+                                              {safe, "G21 G17 G40 G49 G80 G94 G54"},
+                                              {safe, "G21 G17 G49 G80 G90 G94 G54"},
+                                              {safe, "G21 G17 G40 G49 G80 G90 G54"},
+                                              {find("G61"), ""},
+                                              {find("G61"), "G64"},
+                                              {find(" G0 Z", change), "G0 Z-50\n"},
+                                              {cut + 1, "M6\n"},
+                                              {cut + 1, "G28 X0 Y0 Z-12\n"},
+                                              {cut + 1, "G4 P0 X90 Y70\n"},
+                                              {cut + 1, "S500\n"},
+                                              {cut + 1, "M5\n"},
+                                              {cut + 1, "M9\n"},
+                                              {cut + 1, "M4\n"},
+                                              {cut + 1, "%\n"},
+                                              {cut + 1, "G55\n"},
+                                              {cut + 1, "M30\n"},
+                                              {up + 1, "G0 X2000\n"},
+                                              {up + 1, "T99\n"}}) {
+        lines_ = whole;
+        if (slip.by.ends_with('\n')) {
+            lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(slip.line),
+                          slip.by.substr(0, slip.by.size() - 1));
+        } else {
+            lines_[slip.line] = slip.by;
+        }
+        const ProgramRun run = verifySpoilt();
+        EXPECT_TRUE(run.exit_code == 2 || run.exit_code == 3) << slip.line + 1 << ": " << slip.by;
+        EXPECT_NE((run.out + run.err).find("S1.ngc, line "), std::string::npos) << run.out << run.err;
+    }
+}
+
+TEST_F(SpoiltProgram, TakesHarmlessEdits) {
+    const std::vector<std::string> whole = lines_;
+    const std::size_t up = find(" G0 Z5", find(" G1 X"));
+    for (const char* line : {"G53 G0 Z0", "G28 Z40", "M1", "M0", "G4 P0.5", "G0 Z40", "(a comment)",
+                             "; G0 Z-50", "N1", "G64 P0.01", "g90 g17", ""}) {
+        lines_ = whole;
+        lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(up) + 1, line);
+        const ProgramRun run = verifySpoilt();
+        EXPECT_EQ(run.exit_code, 0) << line << ": " << run.out << run.err;
+    }
+}
+
 /// The same with finishing passes.
 class SpoiltFinishing : public SpoiltProgram {
   protected:
