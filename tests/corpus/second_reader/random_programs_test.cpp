@@ -27,9 +27,9 @@ constexpr int kDefaultPrograms = 500;
 constexpr double kSameMm = 1e-4;
 constexpr double kSameFeed = 1e-3;
 
-int numberOfPrograms() {
-    const char* asked = std::getenv("STEPMILL_RANDOM_PROGRAMS");
-    return asked != nullptr ? std::atoi(asked) : kDefaultPrograms;
+int fromEnvironment(const char* name, int otherwise) {
+    const char* asked = std::getenv(name);
+    return asked != nullptr ? std::atoi(asked) : otherwise;
 }
 
 std::string eightTools() {
@@ -188,8 +188,9 @@ void compareOne(unsigned seed, Tally& tally) {
 TEST(RandomPrograms, AreReadAsLinuxCncReadsThem) {
     STEPMILL_NEEDS_SECOND_READER();
     Tally tally;
-    const int programs = numberOfPrograms();
-    for (int seed = 1; seed <= programs; ++seed) {
+    const int first = fromEnvironment("STEPMILL_RANDOM_FIRST", 1);
+    const int programs = fromEnvironment("STEPMILL_RANDOM_PROGRAMS", kDefaultPrograms);
+    for (int seed = first; seed < first + programs; ++seed) {
         compareOne(static_cast<unsigned>(seed), tally);
         if (testing::Test::HasFailure()) break;  // one program is enough to read
     }
