@@ -113,7 +113,7 @@ class Generator {
         const int fault_at = chance(0.3) ? whole(0, blocks) : -1;
         const int beyond_at = chance(0.1) ? whole(0, blocks) : -1;
         for (int i = 0; i < blocks; ++i) {
-            if (i == fault_at) block({oneOf(kFaults, random_)});
+            if (i == fault_at) addFault(percent);
             if (i == beyond_at && fault_at < 0) {
                 program_.beyond = oneOf(kBeyond, random_);
                 program_.text += program_.beyond + "\n";
@@ -187,6 +187,13 @@ class Generator {
         inch_ = chance(0.3);
         block({g(inch_ ? 20 : 21), g(17), g(40), g(49), g(80), g(90), g(94), g(54), g(98)}, true);
         if (chance(0.5)) block({chance(0.5) ? "G61" : "G64 P0.01"});
+    }
+
+    void addFault(bool percent) {
+        const std::string fault = oneOf(kFaults, random_);
+        block({fault});
+        // Between two % signs a third ends the program, and words come after it.
+        if (percent && fault == "%") program_.beyond = fault;
     }
 
     void changeTool() {
@@ -271,8 +278,8 @@ class Generator {
     }
 
     void changeUnits() {
-        if (motion_ > 3) block({g(80)});
-        if (motion_ > 3) motion_ = -1;
+        block({g(80)});
+        motion_ = -1;
         inch_ = !inch_;
         cycle_ = false;
         block({g(inch_ ? 20 : 21)});
