@@ -1,6 +1,7 @@
 #include "heal.h"
 
 #include <BRep_Tool.hxx>
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepLib.hxx>
@@ -22,11 +23,16 @@
 #include <fmt/format.h>
 
 #include "measure.h"
+#include "mesh_check.h"
 
 namespace stepmill {
 namespace {
 
 constexpr int kSamplesPerEdge = 9;
+
+/// More on an edge of many knots: each span may bulge by itself.
+constexpr int kSamplesPerSpan = 3;
+constexpr int kMostSamples = 400;
 
 Vec3 toVec3(const gp_Pnt& p) {
     return {p.X(), p.Y(), p.Z()};
@@ -46,10 +52,15 @@ double vertexGap(const TopoDS_Edge& edge) {
     return gap;
 }
 
+int samplesOf(const TopoDS_Edge& edge) {
+    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_C2);
+    return std::clamp(kSamplesPerSpan * spans, kSamplesPerEdge, kMostSamples);
+}
+
 /// Worst distance of an edge's curve in space from a face's surface. The curve on the surface bounds it at
 /// equal parameters; only where that bound is over the limit is the point projected, which costs more but
 /// leaves out what is mere difference in parametrisation.
-double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face, double limit_mm) {
+double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face, double exact_mm) {
     double first = 0;
     double last = 0;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, first, last);
@@ -59,12 +70,13 @@ double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face, double limit_mm
     if (curve.IsNull() || on_surface.IsNull()) return 0;
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
     double gap = 0;
-    for (int i = 0; i < kSamplesPerEdge; ++i) {
-        const double t = first + (last - first) * i / (kSamplesPerEdge - 1);
+    const int samples = samplesOf(edge);
+    for (int i = 0; i < samples; ++i) {
+        const double t = first + (last - first) * i / (samples - 1);
         const gp_Pnt2d uv = on_surface->Value(t);
         const gp_Pnt point = curve->Value(t);
         double distance = point.Distance(surface->Value(uv.X(), uv.Y()));
-        if (distance > limit_mm) {
+        if (distance > exact_mm) {
             ShapeAnalysis_Surface analysis(surface);
             analysis.NextValueOfUV(uv, point, Precision::Confusion());
             distance = std::min(distance, analysis.Gap());
@@ -81,7 +93,7 @@ void noteFaces(const TopoDS_Shape& replacement, const std::string& name, FaceNam
 }
 
 TopoDS_Shape fixShape(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
-                      std::vector<std::string>& remarks) {
+                      std::vector<Remark>& remarks) {
     const double volume_before = volumeOf(solid);
     const int faces_before = countShapes(solid, TopAbs_FACE);
     ShapeFix_Shape fixer(solid);
@@ -92,8 +104,9 @@ TopoDS_Shape fixShape(const TopoDS_Shape& solid, const std::string& subject, Fac
         if (!name.empty()) noteFaces(fixer.Context()->Apply(face), name, names);
     }
     remarks.push_back(
-        fmt::format("healed: the solid was invalid; faces {} -> {}, volume {:.3f} -> {:.3f} mm3",
-                    faces_before, countShapes(fixed, TopAbs_FACE), volume_before, volumeOf(fixed)));
+        {kInputDoubt,
+         fmt::format("healed: the solid was invalid; faces {} -> {}, volume {:.3f} -> {:.3f} mm3",
+                     faces_before, countShapes(fixed, TopAbs_FACE), volume_before, volumeOf(fixed))});
     return fixed;
 }
 
@@ -105,7 +118,13 @@ double largestGap(const Box3& box) {
     return std::max(kGap_mm, kGapShare * box.sizes().maxCoeff());
 }
 
-Misfit measureMisfit(const TopoDS_Shape& solid, double limit_mm) {
+double doubtfulGap(const Box3& box) {
+    constexpr double kGap_mm = 0.001;
+    constexpr double kGapShare = 1e-4;
+    return std::max(kGap_mm, kGapShare * box.sizes().maxCoeff());
+}
+
+Misfit measureMisfit(const TopoDS_Shape& solid, double exact_mm, double limit_mm) {
     Misfit misfit;
     TopTools_IndexedMapOfShape seen;
     for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -116,7 +135,7 @@ Misfit measureMisfit(const TopoDS_Shape& solid, double limit_mm) {
             const bool fresh = !seen.Contains(edge);
             seen.Add(edge);
             const double at_vertex = fresh ? vertexGap(edge) : 0;
-            const double at_edge = edgeGap(edge, face, limit_mm);
+            const double at_edge = edgeGap(edge, face, exact_mm);
             if (std::max(at_vertex, at_edge) > std::max(misfit.vertex_mm, misfit.edge_mm))
                 misfit.where = toVec3(BRep_Tool::Pnt(TopExp::FirstVertex(edge)));
             misfit.vertices_off += at_vertex > limit_mm ? 1 : 0;
@@ -129,19 +148,22 @@ Misfit measureMisfit(const TopoDS_Shape& solid, double limit_mm) {
 }
 
 TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
-                       std::vector<std::string>& remarks) {
+                       std::vector<Remark>& remarks) {
     if (const int free_edges = countFreeEdges(solid); free_edges > 0)
         throw Error(ErrorCode::OpenShell, subject,
                     fmt::format("the solid has {} free edges: it is not closed", free_edges));
     TopoDS_Shape healed = solid;
     if (!BRepCheck_Analyzer(solid).IsValid()) healed = fixShape(solid, subject, names, remarks);
-    if (volumeOf(healed) < 0) {
+    double volume_mm3 = volumeOf(healed);
+    if (volume_mm3 < 0) {
         TopoDS_Solid turned = TopoDS::Solid(healed);
         BRepLib::OrientClosedSolid(turned);
         healed = turned;
-        remarks.emplace_back("healed: the solid was inside out and has been turned");
+        volume_mm3 = -volume_mm3;
+        remarks.push_back({kInputDoubt, "healed: the solid was inside out and has been turned"});
     }
-    requireValid(healed, subject);
+    requireValid(healed, volume_mm3, subject);
+    requireMesh(healed, volume_mm3, subject);
     return healed;
 }
 

@@ -26,13 +26,18 @@ struct Misfit {
 /// 0.01 mm. A vertex that was moved shows up with the whole distance.
 double largestGap(const Box3& box);
 
-Misfit measureMisfit(const TopoDS_Shape& solid, double limit_mm);
+/// Gaps beyond this are a doubt: 0.001 mm, and for large parts 1e-4 of the longest side. The worst sound part
+/// is nist_ctc_02 with 4.4e-5.
+double doubtfulGap(const Box3& box);
 
-/// Makes the solid valid, closed, outward-facing. Adds what it changed to `remarks` and tells `names`
-/// about faces it replaced.
-/// \throws Error(OpenShell, InvalidSolid)
+/// \param exact_mm  gaps up to this are bounds from above, greater ones measured
+/// \param limit_mm  what counts as off
+Misfit measureMisfit(const TopoDS_Shape& solid, double exact_mm, double limit_mm);
+
+/// Makes the solid valid, closed, outward-facing. Adds what it changed to `remarks`, as input-doubts, and
+/// tells `names` about faces it replaced. \throws Error(OpenShell, InvalidSolid)
 TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
-                       std::vector<std::string>& remarks);
+                       std::vector<Remark>& remarks);
 
 /// Scaled about the origin; carries the face names over.
 TopoDS_Shape scaleSolid(const TopoDS_Shape& solid, double factor, FaceNames& names);

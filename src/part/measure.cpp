@@ -49,6 +49,12 @@ double volumeOf(const TopoDS_Shape& shape) {
     return properties.Mass();
 }
 
+double areaOf(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::SurfaceProperties(shape, properties);
+    return properties.Mass();
+}
+
 Box3 boxOf(const TopoDS_Shape& shape) {
     Bnd_Box box;
     BRepBndLib::AddOptimal(shape, box, Standard_False, Standard_False);
@@ -72,6 +78,15 @@ int countFreeEdges(const TopoDS_Shape& shape) {
         if (faces.Extent() != 1 || BRep_Tool::Degenerated(edge)) continue;
         if (!BRep_Tool::IsClosed(edge, TopoDS::Face(faces.First()))) ++count;
     }
+    return count;
+}
+
+int countEdges(const TopoDS_Shape& shape) {
+    TopTools_IndexedMapOfShape edges;
+    TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+    int count = 0;
+    for (int i = 1; i <= edges.Extent(); ++i)
+        count += BRep_Tool::Degenerated(TopoDS::Edge(edges(i))) ? 0 : 1;
     return count;
 }
 
@@ -99,14 +114,14 @@ TopoDS_Shape singleSolid(const TopoDS_Shape& shape, const std::string& subject) 
     return TopExp_Explorer(shape, TopAbs_SOLID).Current();
 }
 
-void requireValid(const TopoDS_Shape& solid, const std::string& subject) {
+void requireValid(const TopoDS_Shape& solid, double volume_mm3, const std::string& subject) {
     if (const int free_edges = countFreeEdges(solid); free_edges > 0)
         throw Error(ErrorCode::InvalidSolid, subject,
                     "the solid is not closed: " + std::to_string(free_edges) + " free edges");
     if (!BRepCheck_Analyzer(solid).IsValid())
         throw Error(ErrorCode::InvalidSolid, subject,
                     "the solid's faces, edges and vertices do not fit together");
-    if (!(volumeOf(solid) > 0))
+    if (!(volume_mm3 > 0))
         throw Error(ErrorCode::InvalidSolid, subject, "the solid's volume is not positive");
 }
 

@@ -16,11 +16,17 @@ std::string surfaceKind(const TopoDS_Face& face);
 /// Signed volume [mm3]; negative for a solid whose faces look inwards.
 double volumeOf(const TopoDS_Shape& shape);
 
+/// Of all faces [mm2].
+double areaOf(const TopoDS_Shape& shape);
+
 /// Tight box of the shape itself, without OCCT's tolerances around it [mm].
 Box3 boxOf(const TopoDS_Shape& shape);
 
 /// Edges that bound one face only; a seam or a degenerated edge is none.
 int countFreeEdges(const TopoDS_Shape& shape);
+
+/// Each once, without degenerated ones.
+int countEdges(const TopoDS_Shape& shape);
 
 int countShapes(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 
@@ -31,8 +37,9 @@ std::vector<TopoDS_Face> facesOf(const TopoDS_Shape& shape);
 /// \throws Error(InvalidSolid)
 TopoDS_Shape singleSolid(const TopoDS_Shape& shape, const std::string& subject);
 
+/// \param volume_mm3  of the solid; costly to measure, so callers that know it say it
 /// \throws Error(InvalidSolid) for free edges, if BRepCheck finds fault or the volume is not positive.
-void requireValid(const TopoDS_Shape& solid, const std::string& subject);
+void requireValid(const TopoDS_Shape& solid, double volume_mm3, const std::string& subject);
 
 /// Fills box, volume, faces (without names), surfaces and shape.
 void describeShape(Part& part, const TopoDS_Shape& solid);

@@ -26,7 +26,7 @@ Part makePart(const TopoDS_Shape& solid, const std::string& name) {
     Part part;
     guardOcct(ErrorCode::InvalidSolid, name, [&] {
         const TopoDS_Shape single = singleSolid(solid, name);
-        requireValid(single, name);
+        requireValid(single, volumeOf(single), name);
         part.name = name;
         part.unit_in_file = "mm";
         describeShape(part, single);

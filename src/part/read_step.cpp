@@ -12,11 +12,6 @@
 namespace stepmill {
 namespace {
 
-/// Codes of remarks.
-constexpr const char* kUnitDoubt = "unit-doubt";
-constexpr const char* kInputDoubt = "input-doubt";
-constexpr const char* kForTheRecord = "part";
-
 /// Longer than the travel of common machining centres, shorter than what a cutter can follow: taken, but
 /// a wrong unit is likelier than such a part.
 constexpr double kDoubtfulLarge_mm = 3000;
@@ -106,7 +101,9 @@ std::string plural(int count, const std::string& one) {
     return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
-void remarkStrays(const Strays& strays, std::vector<Remark>& remarks) {
+/// Annotations are wires, points and open shells the file itself keeps apart; other shells and faces may be
+/// what became of a solid.
+void remarkStrays(const Strays& strays, int open_shells, std::vector<Remark>& remarks) {
     std::string list;
     const auto add = [&](int count, const std::string& one) {
         if (count > 0) list += (list.empty() ? "" : ", ") + plural(count, one);
@@ -115,14 +112,18 @@ void remarkStrays(const Strays& strays, std::vector<Remark>& remarks) {
     add(strays.faces, "free face");
     add(strays.edges, "wire edge");
     add(strays.points, "point");
-    if (!list.empty()) remarks.push_back({kForTheRecord, "ignored beside the solids: " + list});
+    const bool doubtful = strays.shells > open_shells || strays.faces > 0;
+    if (!list.empty())
+        remarks.push_back({doubtful ? kInputDoubt : kForTheRecord, "ignored beside the solids: " + list});
 }
 
 std::vector<Remark> fileRemarks(const StepText& text, const StepImport& import, const ReadOptions& options) {
     std::vector<Remark> remarks;
     for (const std::string& remark : text.remarks)
         remarks.push_back({kForTheRecord, remark});
-    remarkStrays(import.strays, remarks);
+    for (const std::string& doubt : text.doubts)
+        remarks.push_back({kInputDoubt, doubt});
+    remarkStrays(import.strays, text.open_shells, remarks);
     if (import.units.empty() && options.unit.empty())
         remarks.push_back(
             {kUnitDoubt,
@@ -131,11 +132,6 @@ std::vector<Remark> fileRemarks(const StepText& text, const StepImport& import, 
         remarks.push_back({kForTheRecord, "the file mixes length units; each shape is converted by its own"});
     if (const std::string schema = schemaName(text.schemas); !schema.starts_with("AP"))
         remarks.push_back({kInputDoubt, fmt::format("unknown schema {}; read as AP214", schema)});
-    const int distinct = static_cast<int>(import.solids.size());
-    if (text.solid_bodies > distinct)
-        remarks.push_back({kForTheRecord, fmt::format("the file names {} but {} of them {} closed",
-                                                      plural(text.solid_bodies, "solid"), distinct,
-                                                      distinct == 1 ? "is" : "are")});
     return remarks;
 }
 
@@ -160,10 +156,22 @@ void checkSize(Part& part, const ReadOptions& options, const std::string& subjec
                      part.unit_in_file, shown, large ? "mm" : "inch", large ? "millimetres" : "inches")});
 }
 
-void checkFit(const Part& part, const std::string& subject) {
+void checkFit(Part& part, ImportReport& report, const std::string& subject) {
     const double limit_mm = largestGap(part.bbox_mm);
-    const Misfit misfit = measureMisfit(part.shape->solid, limit_mm);
-    if (misfit.vertices_off + misfit.edges_off == 0) return;
+    const double doubtful_mm = doubtfulGap(part.bbox_mm);
+    const Misfit misfit = measureMisfit(part.shape->solid, std::min(limit_mm, doubtful_mm), limit_mm);
+    report.vertex_gap_mm = misfit.vertex_mm;
+    report.edge_gap_mm = misfit.edge_mm;
+    if (misfit.vertices_off + misfit.edges_off == 0) {
+        if (std::max(misfit.vertex_mm, misfit.edge_mm) > doubtful_mm)
+            part.remarks.push_back(
+                {kInputDoubt,
+                 fmt::format("vertices lie up to {:.3g} mm off their edges, edges up to {:.3g} mm off "
+                             "their faces; the worst starts at ({:.3f}, {:.3f}, {:.3f})",
+                             misfit.vertex_mm, misfit.edge_mm, misfit.where.x(), misfit.where.y(),
+                             misfit.where.z())});
+        return;
+    }
     throw Error(
         ErrorCode::InvalidSolid, subject,
         fmt::format("the geometry does not fit together: {} edges end up to {:.3g} mm away from their "
@@ -173,24 +181,69 @@ void checkFit(const Part& part, const std::string& subject) {
                     misfit.where.x(), misfit.where.y(), misfit.where.z()));
 }
 
+const BodyAccount* accountOf(const ImportedSolid& solid, const StepImport& import) {
+    for (const BodyAccount& body : import.bodies)
+        if (!body.shape.IsNull() && body.shape.IsPartner(solid.shape)) return &body;
+    return nullptr;
+}
+
+/// First of a list and how many follow.
+std::string firstOf(const std::vector<std::string>& list) {
+    return list.front() + (list.size() > 1 ? fmt::format(" and {} more", list.size() - 1) : "");
+}
+
+/// Every solid entity of the file is one solid with all its faces and edges, and nothing else is a solid.
+void requireWhole(const StepImport& import, const std::string& file) {
+    for (const BodyAccount& body : import.bodies)
+        if (!body.losses.empty())
+            throw Error(ErrorCode::InvalidSolid, file,
+                        "the geometry reader cannot build the solid of the file: " + firstOf(body.losses));
+    for (const ImportedSolid& solid : import.solids)
+        if (!accountOf(solid, import))
+            throw Error(ErrorCode::InvalidSolid, file,
+                        "the geometry reader made a solid that no entity of the file describes");
+}
+
+ImportedShape shapeOf(const TopoDS_Shape& shape, double volume_mm3) {
+    return {countShapes(shape, TopAbs_FACE), countEdges(shape), volume_mm3, areaOf(shape)};
+}
+
+ImportReport reportOf(const StepText& text, const StepImport& import, const BodyAccount& account) {
+    ImportReport report;
+    report.kinds = text.kinds;
+    report.units = import.units;
+    for (const StepBody& body : text.bodies)
+        if (static_cast<int>(body.id) == account.id) {
+            report.entity = body.name;
+            report.shells_in_file = body.shells;
+            report.faces_in_file = body.faces;
+            report.edges_in_file = body.edges;
+        }
+    const Strays& strays = import.strays;
+    report.strays = {strays.shells, strays.faces, strays.edges, strays.points};
+    return report;
+}
+
 Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, FaceNames& names,
-                 const ReadOptions& options, const std::string& subject) {
+                 const ReadOptions& options, ImportReport report, const std::string& subject) {
     Part part = common;
     part.count = solid.count;
     part.name = solid.name.empty() ? std::filesystem::path(common.file).stem().string() : solid.name;
     guardOcct(ErrorCode::InvalidSolid, subject, [&] {
-        std::vector<std::string> changes;
-        TopoDS_Shape shape = healSolid(solid.shape, subject, names, changes);
-        for (std::string& change : changes)
-            part.remarks.push_back({kForTheRecord, std::move(change)});
+        TopoDS_Shape shape = healSolid(solid.shape, subject, names, part.remarks);
+        const TopoDS_Shape healed = shape;
         if (factor != 1) shape = scaleSolid(shape, factor, names);
         describeShape(part, shape);
+        report.healed = shapeOf(healed, part.volume_mm3 / (factor * factor * factor));
+        const bool untouched = healed.IsEqual(solid.shape);
+        report.built = untouched ? report.healed : shapeOf(solid.shape, volumeOf(solid.shape));
         const std::vector<TopoDS_Face> faces = facesOf(shape);
         for (PartFace& face : part.faces)
             face.step_name = names.of(faces[static_cast<std::size_t>(face.index)]);
-        checkFit(part, subject);
+        checkFit(part, report, subject);
         checkSize(part, options, subject);
     });
+    part.import = std::make_shared<const ImportReport>(std::move(report));
     return part;
 }
 
@@ -200,8 +253,9 @@ std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions&
     const std::string bytes = readFile(path, options.max_file_bytes);
     const std::string file = path.filename().string();
     const StepText text = screenStep(bytes, file);
-    StepImport import = importStep(bytes, file);
+    StepImport import = importStep(withoutByteOrderMark(bytes), file);
     if (import.solids.empty()) refuseWithoutSolid(text, import, file);
+    requireWhole(import, file);
 
     const int solids = static_cast<int>(import.solids.size());
     if (options.solid >= solids || options.solid < -1)
@@ -224,8 +278,14 @@ std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions&
         if (options.solid >= 0 && i != options.solid) continue;
         const std::string subject = solids == 1 ? file : fmt::format("{} solid {}", file, i);
         common.solid_index = i;
-        parts.push_back(finishSolid(import.solids[static_cast<std::size_t>(i)], common, factor,
-                                    import.face_names, options, subject));
+        const ImportedSolid& solid = import.solids[static_cast<std::size_t>(i)];
+        const BodyAccount& account = *accountOf(solid, import);
+        parts.push_back(finishSolid(solid, common, factor, import.face_names, options,
+                                    reportOf(text, import, account), subject));
+        if (!account.turned.empty())
+            parts.back().remarks.push_back(
+                {kInputDoubt, "the geometry reader turned over " + firstOf(account.turned) +
+                                  ": they look to the other side than the file says"});
     }
     return parts;
 }

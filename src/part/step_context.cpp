@@ -15,7 +15,7 @@ namespace {
 constexpr double kUnitShare = 1e-3;
 
 /// Readers merge what lies closer than the file's uncertainty: beyond this features are lost [mm].
-constexpr double kLargestUncertainty_mm = 0.1;
+constexpr double kLargestUncertainty_mm = 1;
 
 struct NamedUnit {
     std::string_view name;

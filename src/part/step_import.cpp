@@ -67,8 +67,7 @@ void checkEntities(const Handle(Interface_InterfaceModel) & model, const std::st
         const std::string kind = entity->DynamicType()->Name();
         if (!kind.starts_with("StepGeom_") && !kind.starts_with("StepShape_")) continue;
         throw Error(ErrorCode::StepDamaged, file,
-                    textOf(model->StringLabel(entity)) + " " + kind.substr(kind.find('_') + 1) +
-                        " has values of the wrong kind or number (" +
+                    entityName(model, entity) + " has values of the wrong kind or number (" +
                         model->Check(i, Standard_True)->CFail(1) + ")");
     }
 }
@@ -203,6 +202,7 @@ StepImport importStep(std::string_view text, const std::string& file) {
             collectStrays(root, result.strays);
         }
         readNames(reader, result);
+        result.bodies = accountBodies(reader);
     });
     return result;
 }

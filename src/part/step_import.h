@@ -8,6 +8,8 @@
 #include <TopoDS_Shape.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
 
+#include "import_account.h"
+
 namespace stepmill {
 
 /// STEP names of faces. Looked up by the face itself wherever it is placed; survives edits that are told
@@ -43,7 +45,8 @@ struct StepImport {
     std::vector<ImportedSolid> solids;  ///< in file order
     Strays strays;
     FaceNames face_names;
-    std::vector<std::string> units;  ///< length units, each once, as the file names them
+    std::vector<BodyAccount> bodies;  ///< solid entities of the file and what became of them
+    std::vector<std::string> units;   ///< length units, each once, as the file names them
 };
 
 /// Runs OCCT's reader over the text, lengths in mm. Says nothing on the standard streams.

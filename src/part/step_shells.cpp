@@ -23,6 +23,16 @@ class ShellCheck {
   public:
     ShellCheck(const StepScreen& screen, StepText& text) : screen_(screen), text_(text) {}
 
+    void checkEntity(const StepEntity& entity) {
+        const std::string_view keyword = model().keywordOf(entity);
+        if (entity.last - entity.first != 1) return;
+        if (isSolidBody(keyword)) checkBody(entity);
+        if (keyword == "SHELL_BASED_SURFACE_MODEL")
+            for (const Id shell : valuesOf(entity).list(1).references())
+                text_.open_shells += findAs(shell, {"OPEN_SHELL"}) ? 1 : 0;
+    }
+
+  private:
     void checkBody(const StepEntity& body) {
         const StepValues values = valuesOf(body);
         StepBody entry{body.id, screen_.nameOf(body), 0, 0, 0};
@@ -34,7 +44,6 @@ class ShellCheck {
         text_.bodies.push_back(entry);
     }
 
-  private:
     const StepModel& model() const { return screen_.model; }
 
     StepValues valuesOf(const StepEntity& entity) const {
@@ -156,8 +165,7 @@ class ShellCheck {
 void checkShells(const StepScreen& screen, StepText& text) {
     ShellCheck check(screen, text);
     for (const StepEntity& entity : screen.model.entities())
-        if (isSolidBody(screen.model.keywordOf(entity)) && entity.last - entity.first == 1)
-            check.checkBody(entity);
+        check.checkEntity(entity);
 }
 
 }  // namespace stepmill

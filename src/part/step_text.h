@@ -24,6 +24,7 @@ struct StepText {
     std::vector<std::string> schemas;  ///< FILE_SCHEMA, as written
     int entities = 0;
     int solid_bodies = 0;  ///< entities that claim to be solids
+    int open_shells = 0;   ///< of surface models: what the file itself holds beside its solids
     bool has_length_unit = false;
     std::vector<std::string> external_files;  ///< names in DOCUMENT_FILE entities
     std::vector<std::string> remarks;

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "stepmill/core/file.h"
+#include "stepmill/part/import_report.h"
 
 namespace stepmill {
 
@@ -30,6 +31,9 @@ struct Remark {
     std::string code;
     std::string text;
 };
+inline constexpr const char* kUnitDoubt = "unit-doubt";
+inline constexpr const char* kInputDoubt = "input-doubt";
+inline constexpr const char* kForTheRecord = "part";
 
 /// One healed solid in millimetres and what the file held beside it. A value: copies share the immutable
 /// OCCT shape.
@@ -47,6 +51,7 @@ struct Part {
     std::vector<PartFace> faces;
     std::vector<Remark> remarks;  ///< ignored wires, points, shells; what healing changed; unit doubts
     std::shared_ptr<const PartShape> shape;
+    std::shared_ptr<const ImportReport> import;  ///< null for a part not read from a file
 };
 
 struct ReadOptions {
@@ -64,9 +69,11 @@ struct ReadOptions {
 /// Reads a STEP file (AP203, AP214, AP242): every distinct solid a part of its own, in mm, healed.
 ///
 /// Screens the text first for what the reader cannot survive (non-finite or absurd numbers, truncation,
-/// references to nothing, a file that is not STEP). May still take unbounded time inside OCCT on hostile
-/// input: run it under runSupervised().
-/// \throws Error(FileUnreadable, NotStep, StepDamaged, NoSolid, OpenShell, InvalidSolid, ImplausibleSize)
+/// references to nothing, a file that is not STEP), then accounts for every
+/// face, edge and shell of the file: what the geometry reader dropped, split or could not close is refused,
+/// what it or healing turned or re-made is an input-doubt. May still take unbounded time inside OCCT on
+/// hostile input: run it under runSupervised(). \throws Error(FileUnreadable, NotStep, StepDamaged, NoSolid,
+/// OpenShell, InvalidSolid, ImplausibleSize)
 std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace stepmill

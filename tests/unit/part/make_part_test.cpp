@@ -111,18 +111,18 @@ TEST(GuardOcct, LetsOtherErrorsThrough) {
 
 TEST(HealSolid, TurnsASolidThatIsInsideOut) {
     FaceNames names;
-    std::vector<std::string> remarks;
+    std::vector<Remark> remarks;
     const TopoDS_Shape inside_out = block().Reversed();
     ASSERT_LT(volumeOf(inside_out), 0);
     const TopoDS_Shape healed = healSolid(inside_out, "block", names, remarks);
     EXPECT_NEAR(volumeOf(healed), 6000, 1e-6);
     ASSERT_EQ(remarks.size(), 1U);
-    EXPECT_NE(remarks[0].find("inside out"), std::string::npos);
+    EXPECT_NE(remarks[0].text.find("inside out"), std::string::npos);
 }
 
 TEST(HealSolid, LeavesAGoodSolidAloneAndRefusesAnOpenOne) {
     FaceNames names;
-    std::vector<std::string> remarks;
+    std::vector<Remark> remarks;
     const TopoDS_Shape good = block();
     EXPECT_TRUE(healSolid(good, "block", names, remarks).IsEqual(good));
     EXPECT_TRUE(remarks.empty());
@@ -147,7 +147,7 @@ TEST(Misfit, IsNothingOnACleanBoolean) {
     const TopoDS_Shape bored =
         BRepAlgoAPI_Cut(block(), BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(6, 12, 0), gp::DZ()), 3, 40).Shape())
             .Shape();
-    const Misfit misfit = measureMisfit(bored, largestGap(boxOf(bored)));
+    const Misfit misfit = measureMisfit(bored, largestGap(boxOf(bored)), largestGap(boxOf(bored)));
     EXPECT_EQ(misfit.vertices_off + misfit.edges_off, 0);
     EXPECT_LT(misfit.vertex_mm, 1e-9);
     EXPECT_LT(misfit.edge_mm, 1e-9);

@@ -60,6 +60,11 @@ class ReadStepTest : public ::testing::Test {
                            [&](const Remark& remark) { return remark.text.find(text) != std::string::npos; });
     }
 
+    static bool isDoubtful(const Part& part) {
+        return std::any_of(part.remarks.begin(), part.remarks.end(),
+                           [](const Remark& remark) { return remark.code == kInputDoubt; });
+    }
+
     fs::path folder_;
     std::string text_;
 };
@@ -153,6 +158,55 @@ TEST_F(ReadStepTest, AVertexMovedOffItsEdgesIsRefused) {
     const std::size_t end = text_.find(')', numbers);
     text_.replace(numbers, end - numbers, ",(1.,2.,3.");
     EXPECT_EQ(refusal(), ErrorCode::InvalidSolid);
+}
+
+TEST_F(ReadStepTest, AccountsForEveryFaceOfTheFile) {
+    const Part part = read().at(0);
+    ASSERT_NE(part.import, nullptr);
+    EXPECT_EQ(part.import->shells_in_file, 1);
+    EXPECT_EQ(part.import->faces_in_file, 10);
+    EXPECT_EQ(part.import->built.faces, 10);
+    EXPECT_EQ(part.import->healed.faces, 10);
+    EXPECT_EQ(part.import->edges_in_file, part.import->healed.edges);
+    EXPECT_EQ(part.import->kinds.at("ADVANCED_FACE"), 10);
+    EXPECT_NEAR(part.import->built.volume_mm3, kBlockVolume_mm3, 1e-4);
+    EXPECT_NE(importText(part).find("1 shells, 10 faces, 24 edges"), std::string::npos) << importText(part);
+}
+
+TEST_F(ReadStepTest, AVectorOfNoLengthIsDamageAndNoOtherPart) {
+    const std::size_t vector = text_.find("VECTOR('',#");
+    ASSERT_NE(vector, std::string::npos);
+    const std::size_t magnitude = text_.find(",1.)", vector);
+    text_.replace(magnitude, 4, ",0.)");
+    EXPECT_EQ(refusal(), ErrorCode::StepDamaged);
+}
+
+TEST_F(ReadStepTest, AFaceTurnedOverIsADoubtOrRefused) {
+    std::size_t face = text_.find("ADVANCED_FACE(");
+    for (int faces = 0; face != std::string::npos; ++faces) {
+        const std::string whole = text_;
+        const std::size_t flag = text_.find(");", face) - 3;
+        text_.replace(flag, 3, text_.substr(flag, 3) == ".T." ? ".F." : ".T.");
+        try {
+            EXPECT_TRUE(isDoubtful(read().at(0))) << "face " << faces;
+        } catch (const Error& error) {
+            EXPECT_TRUE(isInputError(error.code()));
+        }
+        text_ = whole;
+        face = text_.find("ADVANCED_FACE(", face + 1);
+    }
+}
+
+TEST_F(ReadStepTest, AByteOrderMarkIsNoObstacle) {
+    text_ = "\xEF\xBB\xBF" + text_;
+    EXPECT_NEAR(read().at(0).volume_mm3, kBlockVolume_mm3, 1e-4);
+}
+
+TEST_F(ReadStepTest, ATornLoopIsDamage) {
+    const std::size_t edge = text_.find("ORIENTED_EDGE('',*,*,#");
+    const std::size_t flag = text_.find(");", edge) - 3;
+    text_.replace(flag, 3, text_.substr(flag, 3) == ".T." ? ".F." : ".T.");
+    EXPECT_EQ(refusal(), ErrorCode::StepDamaged);
 }
 
 TEST_F(ReadStepTest, AShapeEntityWithAValueOfTheWrongKindIsDamage) {

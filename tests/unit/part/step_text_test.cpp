@@ -128,6 +128,90 @@ TEST(StepText, SaysWhatAFileThatIsNotStepLooksLike) {
     EXPECT_NE(refusalOf(" \r\n").message.find("blank"), std::string::npos);
 }
 
+/// What the message of a refusal says of the entity.
+void expectRefused(const std::string& data, const std::string& words) {
+    const Refusal refusal = refusalOf(fileWith(data));
+    EXPECT_EQ(refusal.code, ErrorCode::StepDamaged) << data;
+    EXPECT_NE(refusal.message.find(words), std::string::npos) << refusal.message;
+}
+
+const std::string kFrame =
+    "#1=CARTESIAN_POINT('',(0.,0.,0.));\n#2=DIRECTION('',(0.,0.,1.));\n#3=DIRECTION('',(1.,0.,0.));\n"
+    "#4=AXIS2_PLACEMENT_3D('',#1,#2,#3);\n";
+
+TEST(StepText, RefusesDirectionsAndVectorsOfNoLength) {
+    expectRefused("#1=DIRECTION('',(0.,-0.,1.E-12));\n", "line 8: #1 DIRECTION has no direction");
+    for (const char* length : {"0.", "-0.", "-1.", "1.E-400"})
+        expectRefused(kFrame + "#168=VECTOR('',#2," + length + ");\n",
+                      "line 12: #168 VECTOR parameter 3: a number above 0 expected");
+    expectRefused(kFrame + "#5=AXIS2_PLACEMENT_3D('',#1,#2,#2);\n", "#5 AXIS2_PLACEMENT_3D has an axis");
+}
+
+TEST(StepText, RefusesCurvesAndSurfacesOfNoSize) {
+    for (const char* entity :
+         {"CIRCLE('',#4,0.)", "CYLINDRICAL_SURFACE('',#4,-2.)", "SPHERICAL_SURFACE('',#4,0.)",
+          "TOROIDAL_SURFACE('',#4,2.,0.)", "ELLIPSE('',#4,1.,0.)", "CONICAL_SURFACE('',#4,-1.,0.5)",
+          "CONICAL_SURFACE('',#4,1.,0.)", "CONICAL_SURFACE('',#4,1.,1.6)"})
+        expectRefused(kFrame + "#5=" + entity + ";\n", "line 12: #5 ");
+    EXPECT_EQ(screenStep(fileWith(kFrame + "#5=CONICAL_SURFACE('',#4,0.,0.5);\n"), "p").entities, 5);
+}
+
+TEST(StepText, RefusesReferencesToTheWrongKind) {
+    expectRefused(kFrame + "#5=VERTEX_POINT('',#2);\n",
+                  "#5 VERTEX_POINT parameter 2: a CARTESIAN_POINT expected, found #2 DIRECTION");
+    expectRefused(kFrame + "#5=PLANE('',#1);\n", "an axis placement expected");
+    expectRefused(kFrame + "#5=PLANE('',$);\n", "an axis placement expected");
+    expectRefused(kFrame + "#5=PLANE(#4);\n", "#5 PLANE");
+}
+
+TEST(StepText, RefusesSplinesWhoseNumbersDisagree) {
+    const auto curve = [](const std::string& points, const std::string& counts, const std::string& knots) {
+        return kFrame + "#5=B_SPLINE_CURVE_WITH_KNOTS('',1,(" + points + "),.UNSPECIFIED.,.F.,.F.,(" +
+               counts + "),(" + knots + "),.UNSPECIFIED.);\n";
+    };
+    EXPECT_EQ(screenStep(fileWith(curve("#1,#1,#1", "2,1,2", "0.,1.,2.")), "p").entities, 5);
+    expectRefused(curve("#1,#1,#1", "2,1,2", "0.,2.,2."), "knots that do not increase");
+    expectRefused(curve("#1,#1", "2,1,2", "0.,1.,2."), "has 2 control points of degree 1 and knots for 3");
+    expectRefused(curve("#1,#1,#1", "2,1", "0.,1.,2."), "3 knots and 2 multiplicities");
+    expectRefused(curve("#1,#1,#1", "2,0,3", "0.,1.,2."), "a knot of multiplicity 0");
+    expectRefused(kFrame +
+                      "#5=(BOUNDED_CURVE()B_SPLINE_CURVE(1,(#1,#1),.UNSPECIFIED.,.F.,.F.)"
+                      "B_SPLINE_CURVE_WITH_KNOTS((2,2),(0.,1.),.UNSPECIFIED.)CURVE()"
+                      "RATIONAL_B_SPLINE_CURVE((1.,0.))REPRESENTATION_ITEM(''));\n",
+                  "has the weight 0");
+}
+
+TEST(StepText, RefusesIdsThatReadersCut) {
+    EXPECT_EQ(screenStep(fileWith("#2147483647=A();\n"), "p").entities, 1);
+    expectRefused("#2147483648=A();\n", "line 8: entity number up to 2147483647 expected");
+    expectRefused("#4294967297=A();\n", "#4294967297");
+    expectRefused("#1=A(#99999999999999999999999);\n", "entity number up to");
+}
+
+TEST(StepText, RefusesTokensAndNestingThatReadersCannotHold) {
+    expectRefused("/*" + std::string(17000, 'x') + "*/#1=A();\n", "line 8: a comment of 17004 bytes");
+    expectRefused("#1=A('" + std::string(17000, 'x') + "');\n", "line 8: a string of 17002 bytes");
+    expectRefused("#1=A(" + std::string(100, '(') + std::string(100, ')') + ");\n", "nested deeper than");
+    std::string chain;
+    for (int i = 1; i < 1000; ++i)
+        chain += "#" + std::to_string(i) + "=MAPPED_ITEM('',#" + std::to_string(i + 1) + ");\n";
+    expectRefused(chain + "#1000=CARTESIAN_POINT('',(0.,0.,0.));\n", "nests entities deeper than");
+}
+
+TEST(StepText, DoubtsUnitsThatAreNotWhatTheirNamesSay) {
+    const auto doubts = [](const std::string& factor) {
+        return screenStep(fileWith("#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"
+                                   "#2=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(" +
+                                   factor +
+                                   "),#1);\n#3=(CONVERSION_BASED_UNIT('Inch',#2)LENGTH_UNIT()"
+                                   "NAMED_UNIT(*));\n"),
+                          "p")
+            .doubts.size();
+    };
+    EXPECT_EQ(doubts("25.4"), 0U);
+    EXPECT_EQ(doubts("26.4"), 1U);
+}
+
 TEST(StepText, ReferencesIntoOtherFilesByTheReferenceSectionAreDefined) {
     std::string text = fileWith("#1=CLOSED_SHELL('',(#2));\n");
     text.insert(text.find("DATA;"), "REFERENCE;\n#2=<other.stp#face>;\nENDSEC;\n");
