@@ -77,6 +77,7 @@ int inspectParts(const InspectOptions& options, Workplace& place) {
     ProgressLine& progress = place.progress;
     progress.showImport(options.part.part_file);
     const std::vector<Part> parts = chooseParts(options.part);
+    reportImport(parts, options.part);
     InspectRequest request;
     request.setup = setupRequest(options.part);
     request.smallest_cutter_mm = smallestCutterMm(options);
@@ -141,6 +142,7 @@ int inspectAll(const InspectOptions& options, const fs::path& out_folder, Workpl
     const Tolerances tol;
     place.progress.showImport(options.part.part_file);
     const std::vector<Part> parts = chooseParts(options.part);
+    reportImport(parts, options.part);
     for (const Part& part : parts) {
         const PartCurves curves = findCurves(part, options, tol, place.progress);
         place.progress.show("writing the curves", 1);
@@ -172,6 +174,7 @@ void addInspectCommand(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<InspectOptions>();
     addPartOptions(*inspect, options->part, "-curves");
     inspect->add_flag("--json", options->part.json, "print inspect.json instead of the text");
+    addImportOption(*inspect, options->part);
     inspect->add_option("--tools", options->part.tools_file,
                         "tool library; its smallest cutter tells an engraving from a pocket");
     inspect->add_flag("--curves", options->curves,
@@ -184,6 +187,7 @@ void addInspectCommand(CLI::App& app, int& exit_code) {
         "Examples:\n"
         "  stepmill inspect bracket.step\n"
         "  stepmill inspect bracket.step --json\n"
+        "  stepmill inspect bracket.step --report-import\n"
         "  stepmill inspect bracket.step -o bracket-inspect\n"
         "  stepmill inspect bracket.step --curves\n"
         "  stepmill inspect bracket.step --curves -o curves --setup +z --to 25");

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "output.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 
@@ -81,6 +82,17 @@ void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& 
         ->check(CLI::IsMember({"mm", "inch", "m", "cm"}));
     command.add_option("--jobs", options.jobs, "threads; 0: one per core")->check(numberFrom(0, 1024, ""));
     addLimitOptions(command, options.limits);
+}
+
+void addImportOption(CLI::App& command, PlanOptions& options) {
+    command.add_flag("--report-import", options.report_import,
+                     "print what the file holds, what was read and healed of it and what was left out");
+}
+
+void reportImport(const std::vector<Part>& parts, const PlanOptions& options) {
+    if (!options.report_import) return;
+    for (const Part& part : parts)
+        (options.json ? printErr : printOut)(importText(part) + "\n");
 }
 
 Shop loadShop(const PlanOptions& options) {

@@ -35,11 +35,19 @@ struct PlanOptions {
     RunLimits limits;
     bool strict = false;
     bool json = false;
+    bool report_import = false;
 };
 
 /// Adds the part, where to write and the options about stock, setup, unit, threads and time that every
 /// command on a part has.
 void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix);
+
+/// Adds --report-import, for the commands that show a part.
+void addImportOption(CLI::App& command, PlanOptions& options);
+
+/// Prints what was read, healed and left out of each part if --report-import asks for it: on stdout, on stderr
+/// where --json has stdout.
+void reportImport(const std::vector<Part>& parts, const PlanOptions& options);
 
 /// Library and machine a run uses. \throws Error as readToolLibrary and readMachine do; Error(Usage) when
 /// no tool has cutting data for the material.

@@ -92,6 +92,7 @@ int planAll(const PlanOptions& options, Workplace& place) {
     place.progress.showImport(options.part_file);
     const PlanRequest request = planRequest(options, shop.machine);
     const std::vector<Part> parts = chooseParts(options);
+    reportImport(parts, options);
     if (parts.size() > 1) return planSolids(parts, options, request, shop, place);
     return planOne(parts.front(), options, request, shop, *place.folder, place.progress);
 }
@@ -134,6 +135,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     plan->add_option("--finish-floors", options->finish_floors_mm,
                      "mm that roughing leaves on floors for a finishing pass over them; 0: no such pass")
         ->capture_default_str();
+    addImportOption(*plan, *options);
     plan->add_flag("--strict", options->strict, "exit 1 on any warning as well");
     plan->add_flag("--json", options->json, "print plan.json on standard output instead of the summary");
     plan->footer(
