@@ -6,7 +6,8 @@
 #include <BRepBndLib.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
-#include <Poly_PolygonOnTriangulation.hxx>
+#include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -40,6 +41,11 @@ Box3 roughBox(const TopoDS_Shape& shape) {
     result.extend(Vec3(high.X(), high.Y(), high.Z()));
     return result;
 }
+
+/// A free-form edge is followed this closely when it is asked whether it crosses itself: a loop is at least
+/// as long as a span of its knots.
+constexpr int kSegmentsPerSpan = 24;
+constexpr int kMostSegments = 4000;
 
 /// Triangles of a shape, gone when this goes.
 class Mesh {
@@ -140,18 +146,18 @@ std::optional<std::size_t> crossingOf(const std::vector<gp_Pnt2d>& line) {
 }
 
 std::optional<Vec3> crossingOn(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-    TopLoc_Location place;
-    const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, place);
-    if (mesh.IsNull() || !mesh->HasUVNodes()) return std::nullopt;
-    const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, mesh, place);
-    if (polygon.IsNull()) return std::nullopt;
+    double first = 0;
+    double last = 0;
+    const Handle(Geom2d_Curve) on_surface = BRep_Tool::CurveOnSurface(edge, face, first, last);
+    if (on_surface.IsNull()) return std::nullopt;
+    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_C2);
+    const int segments = std::min(kSegmentsPerSpan * spans, kMostSegments);
     std::vector<gp_Pnt2d> line;
-    for (int i = 1; i <= polygon->NbNodes(); ++i)
-        line.push_back(mesh->UVNode(polygon->Node(i)));
+    for (int i = 0; i <= segments; ++i)
+        line.push_back(on_surface->Value(first + (last - first) * i / segments));
     const std::optional<std::size_t> at = crossingOf(line);
     if (!at) return std::nullopt;
-    const int node = polygon->Node(static_cast<int>(*at) + 1);
-    return toVec3(mesh->Node(node).Transformed(place.Transformation()));
+    return toVec3(BRep_Tool::Surface(face)->Value(line[*at].X(), line[*at].Y()));
 }
 
 std::optional<Vec3> Mesh::selfCrossing() const {
