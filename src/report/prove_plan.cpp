@@ -49,18 +49,18 @@ void moveToResidual(VolumeBalance& books, double volume_mm3) {
               [](const ReasonVolume& a, const ReasonVolume& b) { return a.reason < b.reason; });
 }
 
-Residual residualOf(const Leftover& leftover) {
+Residual residualOf(const Leftover& leftover, const char* reason) {
     Residual residual;
     residual.region = leftover.region;
     residual.area_mm2 = leftover.area_mm2;
     residual.volume_mm3 = leftover.area_mm2 * leftover.height_mm;
-    residual.reason = kLeftBetweenPasses;
+    residual.reason = reason;
     residual.advice = "a finishing pass, or a smaller step-over in the cutting data";
     return residual;
 }
 
 void nameLeftover(Plan& plan, const Leftover& leftover) {
-    const Residual residual = residualOf(leftover);
+    const Residual residual = residualOf(leftover, kLeftBetweenPasses);
     for (PlannedSetup& setup : plan.setups) {
         for (PlannedFeature& planned : setup.features) {
             if (planned.feature.id != leftover.feature) continue;
@@ -123,7 +123,7 @@ FailedFeatures failedIn(const PlannedSetup& setup, const Verification& verificat
     }
     for (const Leftover& leftover : verification.leftovers)
         if (const auto found = failed.find(leftover.feature); found != failed.end())
-            found->second.left.push_back(residualOf(leftover));
+            found->second.left.push_back(residualOf(leftover, kNotProven));
     return failed;
 }
 

@@ -128,7 +128,7 @@ TEST(PlanProven, NamesWhatToolsLeaveWhereOnlyThatFails) {
         const Json plan = Json::parse(files.plan_json);
         for (const Json& feature : plan["features"])
             for (const Json& residual : feature["residual"])
-                if (residual["reason"] == "left between passes") return verification;
+                if (residual["reason"] == "proof") return verification;
         const Json operation = operationsOf(files, kParent).back();
         verification.failures.push_back({"S1.ngc", 12, operation["id"], "leaves 2 mm2"});
         verification.leftovers.push_back({"S1", kParent, left, area(left), 5, 3000});
