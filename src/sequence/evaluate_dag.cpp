@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "access/collision.h"
 #include "sequence/drilling.h"
 #include "sequence/edge_work.h"
 #include "sequence/surrogates.h"
+#include "sequence/tool_areas.h"
 #include "stepmill/core/error.h"
 #include "stepmill/sequence/tool_dag.h"
 
@@ -305,11 +305,7 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.target = feature.target;
     clearing.obstruction = n.own().obstruction ? *n.own().obstruction : feature.obstruction;
     // The plan may set the tool out less far than it can be, and then takes the shortest that will do.
-    const ToolAssembly shortest =
-        n.tool->stick_out_range ? setTo(*n.tool, n.tool->stick_out_range->shortest_mm) : *n.tool;
-    for (const access::Blocker& blocker : access::blockers(feature, shortest))
-        clearing.kept_off.push_back({feature.obstacles[blocker.obstacle].section, blocker.radius_mm});
-    clearing.free_reach_mm = access::freeReachMm(shortest);
+    addHolder(feature, *n.tool, clearing);
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;
@@ -367,8 +363,8 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
     if (weight(weighed) < weight(step.path)) step.path = std::move(weighed);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
-    step.proof =
-        prove(step.path, clearingTask(task, n, step.area, task.options.pattern, nullptr), n.tool->radius_mm(), tol);
+    step.proof = prove(step.path, clearingTask(task, n, step.area, task.options.pattern, nullptr),
+                       n.tool->radius_mm(), tol);
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,
                     fmt::format("the path of tool {} would cut {:.4f} mm into what must stay", n.tool->id,

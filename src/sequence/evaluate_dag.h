@@ -56,16 +56,15 @@ DagResult evaluateDag(const DagTask& task);
 /// much and hardly ever changes which tools are cheapest; the chosen steps get the best of all.
 inline constexpr Pattern kWeighedPattern = Pattern::ContourInsideOut;
 
-/// What n itself sweeps after m (null: nothing swept yet), with the tool path an edge is weighed by. No moves:
-/// nothing. \param rings  ringsOf() the tool
+/// What n itself sweeps after m (null: nothing swept yet), with the tool path an edge is weighed by. No
+/// moves: nothing. \param rings  ringsOf() the tool
 SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings);
 
 /// The rings that all paths of a tool share while edges are weighed; null for a drill.
 SharedRings ringsOf(const DagTask& task, const Candidate& tool);
 
-/// Step n of a chosen path, after m (null for the first), with the tool path to run, of the quickest patterns,
-/// proved. Surrogates' steps are not in it.
-/// \throws Error(Internal) if the path gouges
+/// Step n of a chosen path, after m (null for the first), with the tool path to run, of the quickest
+/// patterns, proved. Surrogates' steps are not in it. \throws Error(Internal) if the path gouges
 SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n);
 
 }  // namespace stepmill

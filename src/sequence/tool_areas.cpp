@@ -12,4 +12,12 @@ AccessibleArea areaFor(const FeatureGround& ground, const ToolAssembly& tool,
     return area;
 }
 
+void addHolder(const Feature& feature, const ToolAssembly& tool, ClearingTask& clearing) {
+    const ToolAssembly shortest =
+        tool.stick_out_range ? setTo(tool, tool.stick_out_range->shortest_mm) : tool;
+    for (const access::Blocker& blocker : access::blockers(feature, shortest))
+        clearing.kept_off.push_back({feature.obstacles[blocker.obstacle].section, blocker.radius_mm});
+    clearing.free_reach_mm = access::freeReachMm(shortest);
+}
+
 }  // namespace stepmill

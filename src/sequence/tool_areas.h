@@ -9,4 +9,8 @@ namespace stepmill {
 /// leaves of the feature is excluded.
 AccessibleArea areaFor(const FeatureGround& ground, const ToolAssembly& tool, const SequenceOptions& options);
 
+/// Tells the task what shank and holder keep off, as far in as the tool may be set: set out farther, it only
+/// has more room.
+void addHolder(const Feature& feature, const ToolAssembly& tool, ClearingTask& clearing);
+
 }  // namespace stepmill

@@ -4,7 +4,10 @@
 #include <map>
 #include <vector>
 
+#include "access/lazy_diagram.h"
+#include "access/swept.h"
 #include "sequence/candidate.h"
+#include "sequence/tool_areas.h"
 #include "support/clearing_tasks.h"
 #include "unit/sequence/sample_feature.h"
 
@@ -32,6 +35,9 @@ class EveryOrder {
                 area = std::move(*limited);
             }
             tools_.push_back(tool);
+            swept_.push_back(access::sweptForSure(area, tol_));
+            // step() may say another radius: what is swept stays that of the tool's own.
+            area.swept_diagram->from([&]() -> const Region& { return swept_.back(); }, tol_);
             areas_.push_back(std::move(area));
         }
         cleared_.resize(std::size_t{1} << tools_.size());
@@ -66,10 +72,12 @@ class EveryOrder {
     /// The set's areas as those of one tool; the tool's own where it reaches all that the set does.
     AccessibleArea clearedBy(std::size_t set) const {
         AccessibleArea all;
+        std::vector<Region> swept;
         for (std::size_t n = 0; n < tools_.size(); ++n) {
             if ((set >> n & 1U) == 0) continue;
             all.accessible = all.accessible.empty() ? areas_[n].accessible
                                                     : unite(all.accessible, areas_[n].accessible, tol_);
+            swept.push_back(swept_[n]);
             all.coverable =
                 all.coverable.empty() ? areas_[n].coverable : unite(all.coverable, areas_[n].coverable, tol_);
         }
@@ -77,6 +85,8 @@ class EveryOrder {
         for (std::size_t n = 0; n < tools_.size(); ++n)
             if ((set >> n & 1U) != 0 && areas_[n].coverable_area_mm2 >= all.coverable_area_mm2 - same())
                 return areas_[n];
+        all.swept_diagram = std::make_shared<LazyDiagram>();
+        if (!swept.empty()) all.swept_diagram->from([&] { return unite(swept, tol_); }, tol_);
         return all;
     }
 
@@ -106,9 +116,9 @@ class EveryOrder {
         if (left.centres.empty() || left.new_area_mm2 <= same()) return kInfinite;
         const ToolAssembly& tool = *tools_[n];
         const CuttingData cutting = limitedBy(machine_, *tool.cuttingFor(options_.material));
-        const Toolpath path =
-            clearArea(taskOf(ground_.feature(), areas_[n], left, machine_, Pattern::ContourInsideOut), tool,
-                      cutting, machine_, tol_);
+        ClearingTask task = taskOf(ground_.feature(), areas_[n], left, machine_, Pattern::ContourInsideOut);
+        addHolder(ground_.feature(), tool, task);
+        const Toolpath path = clearArea(task, tool, cutting, machine_, tol_);
         if (path.moves.empty()) return kInfinite;
         const EdgeCost cost = edgeCost(path.totals, tool, machine_);
         return options_.objective == Objective::Time ? cost.time_s : cost.cost;
@@ -120,6 +130,7 @@ class EveryOrder {
     FeatureGround ground_;
     std::vector<const ToolAssembly*> tools_;
     std::vector<AccessibleArea> areas_;
+    std::vector<Region> swept_;            ///< by each tool's passes for sure
     std::vector<AccessibleArea> cleared_;  ///< by each set of tools
     std::map<std::pair<std::size_t, std::size_t>, double> steps_;
 };
