@@ -286,7 +286,7 @@ TEST_F(SpoiltProgram, ShowsAHolderThatWouldTouch) {
     Json plan = Json::parse(file);
     Json& tool = plan["tools"][0];
     ASSERT_FALSE(tool["holder"].empty());
-    tool["holder"][0]["bottom_mm"] = 8;
+    tool["holder"][0]["bottom_mm"] = tool["stick_out_mm"] = 8;
     std::ofstream(dir_ / "plan.json") << plan;
     const ProgramRun run = verify(dir_);
     EXPECT_EQ(run.exit_code, 2) << run.out;
