@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 /// No machine has a fixture farther off: a unit gone wrong [mm].
-constexpr double kFarthestMm = 1e5;
+constexpr double kFarthestMm = 1e4;
 /// A fixture as thin is a slip of the pen: heights in plan.json have six decimals [mm].
 constexpr double kThinnestMm = 1e-3;
 
