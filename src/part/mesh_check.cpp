@@ -9,7 +9,6 @@
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
 #include <Poly_Triangulation.hxx>
-#include <TColStd_Array1OfReal.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -48,12 +47,6 @@ Box3 roughBox(const TopoDS_Shape& shape) {
 constexpr int kSegmentsPerSpan = 24;
 constexpr int kMostSegments = 4000;
 
-/// What is wrong with the way of an edge.
-struct EdgeFault {
-    const char* what;
-    Vec3 where;
-};
-
 /// Triangles of a shape, gone when this goes.
 class Mesh {
   public:
@@ -66,8 +59,8 @@ class Mesh {
     ~Mesh() { BRepTools::Clean(shape_); }
 
     MeshVolume volume() const;
-    /// Where a free-form edge crosses itself or turns back on itself on a face, if one does.
-    std::optional<EdgeFault> edgeFault() const;
+    /// Where an edge crosses itself on a face, if one does.
+    std::optional<Vec3> selfCrossing() const;
 
   private:
     TopoDS_Shape shape_;
@@ -152,62 +145,27 @@ std::optional<std::size_t> crossingOf(const std::vector<gp_Pnt2d>& line) {
     return std::nullopt;
 }
 
-/// Inside a span a free-form curve is smooth: between neighbouring samples it never turns by a right angle
-/// but where it runs back on itself, and what it bounds there is counted for nothing. Spans begin at
-/// `starts`.
-std::optional<std::size_t> reversalOf(const std::vector<gp_Pnt2d>& line,
-                                      const std::vector<std::size_t>& starts) {
-    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-        if (std::binary_search(starts.begin(), starts.end(), i)) continue;
-        if (gp_Vec2d(line[i - 1], line[i]).Dot(gp_Vec2d(line[i], line[i + 1])) < 0) return i;
-    }
-    return std::nullopt;
-}
-
-/// Points of an edge on a face, evenly in each of its spans, and where the spans begin.
-struct Samples {
-    std::vector<gp_Pnt2d> line;
-    std::vector<std::size_t> starts;
-};
-
-Samples samplesOf(const TopoDS_Edge& edge, const TopoDS_Face& face) {
+std::optional<Vec3> crossingOn(const TopoDS_Edge& edge, const TopoDS_Face& face) {
     double first = 0;
     double last = 0;
     const Handle(Geom2d_Curve) on_surface = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    if (on_surface.IsNull()) return {};
-    BRepAdaptor_Curve curve(edge);
-    const int spans = curve.NbIntervals(GeomAbs_C2);
-    TColStd_Array1OfReal knots(1, spans + 1);
-    curve.Intervals(knots, GeomAbs_C2);
-    const int segments = std::max(2, std::min(kSegmentsPerSpan, kMostSegments / spans));
-    Samples samples;
-    for (int span = 1; span <= spans; ++span) {
-        samples.starts.push_back(samples.line.size());
-        for (int i = 0; i < segments; ++i)
-            samples.line.push_back(
-                on_surface->Value(knots(span) + (knots(span + 1) - knots(span)) * i / segments));
-    }
-    samples.line.push_back(on_surface->Value(last));
-    return samples;
+    if (on_surface.IsNull()) return std::nullopt;
+    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_C2);
+    const int segments = std::min(kSegmentsPerSpan * spans, kMostSegments);
+    std::vector<gp_Pnt2d> line;
+    for (int i = 0; i <= segments; ++i)
+        line.push_back(on_surface->Value(first + (last - first) * i / segments));
+    const std::optional<std::size_t> at = crossingOf(line);
+    if (!at) return std::nullopt;
+    return toVec3(BRep_Tool::Surface(face)->Value(line[*at].X(), line[*at].Y()));
 }
 
-std::optional<EdgeFault> faultOn(const TopoDS_Edge& edge, const TopoDS_Face& face) {
-    const Samples samples = samplesOf(edge, face);
-    const auto fault = [&](const char* what, std::size_t i) {
-        return EdgeFault{what,
-                         toVec3(BRep_Tool::Surface(face)->Value(samples.line[i].X(), samples.line[i].Y()))};
-    };
-    if (const auto at = crossingOf(samples.line)) return fault("crosses itself", *at);
-    if (const auto at = reversalOf(samples.line, samples.starts)) return fault("turns back on itself", *at);
-    return std::nullopt;
-}
-
-std::optional<EdgeFault> Mesh::edgeFault() const {
+std::optional<Vec3> Mesh::selfCrossing() const {
     for (TopExp_Explorer faces(shape_, TopAbs_FACE); faces.More(); faces.Next())
         for (TopExp_Explorer edges(faces.Current(), TopAbs_EDGE); edges.More(); edges.Next()) {
             const TopoDS_Edge edge = TopoDS::Edge(edges.Current());
             if (!isFreeForm(edge)) continue;
-            if (auto fault = faultOn(edge, TopoDS::Face(faces.Current()))) return fault;
+            if (std::optional<Vec3> where = crossingOn(edge, TopoDS::Face(faces.Current()))) return where;
         }
     return std::nullopt;
 }
@@ -229,9 +187,9 @@ void requireMesh(const TopoDS_Shape& solid, double exact_mm3, const std::string&
             "the faces do not all look outwards: the volumes they bound along x, y and z differ by "
             "{:.3g} of {:.6g} mm3",
             volume.spread_mm3, exact_mm3));
-    if (const std::optional<EdgeFault> fault = mesh.edgeFault())
-        refuse(fmt::format("an edge {} near ({:.3f}, {:.3f}, {:.3f})", fault->what, fault->where.x(),
-                           fault->where.y(), fault->where.z()));
+    if (const std::optional<Vec3> where = mesh.selfCrossing())
+        refuse(fmt::format("an edge crosses itself near ({:.3f}, {:.3f}, {:.3f})", where->x(), where->y(),
+                           where->z()));
     if (!(std::abs(volume.mean_mm3 - exact_mm3) <= kVolumeShare * exact_mm3))
         refuse(fmt::format("the outlines of faces cross: triangles bound {:.6g} mm3, the faces {:.6g} mm3",
                            volume.mean_mm3, exact_mm3));

@@ -22,7 +22,7 @@ struct MeshVolume {
 MeshVolume meshVolume(const TopoDS_Shape& solid);
 
 /// Refuses a solid whose triangles contradict it: faces turned over or without triangles, an edge that
-/// crosses itself or turns back on itself, a volume far from the exact one.
+/// crosses itself, a volume far from the exact one.
 /// \param exact_mm3  volume of the solid by its faces
 /// \throws Error(InvalidSolid)
 void requireMesh(const TopoDS_Shape& solid, double exact_mm3, const std::string& subject);

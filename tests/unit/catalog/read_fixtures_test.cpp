@@ -50,7 +50,7 @@ TEST(ReadFixtures, NamesThePlaceOfWhatIsWrong) {
         std::string::npos);
     EXPECT_NE(
         refusal(fileWith(R"({"name": "a", "outline": [[0, 0], [1e9, 0], [1, 1]], "bottom": 0, "top": 5})"))
-            .find("#/setups/0/fixtures/0/outline/1/0: expected a number from -100000 to 100000, found"),
+            .find("#/setups/0/fixtures/0/outline/1/0: expected a number from -10000 to 10000, found"),
         std::string::npos);
     EXPECT_NE(refusal(R"({"format": 1, "unit": "mm", "setups": [{"setup": "S1", "fixtures": []},
                           {"setup": "S1", "fixtures": []}]})")
