@@ -187,14 +187,12 @@ class AllowanceTrial {
         step.speed_rpm = last().cutting.speed_rpm;
         step.area.area = strip_;
         step.area.new_area_mm2 = area(strip_);
-        std::vector<KeptOff> kept_off;
         // Set out farther, a tool only has more room.
         const ToolAssembly shortest = setTo(*last().tool, stickOut(used_.size() - 1));
         for (const access::Blocker& blocker : access::blockers(feature_, shortest))
-            kept_off.push_back({feature_.obstacles[blocker.obstacle].section, blocker.radius_mm});
-        clearing.kept_off = kept_off;
-        step.path = toolpath::finishWalls({clearing, strip_, allowance_.walls_mm, std::move(kept_off)},
-                                          *last().tool, last().cutting, task_.machine, tol_);
+            clearing.kept_off.push_back({feature_.obstacles[blocker.obstacle].section, blocker.radius_mm});
+        step.path = toolpath::finishWalls({clearing, strip_, allowance_.walls_mm}, *last().tool,
+                                          last().cutting, task_.machine, tol_);
         step.proof = prove(step.path, clearing, last().tool->radius_mm(), tol_);
         if (step.proof.least_clearance_mm < -tol_.gouge_mm || !step.proof.rapids_clear)
             trouble_ =

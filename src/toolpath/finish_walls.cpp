@@ -63,7 +63,7 @@ class WallPasses {
           tol_(tol),
           left_edges_(edgesOf(task.left)),
           obstruction_edges_(edgesOf(task.clearing.obstruction)) {
-        for (const KeptOff& kept : task.kept_off)
+        for (const KeptOff& kept : task.clearing.kept_off)
             kept_edges_.push_back(edgesOf(kept.section));
     }
 
@@ -131,7 +131,7 @@ class WallPasses {
             contains(clearing_.obstruction, way.segment.to))
             return false;
         for (std::size_t i = 0; i < kept_edges_.size(); ++i) {
-            const KeptOff& kept = task_.kept_off[i];
+            const KeptOff& kept = task_.clearing.kept_off[i];
             if (anyNearer(kept_edges_[i], way, kept.distance_mm - tol_.guard_mm) ||
                 contains(kept.section, way.segment.to))
                 return false;

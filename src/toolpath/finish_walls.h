@@ -14,8 +14,6 @@ struct WallTask {
     const ClearingTask& clearing;
     Region left;              ///< of the target: the strip along the walls that is to be taken off
     double allowance_mm = 0;  ///< its width
-    /// On the free centres all of this is kept; leads may leave them over open edges.
-    std::vector<KeptOff> kept_off{};
 };
 
 /// Depths of cut of a finishing pass: as few as keep the chip's cross-section, allowance x depth, to that of
