@@ -16,8 +16,8 @@ namespace {
 using namespace stepmill;
 
 void printReach(const Feature& feature, const ToolLibrary& library, const Tolerances& tol) {
-    std::printf("%s: %s, %.1f mm2, %.2f mm deep\n", feature.id.c_str(), toString(feature.feature_class).c_str(),
-                feature.area_mm2, feature.depth_mm());
+    std::printf("%s: %s, %.1f mm2, %.2f mm deep\n", feature.id.c_str(),
+                toString(feature.feature_class).c_str(), feature.area_mm2, feature.depth_mm());
     const FeatureGround ground(feature, tol);
     for (const ToolAssembly& tool : library.tools) {
         const AccessibleArea area = accessibleArea(ground, tool, "aluminium");

@@ -1,5 +1,5 @@
-// A whole plan from a STEP file: setups, features, operations, times, and the folder with programs and report.
-// Usage: plan_a_part PART.step FOLDER
+// A whole plan from a STEP file: setups, features, operations, times, and the folder with programs and
+// report. Usage: plan_a_part PART.step FOLDER
 
 #include <cstdio>
 #include <exception>

@@ -45,8 +45,8 @@ void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& 
 /// Adds --report-import, for the commands that show a part.
 void addImportOption(CLI::App& command, PlanOptions& options);
 
-/// Prints what was read, healed and left out of each part if --report-import asks for it: on stdout, on stderr
-/// where --json has stdout.
+/// Prints what was read, healed and left out of each part if --report-import asks for it: on stdout, on
+/// stderr where --json has stdout.
 void reportImport(const std::vector<Part>& parts, const PlanOptions& options);
 
 /// Library and machine a run uses. \throws Error as readToolLibrary and readMachine do; Error(Usage) when

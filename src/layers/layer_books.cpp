@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "layers/cut_layer.h"
-#include "layers/local_boolean.h"
+#include "layers/slab/cut_layer.h"
+#include "layers/slab/local_boolean.h"
 
 namespace stepmill::layers {
 

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
-#include "layers/cut_layer.h"
-#include "layers/levels.h"
-#include "layers/section.h"
-#include "layers/slab.h"
-#include "layers/solid_mesh.h"
-#include "layers/stock_air.h"
-#include "layers/trace_faces.h"
+#include "layers/faces/trace_faces.h"
+#include "layers/mesh/solid_mesh.h"
+#include "layers/section/section.h"
+#include "layers/slab/cut_layer.h"
+#include "layers/slab/levels.h"
+#include "layers/slab/slab.h"
+#include "layers/stock/stock_air.h"
 #include "stepmill/core/error.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/part/part_shape.h"

@@ -17,7 +17,7 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
-#include "measure.h"
+#include "part/measure.h"
 #include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
 

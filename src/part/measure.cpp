@@ -1,4 +1,4 @@
-#include "measure.h"
+#include "part/measure.h"
 
 #include <Bnd_Box.hxx>
 #include <BRep_Tool.hxx>

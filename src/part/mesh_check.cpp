@@ -1,4 +1,4 @@
-#include "mesh_check.h"
+#include "part/mesh_check.h"
 
 #include <Bnd_Box.hxx>
 #include <BRep_Tool.hxx>

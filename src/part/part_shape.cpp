@@ -5,7 +5,7 @@
 #include <Standard_OutOfMemory.hxx>
 #include <TopoDS.hxx>
 
-#include "measure.h"
+#include "part/measure.h"
 
 namespace stepmill {
 

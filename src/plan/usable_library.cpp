@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "plan/plan_steps.h"
-#include "sequence/candidate.h"
+#include "sequence/dag/candidate.h"
 #include "toolpath/path_frame.h"
 
 namespace stepmill {

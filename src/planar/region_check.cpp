@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "planar/arrangement.h"
+#include "planar/boolean/arrangement.h"
 #include "planar/intersection.h"
 #include "planar/segment.h"
 #include "stepmill/core/error.h"

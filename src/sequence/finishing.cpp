@@ -6,7 +6,7 @@
 
 #include "access/collision.h"
 #include "access/slivers.h"
-#include "sequence/holder_limits.h"
+#include "sequence/holder/holder_limits.h"
 #include "stepmill/planar/boolean.h"
 #include "toolpath/finish_walls.h"
 #include "toolpath/passes.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sequence/evaluate_dag.h"
+#include "sequence/dag/evaluate_dag.h"
 
 namespace stepmill {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "sequence/candidate.h"
-#include "sequence/holder_limits.h"
+#include "sequence/dag/candidate.h"
+#include "sequence/holder/holder_limits.h"
 
 namespace stepmill {
 

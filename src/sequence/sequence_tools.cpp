@@ -1,13 +1,13 @@
 #include <tbb/parallel_for.h>
 
-#include "sequence/candidate.h"
+#include "sequence/dag/candidate.h"
+#include "sequence/dag/evaluate_dag.h"
+#include "sequence/dag/lower_bound.h"
+#include "sequence/dag/sequence_choices.h"
 #include "sequence/drilling.h"
-#include "sequence/evaluate_dag.h"
-#include "sequence/holder_limits.h"
-#include "sequence/lower_bound.h"
+#include "sequence/holder/holder_limits.h"
+#include "sequence/holder/tool_areas.h"
 #include "sequence/residuals.h"
-#include "sequence/sequence_choices.h"
-#include "sequence/tool_areas.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/sequence.h"
 

@@ -191,7 +191,8 @@ void checkFeature(const PlannedFeature& planned, const std::string& pointer) {
         if (!residual.region.empty() && !isAreaOf(residual.region, residual.area_mm2))
             failAt(at + "/area_mm2", fmt::format("expected the region's area, {:.6f}, found {:.6f}",
                                                  area(residual.region), residual.area_mm2));
-        // A whole feature stays with its own volume, which joined slabs may set a little off area times depth.
+        // A whole feature stays with its own volume, which joined slabs may set a little off area times
+        // depth.
         const double box_mm3 =
             (residual.area_mm2 + areaSlackMm2(residual.region)) * feature.depth_mm() + kWritten;
         const double most_mm3 = std::max(box_mm3, feature.volume_mm3);

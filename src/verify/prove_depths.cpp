@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/planar/boolean.h"
-#include "stepmill/sequence/area_models.h"
+#include "stepmill/sequence/advice/area_models.h"
 #include "toolpath/swept_region.h"
 #include "verify/prove_operation.h"
 

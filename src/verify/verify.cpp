@@ -10,7 +10,7 @@
 #include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/sequence/area_models.h"
+#include "stepmill/sequence/advice/area_models.h"
 #include "toolpath/swept_region.h"
 #include "verify/prove_operation.h"
 #include "verify/prove_state.h"

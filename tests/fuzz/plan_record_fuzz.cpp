@@ -1,5 +1,5 @@
-// A plan.json from a stranger: read or refused with Error(InvalidCatalog); what is read is a plan: setups, ids
-// that lead somewhere, regions that are regions.
+// A plan.json from a stranger: read or refused with Error(InvalidCatalog); what is read is a plan: setups,
+// ids that lead somewhere, regions that are regions.
 
 #include <cstdint>
 #include <cstdlib>

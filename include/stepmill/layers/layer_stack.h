@@ -50,8 +50,8 @@ struct LayerStack {
     double stock_bottom_z_mm = 0;
     double stock_volume_mm3 = 0;  ///< of the solids themselves
     double part_volume_mm3 = 0;
-    bool stock_cut_before = false;  ///< the stock is what earlier setups left
-    double removable_mm3 = 0;       ///< Setup::removable_mm3
+    bool stock_cut_before = false;     ///< the stock is what earlier setups left
+    double removable_mm3 = 0;          ///< Setup::removable_mm3
     std::vector<std::string> remarks;  ///< levels where a section had to be mended, with what was done
     std::vector<FaceTrace> traces;     ///< every face of the part, by face index
 
@@ -79,7 +79,8 @@ struct SliceOptions {
     /// On stock that earlier setups cut, slabs are not parted either for less than this share of what all
     /// setups have to remove: steps and corners they left would make a slab at every height.
     double least_gain_share = 2e-4;
-    /// The same in indexed setups, to which every wall that others cut leans: thin slabs would show steps alone.
+    /// The same in indexed setups, to which every wall that others cut leans: thin slabs would show steps
+    /// alone.
     double least_gain_share_indexed = 5e-3;
     /// Levels closer than this are one [mm].
     double level_merge_mm = 1e-3;

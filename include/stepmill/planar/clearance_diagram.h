@@ -63,8 +63,8 @@ class ClearanceDiagram {
 
     /// The region grown (distance > 0, round joins) or shrunk (distance < 0) by |distance|.
     /// Empty when nothing is left: a result, not an error. Every point is checked against the boundary; where
-    /// that fails, Booleans between what a disc sweeps along each edge answer instead, hundreds of times slower.
-    /// \throws Error(Internal) rather than return a boundary that comes closer than it should.
+    /// that fails, Booleans between what a disc sweeps along each edge answer instead, hundreds of times
+    /// slower. \throws Error(Internal) rather than return a boundary that comes closer than it should.
     Region offset(double distance_mm) const;
 
     /// offset(-first), offset(-(first + step)), ... until nothing is left. \pre step_mm > 0

@@ -7,9 +7,9 @@
 
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/part/part.h"
-#include "stepmill/sequence/purchase.h"
-#include "stepmill/sequence/ranking.h"
-#include "stepmill/sequence/sensitivity.h"
+#include "stepmill/sequence/advice/purchase.h"
+#include "stepmill/sequence/advice/ranking.h"
+#include "stepmill/sequence/advice/sensitivity.h"
 #include "stepmill/setup/setup.h"
 
 namespace stepmill {

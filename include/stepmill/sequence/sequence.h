@@ -9,7 +9,7 @@
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
-#include "stepmill/sequence/area_models.h"
+#include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {

@@ -21,7 +21,9 @@ std::string slurp(const fs::path& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-void write(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
+void write(const fs::path& path, const std::string& text) {
+    std::ofstream(path) << text;
+}
 
 ProgramRun plan(std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {stepmillBinary(), "plan"});
@@ -81,13 +83,16 @@ TEST_F(CommandLine, RefusesAMissingFile) {
 TEST_F(CommandLine, RefusesUnknownOptionsAndWords) {
     expectRefused(plan({kPart, "-o", out_.string(), "--fast"}), out_, {"--fast"});
     expectRefused(plan({kPart, "-o", out_.string(), "--setup", "up"}), out_, {"--setup", "'up'"});
-    expectRefused(plan({kPart, "-o", out_.string(), "--stock-margin", "1,2"}), out_, {"--stock-margin", "'1,2'"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--stock-margin", "1,2"}), out_,
+                  {"--stock-margin", "'1,2'"});
     expectRefused(plan({kPart, "-o", out_.string(), "--objective", "fun"}), out_, {"--objective"});
-    expectRefused(plan({kPart, "-o", out_.string(), "--cost-model", "guess"}), out_, {"--cost-model", "guess"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--cost-model", "guess"}), out_,
+                  {"--cost-model", "guess"});
     expectRefused(plan({kPart, "-o", out_.string(), "--solid", "9"}), out_, {"--solid", "9"});
     expectRefused(plan({kPart, "-o", out_.string(), "--finish-walls", "-0.3"}), out_,
                   {"--finish-walls", "0 or 0.01 to 5 mm", "-0.3"});
-    expectRefused(plan({kPart, "-o", out_.string(), "--finish-floors", "300"}), out_, {"--finish-floors", "300"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--finish-floors", "300"}), out_,
+                  {"--finish-floors", "300"});
 }
 
 TEST_F(CommandLine, PlansByTheModelThatIsAskedForAndSaysSo) {
@@ -99,7 +104,8 @@ TEST_F(CommandLine, PlansByTheModelThatIsAskedForAndSaysSo) {
 }
 
 TEST_F(CommandLine, ChoosesAStickOutFromARangeAndTellsIt) {
-    write(file("tools.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
+    write(file("tools.json"),
+          R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
         "diameter": 10, "flute_length": 20, "flutes": 3, "centre_cutting": true, "stick_out": {"min": 22, "max": 60},
         "holder": [{"diameter": 40, "bottom": 60, "top": 90}], "cutting": [{"material": "aluminium", "step_over": 5,
         "step_down": 5, "feed": 1200, "plunge_feed": 300, "ramp_angle_deg": 3, "speed_rpm": 9000}]}]})");
@@ -108,11 +114,13 @@ TEST_F(CommandLine, ChoosesAStickOutFromARangeAndTellsIt) {
     ASSERT_LE(run.exit_code, 1) << run.err;
     const std::string tools = run.out.substr(run.out.find("\"tools\": ["), 400);
     EXPECT_NE(tools.find("\"stick_out_range_mm\""), std::string::npos) << tools;
-    EXPECT_EQ(tools.find("\"stick_out_mm\": 60.0"), std::string::npos) << "shorter than the longest: " << tools;
-    write(file("tools.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
+    EXPECT_EQ(tools.find("\"stick_out_mm\": 60.0"), std::string::npos)
+        << "shorter than the longest: " << tools;
+    write(file("tools.json"),
+          R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
         "diameter": 10, "flute_length": 20, "stick_out": {"min": 70, "max": 60}, "cutting": []}]})");
-    expectRefused(plan({kPart, "-o", file("no").string(), "--tools", file("tools.json").string()}), file("no"),
-                  {"tools.json", "#/tools/0/stick_out/max", "at least the shortest"});
+    expectRefused(plan({kPart, "-o", file("no").string(), "--tools", file("tools.json").string()}),
+                  file("no"), {"tools.json", "#/tools/0/stick_out/max", "at least the shortest"});
 }
 
 TEST_F(CommandLine, NamesTheMaterialsTheLibraryKnows) {
@@ -121,7 +129,8 @@ TEST_F(CommandLine, NamesTheMaterialsTheLibraryKnows) {
 }
 
 TEST_F(CommandLine, ABrokenLibraryNamesFilePlaceAndExpectation) {
-    write(file("tools.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
+    write(file("tools.json"),
+          R"({"format": 1, "unit": "mm", "tools": [{"id": "A", "number": 1, "type": "flat",
         "diameter": -6, "flute_length": 10, "flutes": 2, "centre_cutting": true, "stick_out": 20, "cutting": []}]})");
     expectRefused(plan({kPart, "-o", out_.string(), "--tools", file("tools.json").string()}), out_,
                   {"tools.json", "#/tools/0/diameter", "-6"});
@@ -155,7 +164,8 @@ TEST_F(CommandLine, EndsAtItsTimeLimitAndLeavesNothing) {
 }
 
 TEST_F(CommandLine, AFeatureNoToolFitsGivesAPlanWithReasonAndExitCodeOne) {
-    write(file("big.json"), R"({"format": 1, "unit": "mm", "tools": [{"id": "F80", "number": 1, "type": "flat",
+    write(file("big.json"),
+          R"({"format": 1, "unit": "mm", "tools": [{"id": "F80", "number": 1, "type": "flat",
         "diameter": 80, "corner_radius": 0, "flute_length": 40, "flutes": 4, "centre_cutting": true, "stick_out": 60,
         "shank": {"diameter": 32, "from": 40}, "holder": [],
         "cutting": [{"material": "aluminium", "step_over": 30, "step_down": 5, "feed": 1000, "plunge_feed": 300,

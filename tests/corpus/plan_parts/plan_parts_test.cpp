@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// No part may take longer. Castings and sheet metal of hundreds of free-form faces do not get ready in it and
-/// end with that reason.
+/// No part may take longer. Castings and sheet metal of hundreds of free-form faces do not get ready in it
+/// and end with that reason.
 constexpr int kTimeLimitS = 12;
 /// algorithms.md, section 2.
 constexpr double kBooksShare = 1e-3;

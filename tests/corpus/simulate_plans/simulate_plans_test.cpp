@@ -141,9 +141,8 @@ TEST_P(SimulatePlan, CutsTheSameWithAFinishingAllowance) {
 
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulatePlan,
                          testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity", "four_setups",
-                                         "nested_pockets", "open_slots", "plate_with_holes", "pocket_without_bosses",
-                                         "rounded_pocket",
-                                         "shoulder_block"),
+                                         "nested_pockets", "open_slots", "plate_with_holes",
+                                         "pocket_without_bosses", "rounded_pocket", "shoulder_block"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 }  // namespace

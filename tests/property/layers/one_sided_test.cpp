@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "layers/solid_mesh.h"
+#include "layers/mesh/solid_mesh.h"
 #include "support/run_program.h"
 #include "unit/layers/solids.h"
 

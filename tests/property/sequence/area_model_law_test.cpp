@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "stepmill/sequence/area_models.h"
-#include "stepmill/sequence/ranking.h"
+#include "stepmill/sequence/advice/area_models.h"
+#include "stepmill/sequence/advice/ranking.h"
 
 namespace stepmill {
 namespace {

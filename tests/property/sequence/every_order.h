@@ -6,8 +6,8 @@
 
 #include "access/lazy_diagram.h"
 #include "access/swept.h"
-#include "sequence/candidate.h"
-#include "sequence/tool_areas.h"
+#include "sequence/dag/candidate.h"
+#include "sequence/holder/tool_areas.h"
 #include "support/clearing_tasks.h"
 #include "unit/sequence/sample_feature.h"
 

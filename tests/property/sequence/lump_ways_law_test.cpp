@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sequence/lump_ways.h"
+#include "sequence/surrogates/lump_ways.h"
 
 namespace stepmill {
 namespace {

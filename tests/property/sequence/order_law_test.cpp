@@ -4,7 +4,7 @@
 #include "../access/random_grounds.h"
 #include "bossed_tasks.h"
 #include "every_order.h"
-#include "sequence/sequence_choices.h"
+#include "sequence/dag/sequence_choices.h"
 
 namespace stepmill::test {
 namespace {

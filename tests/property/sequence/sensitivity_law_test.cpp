@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "stepmill/sequence/sensitivity.h"
+#include "stepmill/sequence/advice/sensitivity.h"
 #include "unit/sequence/sample_feature.h"
 
 namespace stepmill::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sequence/sequence_choices.h"
+#include "sequence/dag/sequence_choices.h"
 #include "support/clearing_tasks.h"
 #include "unit/sequence/sample_feature.h"
 

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "bossed_tasks.h"
-#include "sequence/candidate.h"
-#include "sequence/sequence_choices.h"
-#include "sequence/surrogates.h"
+#include "sequence/dag/candidate.h"
+#include "sequence/dag/sequence_choices.h"
+#include "sequence/surrogates/surrogates.h"
 #include "support/clearing_tasks.h"
 
 namespace stepmill::test {

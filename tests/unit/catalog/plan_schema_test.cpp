@@ -164,7 +164,8 @@ TEST(PlanSchema, RefusesADigestThatIsNone) {
 
 TEST(PlanSchema, RefusesAFeatureIdWithoutItsSetup) {
     EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"),
-              Lines{"#/setups/0/features/0: expected a text like ^S[0-9]{1,4}\\.F[0-9]{1,6}(\\.[0-9]{1,4})?$, found \"F1\""});
+              Lines{"#/setups/0/features/0: expected a text like "
+                    "^S[0-9]{1,4}\\.F[0-9]{1,6}(\\.[0-9]{1,4})?$, found \"F1\""});
 }
 
 TEST(PlanSchema, TakesAnySurfaceKindButOnlyCounts) {

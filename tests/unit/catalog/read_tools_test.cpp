@@ -130,8 +130,8 @@ TEST(ReadTools, ReportsUnknownFieldsWhereverTheyStand) {
     library["tools"][1]["coating/type"] = "TiAlN";
     library["tools"][0]["cutting"][1]["air"] = {{"kind", "blast"}};
     library["tools"][0]["holder"][0]["name"] = "ER25";
-    const std::vector<std::string> expected{"#/colour", "#/tools/0/cutting/1/air",
-                                            "#/tools/0/holder/0/name", "#/tools/1/coating~1type"};
+    const std::vector<std::string> expected{"#/colour", "#/tools/0/cutting/1/air", "#/tools/0/holder/0/name",
+                                            "#/tools/1/coating~1type"};
     EXPECT_EQ(read(library).unknown_fields, expected);
 }
 

@@ -59,9 +59,9 @@ TEST(StickOutRange, TellsFlutesInTheHolderAtTheShortest) {
 TEST(StickOutRange, TellsAMissingEnd) {
     json library = goodLibrary();
     library["tools"][0]["stick_out"] = {{"min", 30}};
-    EXPECT_EQ(
-        messageOf(library),
-        "tools.json#/tools/0/stick_out: expected the field \"max\", a number from 0.0003 to 5000, found none");
+    EXPECT_EQ(messageOf(library),
+              "tools.json#/tools/0/stick_out: expected the field \"max\", a number from 0.0003 to 5000, "
+              "found none");
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ TEST(ToolErrors, NameFilePointerAndExpectation) {
         toolLibraryFromText(library.dump(), "tools.json");
     });
     EXPECT_EQ(error.subject(), "tools.json#/tools/1/diameter");
-    EXPECT_STREQ(error.what(), "tools.json#/tools/1/diameter: expected a number from 0.0003 to 500, found -6");
+    EXPECT_STREQ(error.what(),
+                 "tools.json#/tools/1/diameter: expected a number from 0.0003 to 500, found -6");
 }
 
 TEST(ToolErrors, TellAMissingFieldWithWhatItShouldHold) {
@@ -83,9 +84,9 @@ TEST(ToolErrors, CountTheOthersOfTheSameFile) {
     json library = goodLibrary();
     library["tools"][0]["diameter"] = 0;
     library["tools"][1]["diameter"] = "5";
-    EXPECT_EQ(
-        messageOfText(library.dump()),
-        "tools.json#/tools/0/diameter: expected a number from 0.0003 to 500, found 0 (and 1 more in this file)");
+    EXPECT_EQ(messageOfText(library.dump()),
+              "tools.json#/tools/0/diameter: expected a number from 0.0003 to 500, found 0 (and 1 more in "
+              "this file)");
 }
 
 TEST(ToolErrors, TellIdsAndNumbersUsedTwice) {
@@ -212,8 +213,9 @@ TEST(LibraryFindings, PutItemsInTheOrderOfTheirNumbers) {
     library["tools"][2]["diameter"] = 0;
     library["tools"][10]["diameter"] = 0;
     const LibraryFile file(library);
-    const std::vector<std::string> expected{"#/tools/2/diameter: expected a number from 0.0003 to 500, found 0",
-                                            "#/tools/10/diameter: expected a number from 0.0003 to 500, found 0"};
+    const std::vector<std::string> expected{
+        "#/tools/2/diameter: expected a number from 0.0003 to 500, found 0",
+        "#/tools/10/diameter: expected a number from 0.0003 to 500, found 0"};
     EXPECT_EQ(findLibraryErrors(file.path()), expected);
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "layers/curve_fit.h"
-#include "layers/smooth_hulls.h"
+#include "layers/section/curve_fit.h"
+#include "layers/slab/smooth_hulls.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 

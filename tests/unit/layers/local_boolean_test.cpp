@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "layers/local_boolean.h"
+#include "layers/slab/local_boolean.h"
 #include "stepmill/planar/boolean.h"
 
 using namespace stepmill;

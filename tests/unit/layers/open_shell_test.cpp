@@ -2,10 +2,10 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 
-#include "layers/hull_section.h"
-#include "layers/section.h"
-#include "layers/slab.h"
-#include "layers/solid_mesh.h"
+#include "layers/mesh/solid_mesh.h"
+#include "layers/section/hull_section.h"
+#include "layers/section/section.h"
+#include "layers/slab/slab.h"
 #include "unit/layers/solids.h"
 
 using namespace stepmill;

@@ -9,8 +9,8 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 
-#include "part/heal.h"
 #include "part/measure.h"
+#include "part/step/heal.h"
 #include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
 

@@ -1,4 +1,4 @@
-#include "part/step_text.h"
+#include "part/step/text.h"
 
 #include <gtest/gtest.h>
 

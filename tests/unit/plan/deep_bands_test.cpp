@@ -39,10 +39,9 @@ ToolLibrary library() {
 }
 
 TEST(DeepBands, AFeatureDeeperThanTheWidestMillReachesIsParted) {
-    const std::vector<Feature> bands =
-        inBands({feature("S1.F1", FeatureClass::ThroughPocket, 100),
-                 feature("S1.F2", FeatureClass::ClosedPocket, 30, {"S1.F1"})},
-                library(), kMaterial);
+    const std::vector<Feature> bands = inBands({feature("S1.F1", FeatureClass::ThroughPocket, 100),
+                                                feature("S1.F2", FeatureClass::ClosedPocket, 30, {"S1.F1"})},
+                                               library(), kMaterial);
     ASSERT_EQ(bands.size(), 4U);
     EXPECT_EQ(bands[0].id, "S1.F1.1");
     EXPECT_DOUBLE_EQ(bands[0].top_z_mm, 0);

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "planar/arrangement.h"
-#include "planar/loop_builder.h"
+#include "planar/boolean/arrangement.h"
+#include "planar/boolean/loop_builder.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/region_text.h"
 

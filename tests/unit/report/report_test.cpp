@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "report/svg.h"
-#include "report/text.h"
+#include "report/page/svg.h"
+#include "report/page/text.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"

@@ -1,4 +1,4 @@
-#include "stepmill/sequence/area_models.h"
+#include "stepmill/sequence/advice/area_models.h"
 
 #include <gtest/gtest.h>
 

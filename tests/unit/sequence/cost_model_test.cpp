@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sequence/candidate.h"
+#include "sequence/dag/candidate.h"
 #include "unit/sequence/sample_feature.h"
 
 namespace stepmill::test {

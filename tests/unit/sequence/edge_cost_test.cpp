@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sequence/candidate.h"
+#include "sequence/dag/candidate.h"
 #include "stepmill/sequence/sequence.h"
 #include "toolpath/path_frame.h"
 

@@ -1,8 +1,8 @@
-#include "stepmill/sequence/purchase.h"
+#include "stepmill/sequence/advice/purchase.h"
 
 #include <gtest/gtest.h>
 
-#include "sequence/trial_tools.h"
+#include "sequence/advice/trial_tools.h"
 #include "unit/sequence/sample_feature.h"
 
 namespace stepmill::test {

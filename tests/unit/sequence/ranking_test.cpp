@@ -1,4 +1,4 @@
-#include "stepmill/sequence/ranking.h"
+#include "stepmill/sequence/advice/ranking.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "stepmill/sequence/sensitivity.h"
+#include "stepmill/sequence/advice/sensitivity.h"
 
 #include <gtest/gtest.h>
 

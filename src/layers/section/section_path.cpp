@@ -1,0 +1,94 @@
+// From crossed faces to the curves they show.
+
+#include "layers/section/section_path.h"
+
+#include <Geom_CylindricalSurface.hxx>
+
+#include "layers/section/plane_vectors.h"
+#include "layers/section/section_points.h"
+
+namespace stepmill::layers {
+
+namespace {
+
+/// Where a run begins and ends, on the true edges.
+struct Ends {
+    Vec2 from;
+    Vec2 to;
+};
+
+PlaneCurve lineOf(const MeshFace& face, double z_mm) {
+    PlaneCurve curve;
+    curve.kind = PlaneCurve::Kind::Line;
+    const double length = face.normal.head<2>().norm();
+    curve.normal = face.normal.head<2>() / length;
+    curve.offset = (face.offset_mm - face.normal.z() * z_mm) / length;
+    return curve;
+}
+
+/// A lying cylinder shows a line on either side of its axis. Which one, the ends on the edges tell; a
+/// loop cannot run over this face alone.
+PlaneCurve lineOfLying(const FaceRun& run, const Ends& ends, double z_mm) {
+    const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(run.face->surface);
+    const gp_Pnt centre = cylinder->Location();
+    const double dz = z_mm - centre.Z();
+    const double half = std::sqrt(std::max(0.0, cylinder->Radius() * cylinder->Radius() - dz * dz));
+    PlaneCurve curve;
+    curve.kind = PlaneCurve::Kind::Line;
+    curve.normal = Vec2(-run.face->axis.y(), run.face->axis.x());
+    const double middle = curve.normal.dot(Vec2(centre.X(), centre.Y()));
+    const double side_from = curve.normal.dot(ends.from) - middle;
+    const double side_to = curve.normal.dot(ends.to) - middle;
+    if (side_from * side_to < 0 && std::min(std::abs(side_from), std::abs(side_to)) > 0.5 * half) {
+        // The ridge of the facets is a little lower than the cylinder's: a run that passes over it turns
+        // back on the other side. Between its ends lies a strip thinner than the distance to the level.
+        const Vec2 along = (ends.to - ends.from).normalized();
+        curve.normal = Vec2(-along.y(), along.x());
+        curve.offset = curve.normal.dot(ends.from);
+        return curve;
+    }
+    const double side = side_from + side_to;
+    curve.offset = middle + (side < 0 ? -half : half);
+    return curve;
+}
+
+PlaneCurve circleOf(const FaceRun& run, double z_mm) {
+    PlaneCurve curve;
+    curve.kind = PlaneCurve::Kind::Circle;
+    double distances = 0;
+    for (const Crossing& c : run.crossings) {
+        const Vec2 a = c.from - run.face->axis;
+        const Vec2 b = c.to - run.face->axis;
+        curve.turn += std::atan2(cross(a, b), a.dot(b));
+        distances += (a.norm() + b.norm()) / 2;
+    }
+    const double mean = distances / static_cast<double>(run.crossings.size());
+    curve.arc = {run.face->axis, snapToGrid(run.face->radiusAt(z_mm, mean)), curve.turn > 0};
+    return curve;
+}
+
+PlaneCurve curveOf(const SolidMesh& mesh, const FaceRun& run, const Ends& ends, double z_mm) {
+    if (run.face->kind == FaceKind::Plane) return lineOf(*run.face, z_mm);
+    if (run.face->kind == FaceKind::Turned) return circleOf(run, z_mm);
+    if (run.face->kind == FaceKind::Lying) return lineOfLying(run, ends, z_mm);
+    PlaneCurve curve;
+    curve.points = pointsOnSurface(mesh, run.crossings, z_mm);
+    return curve;
+}
+
+}  // namespace
+
+Loop joinRuns(const SolidMesh& mesh, const std::vector<FaceRun>& runs, double z_mm, const Tolerances& tol) {
+    if (runs.size() == 1 && runs.front().whole_loop)
+        return wholeLoop(curveOf(mesh, runs.front(), {}, z_mm), tol.curve_fit_mm);
+    const std::size_t n = runs.size();
+    std::vector<Vec2> on_edge;  // point i lies between run i - 1 and run i
+    for (const FaceRun& run : runs)
+        on_edge.push_back(pointOnEdge(mesh, run.crossings.front().side_in, z_mm));
+    std::vector<PlaneCurve> curves;
+    for (std::size_t i = 0; i < n; ++i)
+        curves.push_back(curveOf(mesh, runs[i], {on_edge[i], on_edge[(i + 1) % n]}, z_mm));
+    return joinCurves(curves, on_edge, tol.curve_fit_mm);
+}
+
+}  // namespace stepmill::layers

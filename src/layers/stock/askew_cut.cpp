@@ -1,0 +1,147 @@
+// Cuts along axes askew to a setup's.
+
+#include "layers/stock/askew_cut.h"
+
+#include "layers/section/plane_vectors.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::layers {
+
+namespace {
+
+/// Arcs become polygons that stay this near to them [mm]. They leave that much stock standing on walls that
+/// earlier setups cut along other axes; finer ones cost every slab edges and tell no more.
+constexpr double kAskewChordMm = 0.02;
+
+/// Adds an arc as a polygon on the region's side of it: chords where the region lies inside the circle,
+/// tangents where it lies outside.
+void addArc(const Vec2& from, const Segment& segment, double sagitta_mm, std::vector<Vec2>& corners) {
+    const Arc& arc = *segment.arc;
+    const double sweep = sweepAngle(from, segment.to, arc);
+    const double widest = 2 * std::acos(1 - std::min(sagitta_mm / arc.radius_mm, 0.5));
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / widest)));
+    const double step = sweep / parts;
+    const double start = std::atan2(from.y() - arc.centre.y(), from.x() - arc.centre.x());
+    const double reach = arc.ccw ? arc.radius_mm : arc.radius_mm / std::cos(step / 2);
+    for (int i = 0; i < parts; ++i) {
+        const double angle = start + (arc.ccw ? i + 1 : i + 0.5) * step;
+        if (arc.ccw && i + 1 == parts) break;
+        corners.push_back(arc.centre + reach * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    corners.push_back(segment.to);
+}
+
+Loop closedPath(const std::vector<Vec2>& corners) {
+    Loop loop;
+    loop.start = snapToGrid(corners.front());
+    for (std::size_t i = 1; i <= corners.size(); ++i)
+        loop.segments.push_back({snapToGrid(corners[i % corners.size()]), std::nullopt});
+    return loop;
+}
+
+Region insidePolygon(const Region& region) {
+    Region inside;
+    for (const Loop& loop : region.loops) {
+        std::vector<Vec2> corners;
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            if (segment.arc)
+                addArc(from, segment, kAskewChordMm, corners);
+            else
+                corners.push_back(segment.to);
+            from = segment.to;
+        }
+        inside.loops.push_back(closedPath(corners));
+    }
+    return inside;
+}
+
+/// Points of `from_where`, inside the outline, that stay inside all the way to where `travel` takes them.
+Region staysInside(const Region& from_where, const Region& outline, const Vec2& travel,
+                   const Tolerances& tol) {
+    const Box2 reached = boundingBox(from_where).grown(travel.norm());
+    std::vector<Region> meets_wall;
+    for (const Loop& loop : outline.loops) {
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            Box2 wall;
+            wall.add(from);
+            wall.add(segment.to);
+            const double area_mm2 = cross(segment.to - from, -travel);
+            std::vector<Vec2> corners = {from, segment.to, segment.to - travel, from - travel};
+            if (area_mm2 < 0) std::reverse(corners.begin(), corners.end());
+            if (std::abs(area_mm2) > kGridMm && wall.overlaps(reached))
+                meets_wall.push_back(makePolygon(corners));
+            from = segment.to;
+        }
+    }
+    return meets_wall.empty() ? from_where : subtract(from_where, unite(meets_wall, tol), tol);
+}
+
+}  // namespace
+
+AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup)
+    : outline_(insidePolygon(prism.region)),
+      top_mm_(prism.top_z_mm),
+      bottom_mm_(prism.bottom_z_mm),
+      to_setup_(to_setup),
+      up_(to_setup.linear().transpose() * Vec3::UnitZ()) {
+    for (const Loop& loop : outline_.loops) {
+        for (const Segment& segment : loop.segments) {
+            for (const double reach : {top_mm_, bottom_mm_}) {
+                const double z = (to_setup_ * Vec3(segment.to.x(), segment.to.y(), reach)).z();
+                low_mm_ = std::min(low_mm_, z);
+                high_mm_ = std::max(high_mm_, z);
+            }
+        }
+    }
+}
+
+Region AskewCut::between(double low_mm, double high_mm, const Tolerances& tol) const {
+    if (outline_.empty() || high_mm <= low_mm_ || low_mm >= high_mm_) return {};
+    const double rise_mm = high_mm - low_mm;
+    const Region in_reach = strip(low_mm, rise_mm);
+    if (in_reach.empty()) return {};
+    Region inside = intersect(outline_, in_reach, tol);
+    if (rise_mm > 0 && !inside.empty()) inside = staysInside(inside, outline_, up_.head<2>() * rise_mm, tol);
+    return toSetup(inside, low_mm);
+}
+
+/// Where a point of the setup's plane at z lies between the prism's ends, and is still there after the rise.
+Region AskewCut::strip(double z_mm, double rise_mm) const {
+    const double along = up_.z();
+    const double lowest = std::max(bottom_mm_, bottom_mm_ - rise_mm * along);
+    const double highest = std::min(top_mm_, top_mm_ - rise_mm * along);
+    if (lowest >= highest) return {};
+    const double aslant = up_.head<2>().norm();
+    const Vec2 across = up_.head<2>() / aslant;
+    const Vec2 level(-across.y(), across.x());
+    const double base = z_mm - to_setup_.translation().z();
+    const double one = (base - along * lowest) / aslant;
+    const double other = (base - along * highest) / aslant;
+    const Box2 box = boundingBox(outline_);
+    const double beyond = (box.min.norm() + box.max.norm()) * 2 + 1;
+    const double near_mm = std::max(std::min(one, other), -beyond);
+    const double far_mm = std::min(std::max(one, other), beyond);
+    if (near_mm >= far_mm) return {};
+    return makePolygon({near_mm * across + beyond * level, near_mm * across - beyond * level,
+                        far_mm * across - beyond * level, far_mm * across + beyond * level});
+}
+
+Region AskewCut::toSetup(const Region& region, double z_mm) const {
+    const double base = z_mm - to_setup_.translation().z();
+    const bool mirrors = up_.z() < 0;
+    Region result;
+    for (const Loop& loop : region.loops) {
+        std::vector<Vec2> corners;
+        for (const Segment& segment : loop.segments) {
+            const double reach = (base - up_.head<2>().dot(segment.to)) / up_.z();
+            corners.push_back((to_setup_ * Vec3(segment.to.x(), segment.to.y(), reach)).head<2>());
+        }
+        if (mirrors) std::reverse(corners.begin(), corners.end());
+        result.loops.push_back(closedPath(corners));
+    }
+    return result;
+}
+
+}  // namespace stepmill::layers

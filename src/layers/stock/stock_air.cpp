@@ -1,0 +1,386 @@
+// What earlier setups cut, seen from a setup.
+
+#include "layers/stock/stock_air.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill::layers {
+
+namespace {
+
+/// Level walls and ends of cuts this near to an end of a slab lie on it [mm]: levels that near are one.
+constexpr double kIntoSlabMm = 1e-3;
+/// Heights nearer than this are one [mm]: turned points are rounded to the grid, which tilts level walls.
+constexpr double kSameHeightMm = 10 * kGridMm;
+
+struct Interval {
+    double from = 0;
+    double to = 0;
+
+    bool operator==(const Interval&) const = default;
+};
+
+/// Heights and weights of a quadrature on [0, 1] for sections that begin or end like a circle's: Gauss and
+/// Legendre's four points in t with z = (1 - cos pi t) / 2. A half circle's area comes out to 1e-4 of it.
+struct Node {
+    double at;
+    double weight;
+};
+constexpr std::array<Node, 4> kNodes = {{{0.011847712960255552, 0.059122196510775035},
+                                         {0.2454921072521225, 0.4408778034892249},
+                                         {0.7545078927478774, 0.440877803489225},
+                                         {0.9881522870397446, 0.059122196510774994}}};
+
+/// Cuts askew to the axis that are less than this share of all there is to remove count as uncut: each costs
+/// a union a slab.
+constexpr double kAskewShare = 3e-5;
+
+/// Shares of an arc at which it passes the outermost points of its circle.
+std::vector<double> turningShares(const Vec2& from, const Segment& segment) {
+    const Arc& arc = *segment.arc;
+    const Vec2 out = from - arc.centre;
+    const double start = std::atan2(out.y(), out.x());
+    const double sweep = sweepAngle(from, segment.to, arc);
+    std::vector<double> shares;
+    // A start in (-pi, pi] and a full turn either way: six quarter turns cover them.
+    for (int quarter = -6; quarter <= 6; ++quarter) {
+        const double share = (quarter * kPi / 2 - start) / sweep;
+        if (share > 1e-9 && share < 1 - 1e-9) shares.push_back(share);
+    }
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
+void addPieces(const Vec2& from, const Segment& segment, std::vector<MonotonePiece>& into) {
+    if (!segment.arc) return into.push_back({from, segment.to, std::nullopt, false});
+    std::vector<double> shares = turningShares(from, segment);
+    shares.push_back(1);
+    Vec2 at = from;
+    double done = 0;
+    for (const double share : shares) {
+        const Vec2 to = share == 1 ? segment.to : pointAt(from, segment, share);
+        const Vec2 middle = pointAt(from, segment, (done + share) / 2);
+        into.push_back({at, to, segment.arc, middle.x() > segment.arc->centre.x()});
+        at = to;
+        done = share;
+    }
+}
+
+/// Loops of a region, moved by an isometry of the plane.
+template <typename Move>
+Region moved(const Region& region, bool mirrors, const Move& move) {
+    Region result;
+    for (const Loop& loop : region.loops) {
+        Loop copy;
+        copy.start = snapToGrid(move(loop.start));
+        for (Segment segment : loop.segments) {
+            segment.to = snapToGrid(move(segment.to));
+            if (segment.arc) {
+                segment.arc->centre = snapToGrid(move(segment.arc->centre));
+                segment.arc->ccw = segment.arc->ccw != mirrors;
+            }
+            copy.segments.push_back(std::move(segment));
+        }
+        // A mirrored loop runs the other way round.
+        result.loops.push_back(mirrors ? reversed(copy) : std::move(copy));
+    }
+    return result;
+}
+
+/// The prisms cut at all their heights: what is gone between each two neighbouring ones.
+std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolerances& tol) {
+    std::set<double> heights;
+    for (const Prism& prism : prisms)
+        heights.insert({prism.top_z_mm, prism.bottom_z_mm});
+    std::vector<Prism> found;
+    for (auto low = heights.begin(); low != heights.end() && std::next(low) != heights.end(); ++low) {
+        const double high = *std::next(low);
+        if (high - *low < kSameHeightMm) continue;
+        const double middle = (*low + high) / 2;
+        std::vector<Region> gone;
+        for (const Prism& prism : prisms)
+            if (prism.bottom_z_mm < middle && middle < prism.top_z_mm) gone.push_back(prism.region);
+        if (!gone.empty()) found.push_back({unite(gone, tol), high, *low});
+    }
+    return found;
+}
+
+bool isUprightRectangle(const Region& region) {
+    const Vec2 size = boundingBox(region).size();
+    return region.loops.size() == 1 && area(region) >= size.x() * size.y();
+}
+
+bool around(const Box2& outer, const Box2& inner) {
+    return (outer.min.array() <= inner.min.array() + kGridMm).all() &&
+           (inner.max.array() <= outer.max.array() + kGridMm).all();
+}
+
+bool isLevel(const MonotonePiece& piece) {
+    return piece.high() - piece.low() < kSameHeightMm;
+}
+
+/// The heights of a slab, for what lies on its ends to within rounding.
+struct Slab {
+    double low_mm;
+    double high_mm;
+    double margin_mm;
+
+    Slab(double bottom_mm, double top_mm)
+        : low_mm(bottom_mm + std::min(kSameHeightMm, (top_mm - bottom_mm) / 4)),
+          high_mm(top_mm - std::min(kSameHeightMm, (top_mm - bottom_mm) / 4)),
+          margin_mm(std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4)) {}
+
+    bool holds(const MonotonePiece& piece) const {
+        const double margin = isLevel(piece) ? margin_mm : 0;
+        return piece.low() < high_mm - margin && piece.high() > low_mm + margin;
+    }
+    bool isSpannedBy(const Prism& prism) const {
+        return prism.bottom_z_mm <= low_mm + margin_mm && high_mm - margin_mm <= prism.top_z_mm;
+    }
+    bool holdsEndOf(const Prism& prism) const {
+        const bool meets = prism.bottom_z_mm < high_mm - margin_mm && prism.top_z_mm > low_mm + margin_mm;
+        return meets && !isSpannedBy(prism);
+    }
+};
+
+/// Where the vertical line through x lies inside the outline all the way between the heights.
+std::vector<Interval> clearIntervals(const LyingCut& cut, const Slab& slab) {
+    const double low = slab.low_mm;
+    const double high = slab.high_mm;
+    if (cut.low_mm >= high || cut.high_mm <= low) return {};
+    const double middle = (low + high) / 2;
+    std::vector<double> crossings;
+    std::vector<Interval> walls;
+    for (const MonotonePiece& piece : cut.outline) {
+        if ((piece.from.y() > middle) != (piece.to.y() > middle)) crossings.push_back(piece.xAt(middle));
+        if (!slab.holds(piece)) continue;
+        const bool level = isLevel(piece);
+        const double one = level ? piece.from.x() : piece.xAt(std::max(low, piece.low()));
+        const double other = level ? piece.to.x() : piece.xAt(std::min(high, piece.high()));
+        if (one != other) walls.push_back({std::min(one, other), std::max(one, other)});
+    }
+    std::sort(crossings.begin(), crossings.end());
+    std::sort(walls.begin(), walls.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    std::vector<Interval> clear;
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        double from = crossings[i];
+        for (const Interval& wall : walls) {
+            if (wall.to <= from || wall.from >= crossings[i + 1]) continue;
+            if (wall.from > from) clear.push_back({from, wall.from});
+            from = wall.to;
+        }
+        if (from < crossings[i + 1]) clear.push_back({from, crossings[i + 1]});
+    }
+    return clear;
+}
+
+}  // namespace
+
+double MonotonePiece::xAt(double y) const {
+    if (!arc) {
+        const double rise = to.y() - from.y();
+        return rise == 0 ? from.x()
+                         : from.x() + (to.x() - from.x()) * std::clamp((y - from.y()) / rise, 0.0, 1.0);
+    }
+    const double up = y - arc->centre.y();
+    const double out = std::sqrt(std::max(0.0, arc->radius_mm * arc->radius_mm - up * up));
+    return arc->centre.x() + (right_of_centre ? out : -out);
+}
+
+Region LyingCut::box(double place_from, double place_to, double reach_to) const {
+    const auto corner = [&](double place, double reach) {
+        return Vec2(origin + place * along + reach * sweep);
+    };
+    std::vector<Vec2> corners = {corner(place_from, from_mm), corner(place_to, from_mm),
+                                 corner(place_to, reach_to), corner(place_from, reach_to)};
+    if (along.x() * sweep.y() < along.y() * sweep.x()) std::reverse(corners.begin(), corners.end());
+    return makePolygon(corners);
+}
+
+StockAir::StockAir(const Setup& setup, double least_level_mm3, const Tolerances& tol)
+    : tol_(tol), least_level_mm3_(least_level_mm3) {
+    for (const CutPrisms& cut : setup.stock.cuts)
+        add(cut, setup);
+    for (const Prism& prism : upright_) {
+        bends_.insert(bends_.end(), {prism.top_z_mm, prism.bottom_z_mm});
+        if (prism.volume_mm3() >= least_level_mm3_)
+            planes_.insert(planes_.end(), {prism.top_z_mm, prism.bottom_z_mm});
+    }
+    for (const AskewCut& askew : askew_)
+        bends_.insert(bends_.end(), {askew.low_mm(), askew.high_mm()});
+    std::sort(planes_.begin(), planes_.end());
+    std::sort(bends_.begin(), bends_.end());
+}
+
+void StockAir::add(const CutPrisms& cut, const Setup& setup) {
+    const Eigen::Isometry3d to_setup = setup.part_to_setup * cut.part_to_setup.inverse();
+    const double cosine = to_setup.linear()(2, 2);
+    if (std::abs(cosine) < tol_.angular_rad) return addLying(cut, to_setup);
+    if (1 - std::abs(cosine) > tol_.angular_rad * tol_.angular_rad) {
+        for (const Prism& prism : betweenHeights(cut.prisms, tol_))
+            if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3) askew_.emplace_back(prism, to_setup);
+        return;
+    }
+    for (const Prism& prism : cut.prisms) {
+        const double one = (to_setup * Vec3(0, 0, prism.top_z_mm)).z();
+        const double other = (to_setup * Vec3(0, 0, prism.bottom_z_mm)).z();
+        const auto move = [&](const Vec2& p) { return Vec2((to_setup * Vec3(p.x(), p.y(), 0)).head<2>()); };
+        upright_.push_back(
+            {moved(prism.region, cosine < 0, move), std::max(one, other), std::min(one, other)});
+    }
+}
+
+void StockAir::addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup) {
+    // In the cut's own plane: up here, and along the slab.
+    const Vec2 up = Vec2(to_setup.linear().row(2).head<2>()).normalized();
+    const Vec2 level(up.y(), -up.x());
+    const double raised = to_setup.translation().z();
+    const auto seen = [&](const Vec2& p) { return Vec2(level.dot(p), up.dot(p) + raised); };
+    const int number = lying_.empty() ? 0 : lying_.back().cut + 1;
+    for (const Prism& prism : betweenHeights(cut.prisms, tol_)) {
+        LyingCut lying;
+        lying.cut = number;
+        lying.origin = to_setup.translation().head<2>();
+        lying.along = (to_setup.linear() * Vec3(level.x(), level.y(), 0)).head<2>();
+        lying.sweep = to_setup.linear().col(2).head<2>();
+        lying.from_mm = prism.bottom_z_mm;
+        lying.to_mm = prism.top_z_mm;
+        for (const Loop& loop : moved(prism.region, false, seen).loops) {
+            const std::size_t first = lying.outline.size();
+            Vec2 from = loop.start;
+            for (const Segment& segment : loop.segments) {
+                addPieces(from, segment, lying.outline);
+                from = segment.to;
+            }
+            const bool parts_slabs =
+                std::abs(signedArea(loop)) * (lying.to_mm - lying.from_mm) >= least_level_mm3_;
+            addHeights({lying.outline.begin() + static_cast<std::ptrdiff_t>(first), lying.outline.end()},
+                       parts_slabs, lying);
+        }
+        lying_.push_back(std::move(lying));
+    }
+}
+
+void StockAir::addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying) {
+    double low_mm = 1e300;
+    double high_mm = -1e300;
+    for (const MonotonePiece& piece : loop) {
+        low_mm = std::min(low_mm, piece.low());
+        high_mm = std::max(high_mm, piece.high());
+        bends_.push_back(piece.from.y());
+        if (parts_slabs && !piece.arc && isLevel(piece)) planes_.push_back(piece.from.y());
+    }
+    if (parts_slabs) planes_.insert(planes_.end(), {low_mm, high_mm});
+    bends_.insert(bends_.end(), {low_mm, high_mm});
+    lying.low_mm = std::min(lying.low_mm, low_mm);
+    lying.high_mm = std::max(lying.high_mm, high_mm);
+}
+
+double StockAir::bendNearMiddle(double bottom_mm, double top_mm) const {
+    const double middle = (bottom_mm + top_mm) / 2;
+    double best = middle;
+    double nearest = (top_mm - bottom_mm) / 4;
+    for (const double bend : bends_) {
+        if (std::abs(bend - middle) >= nearest) continue;
+        nearest = std::abs(bend - middle);
+        best = bend;
+    }
+    return best;
+}
+
+Region StockAir::between(double bottom_mm, double top_mm) const {
+    const Slab slab(bottom_mm, top_mm);
+    std::vector<Region> air;
+    for (const Prism& prism : upright_)
+        if (slab.isSpannedBy(prism)) air.push_back(prism.region);
+    addBoxes(bottom_mm, top_mm, air);
+    for (const AskewCut& cut : askew_)
+        if (Region gone = cut.between(slab.low_mm, slab.high_mm, tol_); !gone.empty())
+            air.push_back(std::move(gone));
+    return air.empty() ? Region{} : unite(air, tol_);
+}
+
+void StockAir::addBoxes(double bottom_mm, double top_mm, std::vector<Region>& air) const {
+    /// A box that may go on through the next cut.
+    struct Run {
+        const LyingCut* lying = nullptr;
+        Interval place;
+        double to_mm = 0;
+    };
+    std::vector<Run> runs;
+    const auto finish = [&](const std::vector<Run>& done) {
+        for (const Run& run : done)
+            air.push_back(run.lying->box(run.place.from, run.place.to, run.to_mm));
+    };
+    const Slab slab(bottom_mm, top_mm);
+    for (const LyingCut& lying : lying_) {
+        std::vector<Run> going_on;
+        for (const Interval& place : clearIntervals(lying, slab)) {
+            if (place.to - place.from <= tol_.linear_mm) continue;
+            const auto same = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
+                return run.lying->cut == lying.cut && run.place == place &&
+                       std::abs(run.to_mm - lying.from_mm) < kSameHeightMm;
+            });
+            if (same == runs.end()) {
+                going_on.push_back({&lying, place, lying.to_mm});
+            } else {
+                going_on.push_back({same->lying, place, lying.to_mm});
+                runs.erase(same);
+            }
+        }
+        finish(runs);
+        runs = std::move(going_on);
+    }
+    finish(runs);
+}
+
+bool StockAir::isUpright(double bottom_mm, double top_mm) const {
+    const Slab slab(bottom_mm, top_mm);
+    const auto ends = [&](const Prism& prism) { return slab.holdsEndOf(prism); };
+    const auto leans = [&](const MonotonePiece& piece) {
+        return piece.from.x() != piece.to.x() && slab.holds(piece);
+    };
+    const auto askew = [&](const AskewCut& cut) {
+        return cut.low_mm() < slab.high_mm && cut.high_mm() > slab.low_mm;
+    };
+    return std::none_of(askew_.begin(), askew_.end(), askew) &&
+           std::none_of(upright_.begin(), upright_.end(), ends) &&
+           std::none_of(lying_.begin(), lying_.end(), [&](const LyingCut& lying) {
+               return std::any_of(lying.outline.begin(), lying.outline.end(), leans);
+           });
+}
+
+double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm, int most_stretches) const {
+    if (over.empty() || empty()) return 0;
+    std::vector<double> ends{bottom_mm};
+    const double apart = std::max(kIntoSlabMm, (top_mm - bottom_mm) / most_stretches);
+    for (auto bend = std::upper_bound(bends_.begin(), bends_.end(), bottom_mm);
+         bend != bends_.end() && *bend < top_mm - apart; ++bend)
+        if (*bend > ends.back() + apart) ends.push_back(*bend);
+    ends.push_back(top_mm);
+    const bool is_box = isUprightRectangle(over);
+    double volume_mm3 = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double height = ends[i + 1] - ends[i];
+        const auto areaOf = [&](const Region& air) {
+            if (air.empty()) return 0.0;
+            return area(is_box && around(boundingBox(over), boundingBox(air)) ? air
+                                                                              : intersect(over, air, tol_));
+        };
+        if (isUpright(ends[i], ends[i + 1])) {
+            volume_mm3 += areaOf(between(ends[i], ends[i + 1])) * height;
+            continue;
+        }
+        for (const Node& node : kNodes)
+            volume_mm3 += node.weight * height * areaOf(at(ends[i] + node.at * height));
+    }
+    return volume_mm3;
+}
+
+}  // namespace stepmill::layers

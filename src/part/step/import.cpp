@@ -1,0 +1,210 @@
+#include "part/step/import.h"
+
+#include <sstream>
+
+#include <IFSelect_ReturnStatus.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_EntityIterator.hxx>
+#include <Interface_Graph.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <STEPControl_Controller.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_ProductDefinitionShape.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepRepr_ShapeRepresentationRelationship.hxx>
+#include <StepShape_ShapeDefinitionRepresentation.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <TransferBRep.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+
+#include "part/measure.h"
+
+namespace stepmill {
+namespace {
+
+/// Takes OCCT's printers off its messenger for a while.
+class SilentMessenger {
+  public:
+    SilentMessenger() : saved_(Message::DefaultMessenger()->Printers()) {
+        Message::DefaultMessenger()->ChangePrinters().Clear();
+    }
+    SilentMessenger(const SilentMessenger&) = delete;
+    SilentMessenger& operator=(const SilentMessenger&) = delete;
+    ~SilentMessenger() { Message::DefaultMessenger()->ChangePrinters() = saved_; }
+
+  private:
+    Message_SequenceOfPrinters saved_;
+};
+
+std::string textOf(const Handle(TCollection_HAsciiString) & text) {
+    return text.IsNull() ? std::string() : std::string(text->ToCString());
+}
+
+TopoDS_Shape unplaced(const TopoDS_Shape& shape) {
+    return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
+}
+
+/// Refuses shape entities whose values are of the wrong kind or number. The reader notes them, leaves
+/// their members null and then runs into those. Representations and their contexts are left alone: real
+/// files name odd items and missing units there, and the shape is whole.
+void checkEntities(const Handle(Interface_InterfaceModel) & model, const std::string& file) {
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        if (!model->IsReportEntity(i) || !model->Check(i, Standard_True)->HasFailed()) continue;
+        const Handle(Standard_Transient)& entity = model->Value(i);
+        if (entity.IsNull() || !entity->IsKind(STANDARD_TYPE(StepRepr_RepresentationItem))) continue;
+        const std::string kind = entity->DynamicType()->Name();
+        if (!kind.starts_with("StepGeom_") && !kind.starts_with("StepShape_")) continue;
+        throw Error(ErrorCode::StepDamaged, file,
+                    entityName(model, entity) + " has values of the wrong kind or number (" +
+                        model->Check(i, Standard_True)->CFail(1) + ")");
+    }
+}
+
+std::vector<std::string> lengthUnits(STEPControl_Reader& reader) {
+    TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+    reader.FileUnits(lengths, angles, solid_angles);
+    std::vector<std::string> units;
+    for (int i = 1; i <= lengths.Length(); ++i) {
+        const std::string unit = lengths.Value(i).ToCString();
+        if (!unit.empty() && std::find(units.begin(), units.end(), unit) == units.end())
+            units.push_back(unit);
+    }
+    return units;
+}
+
+/// Product of a shape representation, through its definition.
+std::string productOf(const Handle(Standard_Transient) & representation, const Interface_Graph& graph) {
+    for (Interface_EntityIterator it = graph.Sharings(representation); it.More(); it.Next()) {
+        const auto link = Handle(StepShape_ShapeDefinitionRepresentation)::DownCast(it.Value());
+        if (link.IsNull()) continue;
+        const auto shape =
+            Handle(StepRepr_ProductDefinitionShape)::DownCast(link->Definition().PropertyDefinition());
+        if (shape.IsNull()) continue;
+        const Handle(StepBasic_ProductDefinition) definition = shape->Definition().ProductDefinition();
+        if (definition.IsNull() || definition->Formation().IsNull()) continue;
+        const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
+        if (product.IsNull()) continue;
+        const std::string name = textOf(product->Name());
+        return name.empty() ? textOf(product->Id()) : name;
+    }
+    return {};
+}
+
+/// The product a solid's representation belongs to, directly or through an equivalent representation.
+std::string productOfSolid(const Handle(Standard_Transient) & solid, const Interface_Graph& graph) {
+    for (Interface_EntityIterator it = graph.Sharings(solid); it.More(); it.Next()) {
+        const auto representation = Handle(StepShape_ShapeRepresentation)::DownCast(it.Value());
+        if (representation.IsNull()) continue;
+        if (const std::string name = productOf(representation, graph); !name.empty()) return name;
+        for (Interface_EntityIterator up = graph.Sharings(representation); up.More(); up.Next()) {
+            const auto relation = Handle(StepRepr_ShapeRepresentationRelationship)::DownCast(up.Value());
+            if (relation.IsNull()) continue;
+            for (const Handle(StepRepr_Representation) & other : {relation->Rep1(), relation->Rep2()}) {
+                if (other == representation || other.IsNull()) continue;
+                if (const std::string name = productOf(other, graph); !name.empty()) return name;
+            }
+        }
+    }
+    return {};
+}
+
+/// Reads names off the entities that became faces and solids.
+void readNames(STEPControl_Reader& reader, StepImport& result) {
+    const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+    const Interface_Graph& graph = reader.WS()->Graph();
+    for (int i = 1; i <= process->NbMapped(); ++i) {
+        const auto item = Handle(StepRepr_RepresentationItem)::DownCast(process->Mapped(i));
+        if (item.IsNull()) continue;
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
+        if (shape.IsNull()) continue;
+        if (shape.ShapeType() == TopAbs_FACE) {
+            result.face_names.set(shape, textOf(item->Name()));
+        } else if (shape.ShapeType() == TopAbs_SOLID) {
+            for (ImportedSolid& solid : result.solids) {
+                if (!solid.name.empty() || !solid.shape.IsPartner(shape)) continue;
+                solid.name = productOfSolid(item, graph);
+                if (solid.name.empty()) solid.name = textOf(item->Name());
+            }
+        }
+    }
+}
+
+void collectSolids(const TopoDS_Shape& root, StepImport& result) {
+    for (TopExp_Explorer it(root, TopAbs_SOLID); it.More(); it.Next()) {
+        const auto known =
+            std::find_if(result.solids.begin(), result.solids.end(),
+                         [&](const ImportedSolid& s) { return s.shape.IsPartner(it.Current()); });
+        if (known == result.solids.end())
+            result.solids.push_back({it.Current(), 1, {}});
+        else
+            ++known->count;
+    }
+}
+
+int countOutside(const TopoDS_Shape& root, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum outside) {
+    int count = 0;
+    for (TopExp_Explorer it(root, kind, outside); it.More(); it.Next())
+        ++count;
+    return count;
+}
+
+void collectStrays(const TopoDS_Shape& root, Strays& strays) {
+    for (TopExp_Explorer it(root, TopAbs_SHELL, TopAbs_SOLID); it.More(); it.Next()) {
+        ++strays.shells;
+        strays.shell_free_edges += countFreeEdges(it.Current());
+        strays.shell_faces += countShapes(it.Current(), TopAbs_FACE);
+    }
+    strays.faces += countOutside(root, TopAbs_FACE, TopAbs_SHELL);
+    strays.edges += countOutside(root, TopAbs_EDGE, TopAbs_FACE);
+    strays.points += countOutside(root, TopAbs_VERTEX, TopAbs_EDGE);
+}
+
+}  // namespace
+
+void FaceNames::set(const TopoDS_Shape& face, const std::string& name) {
+    names_.Bind(unplaced(face), name);
+}
+
+std::string FaceNames::of(const TopoDS_Shape& face) const {
+    const std::string* name = names_.Seek(unplaced(face));
+    return name ? *name : std::string();
+}
+
+StepImport importStep(std::string_view text, const std::string& file) {
+    StepImport result;
+    guardOcct(ErrorCode::StepDamaged, file, [&] {
+        const SilentMessenger silence;
+        STEPControl_Controller::Init();
+        Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+        STEPControl_Reader reader;
+        std::istringstream stream{std::string(text)};
+        if (reader.ReadStream(file.c_str(), stream) != IFSelect_RetDone)
+            throw Error(ErrorCode::StepDamaged, file, "the STEP reader cannot make sense of the entities");
+        checkEntities(reader.Model(), file);
+        reader.TransferRoots();
+        result.units = lengthUnits(reader);
+        for (int i = 1; i <= reader.NbShapes(); ++i) {
+            const TopoDS_Shape root = reader.Shape(i);
+            if (root.IsNull()) continue;
+            collectSolids(root, result);
+            collectStrays(root, result.strays);
+        }
+        readNames(reader, result);
+        result.bodies = accountBodies(reader);
+    });
+    return result;
+}
+
+}  // namespace stepmill

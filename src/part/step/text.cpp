@@ -1,0 +1,46 @@
+#include "part/step/text.h"
+
+#include "part/step/checks.h"
+#include "part/step/kinds.h"
+#include "part/step/syntax.h"
+
+namespace stepmill {
+namespace {
+
+void countKinds(const StepModel& model, StepText& text) {
+    for (const StepEntity& entity : model.entities()) {
+        const std::string_view keyword = model.keywordOf(entity);
+        if (isShapeEntity(keyword)) ++text.kinds[std::string(keyword)];
+    }
+}
+
+}  // namespace
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    return text;
+}
+
+StepText screenStep(std::string_view text, const std::string& file) {
+    if (text.empty()) throw Error(ErrorCode::NotStep, file, "the file is empty");
+    const std::string_view body = skipPreamble(text);
+    if (body.empty()) throw Error(ErrorCode::NotStep, file, "the file holds nothing but blank space");
+    if (!body.starts_with("ISO-10303-21"))
+        throw Error(
+            ErrorCode::NotStep, file,
+            "not a STEP file: it should begin with ISO-10303-21; and looks like " + guessFormat(text));
+    StepText result;
+    StepModel model;
+    StepSyntax(withoutByteOrderMark(text), file).read(result, model);
+    countKinds(model, result);
+    const StepScreen screen{model, file};
+    checkReferences(screen, result);
+    checkParameters(screen);
+    checkSplines(screen);
+    checkShells(screen, result);
+    checkContext(screen, result);
+    return result;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,147 @@
+// Unions, intersections and differences of regions.
+
+#include "stepmill/planar/boolean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "planar/boolean/arrangement.h"
+#include "planar/boolean/loop_builder.h"
+#include "stepmill/core/error.h"
+#include "stepmill/planar/clearance_diagram.h"
+
+namespace stepmill {
+
+namespace {
+
+using Rule = std::function<bool(int, int)>;
+
+/// Chords of the second way [mm]. Its results differ from the true lines and arcs by about that.
+constexpr double kChordMm = 1e-4;
+
+Region overlayOnChords(const std::vector<planar::Curve>& curves, const Rule& inside, const Tolerances& tol) {
+    const auto arrangement = planar::Arrangement::onChords(curves, kChordMm);
+    const auto pieces = planar::Arrangement::boundary(arrangement.labelled(), inside);
+    auto region = planar::buildLoops(arrangement, pieces, tol.linear_mm);
+    if (!region)
+        throw Error(ErrorCode::GeometryKernel, "planar boolean", "the pieces of the result do not close up");
+    return *std::move(region);
+}
+
+/// Points `inside` the rule, from all boundaries cut at each other.
+Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, const Tolerances& tol) {
+    // Where several points crowd within the snapping distance, pieces may be pushed across nodes. Another
+    // distance puts the points in other clusters; the first that contradicts itself nowhere is taken.
+    std::optional<Region> doubtful;
+    for (const double factor : {1.0, 0.3, 0.05, 2.5, 0.02, 6.0}) {
+        const planar::Arrangement arrangement(curves, factor * tol.linear_mm);
+        const std::vector<planar::LabelledPiece> labels = arrangement.labelled();
+        const bool consistent = arrangement.consistent(labels);
+        if (!consistent && doubtful) continue;
+        auto region =
+            planar::buildLoops(arrangement, planar::Arrangement::boundary(labels, inside), tol.linear_mm);
+        if (consistent && region) return *std::move(region);
+        if (region) doubtful = std::move(region);
+    }
+    // Chords tell what is right. A result that contradicts itself somewhere is true to the lines and arcs
+    // all the same, and stays where chords find as much area; they share no labels.
+    Region region = overlayOnChords(curves, inside, tol);
+    const double slack_mm2 = 2 * tol.linear_mm * perimeter(region);
+    if (doubtful && std::abs(area(*doubtful) - area(region)) <= slack_mm2) return *std::move(doubtful);
+    return region;
+}
+
+/// The loops whose boxes come near the box; outer loops beyond it and their holes cannot hold a point of it.
+Region near(const Region& region, const Box2& box) {
+    Region result;
+    for (const Loop& loop : region.loops)
+        if (boundingBox(loop).overlaps(box)) result.loops.push_back(loop);
+    return result;
+}
+
+std::vector<planar::Curve> curvesOf(const Region& a, const Region& b) {
+    std::vector<planar::Curve> curves;
+    planar::appendCurves(a, 0, curves);
+    planar::appendCurves(b, 1, curves);
+    return curves;
+}
+
+struct Placed {
+    const Region* region;
+    Box2 box;
+};
+
+Region uniteAtOnce(std::span<const Placed> regions, const Tolerances& tol) {
+    std::vector<planar::Curve> curves;
+    Region apart;
+    for (const Placed& one : regions) {
+        const bool meets = std::any_of(regions.begin(), regions.end(), [&](const Placed& other) {
+            return &other != &one && one.box.overlaps(other.box);
+        });
+        if (meets)
+            planar::appendCurves(*one.region, 0, curves);
+        else
+            apart.loops.insert(apart.loops.end(), one.region->loops.begin(), one.region->loops.end());
+    }
+    if (curves.empty()) return apart;
+    const Region joined = overlay(
+        curves, [](int a, int) { return a > 0; }, tol);
+    apart.loops.insert(apart.loops.end(), joined.loops.begin(), joined.loops.end());
+    return apart;
+}
+
+/// Many regions on top of each other cross far more often than their union does. So neighbours first: the
+/// set is halved across its longer side until few are left. Sorts `regions`.
+Region uniteNeighbours(std::span<Placed> regions, const Tolerances& tol) {
+    constexpr std::size_t kAtOnce = 8;
+    if (regions.size() <= kAtOnce) return uniteAtOnce(regions, tol);
+    Box2 all;
+    for (const Placed& one : regions)
+        all.add((one.box.min + one.box.max) / 2);
+    const int axis = all.size().x() >= all.size().y() ? 0 : 1;
+    std::stable_sort(regions.begin(), regions.end(), [axis](const Placed& a, const Placed& b) {
+        return a.box.min[axis] + a.box.max[axis] < b.box.min[axis] + b.box.max[axis];
+    });
+    const std::size_t half = regions.size() / 2;
+    const Region halves[] = {uniteNeighbours(regions.first(half), tol),
+                             uniteNeighbours(regions.subspan(half), tol)};
+    std::vector<Placed> both;
+    for (const Region& part : halves)
+        if (!part.empty()) both.push_back({&part, boundingBox(part).grown(tol.linear_mm)});
+    return uniteAtOnce(both, tol);
+}
+
+}  // namespace
+
+Region unite(const Region& a, const Region& b, const Tolerances& tol) {
+    const Region both[] = {a, b};
+    return unite(both, tol);
+}
+
+Region unite(std::span<const Region> regions, const Tolerances& tol) {
+    std::vector<Placed> placed;
+    for (const Region& region : regions)
+        if (!region.empty()) placed.push_back({&region, boundingBox(region).grown(tol.linear_mm)});
+    return planar::ordered(uniteNeighbours(placed, tol));
+}
+
+Region intersect(const Region& a, const Region& b, const Tolerances& tol) {
+    if (a.empty() || b.empty()) return {};
+    const Region near_a = near(a, boundingBox(b).grown(tol.linear_mm));
+    const Region near_b = near(b, boundingBox(a).grown(tol.linear_mm));
+    if (near_a.empty() || near_b.empty()) return {};
+    return overlay(
+        curvesOf(near_a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b > 0; }, tol);
+}
+
+Region subtract(const Region& a, const Region& b, const Tolerances& tol) {
+    if (a.empty()) return {};
+    const Region near_b = near(b, boundingBox(a).grown(tol.linear_mm));
+    if (near_b.empty()) return planar::ordered(a);
+    return overlay(
+        curvesOf(a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b <= 0; }, tol);
+}
+
+}  // namespace stepmill

@@ -1,0 +1,195 @@
+#include "stepmill/planar/clearance_diagram.h"
+
+#include <mutex>
+
+#include "planar/clearance/axis.h"
+#include "planar/clearance/edge_band.h"
+#include "planar/clearance/outline.h"
+#include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill {
+
+namespace {
+
+using clearance::kNearerMm;
+using clearance::Level;
+using clearance::Profile;
+using clearance::Tie;
+
+/// Does every edge of the rings stay that far from the boundary?
+bool keepsDistance(const Profile& profile, const Region& rings, double distance) {
+    for (const Loop& loop : rings.loops) {
+        Vec2 from = loop.start;
+        for (const Segment& segment : loop.segments) {
+            for (const Vec2& p : {segment.to, pointAt(from, segment, 0.5)})
+                if (profile.tree().distance(p, distance) < distance - kNearerMm) return false;
+            from = segment.to;
+        }
+    }
+    return true;
+}
+
+Region reversedLoops(const Region& region) {
+    Region result;
+    for (const Loop& loop : region.loops)
+        result.loops.push_back(reversed(loop));
+    return result;
+}
+
+/// What the loops wind around at all; the Boolean counts windings, so any region around them will do.
+Region withoutOverlaps(const Region& swept, const Tolerances& tol) {
+    const Box2 box = boundingBox(swept).grown(1);
+    return intersect(swept, makeRectangle(box.min, box.max), tol);
+}
+
+}  // namespace
+
+struct ClearanceDiagram::Impl {
+    Region region;
+    Tolerances tol;
+    Profile inside;
+    std::once_flag outside_once;
+    std::unique_ptr<Profile> outside;
+
+    Impl(const Region& r, const Tolerances& t) : region(r), tol(t), inside(r, false) {}
+
+    const Profile& seenFromOutside() {
+        std::call_once(outside_once, [&] { outside = std::make_unique<Profile>(region, true); });
+        return *outside;
+    }
+    /// Where discs of that radius pass, those that just fill an arc among them.
+    std::optional<Level> passableBy(double radius) const {
+        const std::optional<Level> level = clearance::levelAt(inside, radius, Tie::Filled);
+        if (!level) return std::nullopt;
+        return clearance::withoutEmptyRings(inside, *level);
+    }
+    struct Opened {
+        Region region;
+        bool by_booleans = false;  ///< the level alone does not tell
+    };
+    Opened opened(const std::optional<Level>& level, double radius) const {
+        if (level) {
+            if (std::optional<clearance::Swept> swept = clearance::sweptBy(inside, *level)) {
+                if (!swept->overlapping) return {std::move(swept->region)};
+                return {withoutOverlaps(swept->region, tol), true};
+            }
+        }
+        return {openedByBooleans(radius), true};
+    }
+
+    Region shrunk(double distance) const {
+        if (const auto level = clearance::levelAt(inside, distance, Tie::Blocked)) {
+            Region rings = clearance::ringsOf(inside, *level);
+            if (keepsDistance(inside, rings, distance)) return rings;
+        }
+        return byBooleans(inside, distance, [&](const Region& band) { return subtract(region, band, tol); });
+    }
+    Region grown(double distance) {
+        if (const auto level = clearance::levelAt(seenFromOutside(), distance, Tie::Blocked)) {
+            const Region rings = clearance::ringsOf(*outside, *level);
+            if (keepsDistance(*outside, rings, distance)) return reversedLoops(rings);
+        }
+        return byBooleans(*outside, distance, [&](const Region& band) { return unite(region, band, tol); });
+    }
+    /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is
+    /// added.
+    template <typename Combine>
+    Region byBooleans(const Profile& profile, double distance, const Combine& combine) const {
+        for (const double more : {0.0, tol.linear_mm, 3 * tol.linear_mm}) {
+            const Region rings = combine(clearance::bandAround(region, distance + more, tol));
+            if (keepsDistance(profile, rings, distance)) return rings;
+        }
+        throw Error(ErrorCode::Internal, "clearance diagram",
+                    "an offset comes closer to the boundary than it should");
+    }
+    /// Without a level: the shrunk region grown again.
+    Region openedByBooleans(double radius) const {
+        const Region centres = shrunk(radius);
+        if (centres.empty()) return {};
+        const Region grown = unite(centres, clearance::bandAround(centres, radius, tol), tol);
+        return intersect(region, grown, tol);
+    }
+};
+
+ClearanceDiagram::ClearanceDiagram(const Region& region, const Tolerances& tol)
+    : impl_(std::make_unique<Impl>(region, tol)) {}
+ClearanceDiagram::~ClearanceDiagram() = default;
+ClearanceDiagram::ClearanceDiagram(ClearanceDiagram&&) noexcept = default;
+ClearanceDiagram& ClearanceDiagram::operator=(ClearanceDiagram&&) noexcept = default;
+
+const Region& ClearanceDiagram::region() const {
+    return impl_->region;
+}
+
+Region ClearanceDiagram::offset(double distance_mm) const {
+    const double distance = snapToGrid(std::abs(distance_mm));
+    if (impl_->region.empty() || distance == 0) return impl_->region;
+    return distance_mm > 0 ? impl_->grown(distance) : impl_->shrunk(distance);
+}
+
+std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) const {
+    STEPMILL_CHECK(step_mm > 0, "rings advance");
+    std::vector<Region> result;
+    for (double distance = first_mm;; distance += step_mm) {
+        Region ring = offset(-distance);
+        if (ring.empty()) return result;
+        result.push_back(std::move(ring));
+    }
+}
+
+Region ClearanceDiagram::opening(double radius_mm) const {
+    const double radius = snapToGrid(radius_mm);
+    if (impl_->region.empty() || radius <= 0) return impl_->region;
+    return impl_->opened(impl_->passableBy(radius), radius).region;
+}
+
+Region ClearanceDiagram::restCentres(double large_mm, double small_mm) const {
+    STEPMILL_CHECK(small_mm <= large_mm, "the first of a pair of discs is the larger one");
+    const double large = snapToGrid(large_mm), small = snapToGrid(small_mm);
+    if (impl_->region.empty() || large == small) return {};
+    const std::optional<Level> coarse = impl_->passableBy(large);
+    const std::optional<Level> fine = impl_->passableBy(small);
+    const Region centres = fine ? clearance::ringsOf(impl_->inside, *fine) : impl_->shrunk(small);
+    if (coarse && coarse->runs.empty()) return centres;
+    const Impl::Opened opened = impl_->opened(coarse, large);
+    if (fine && !opened.by_booleans)
+        if (std::optional<Region> left = clearance::centresLeft(impl_->inside, *coarse, *fine)) return *left;
+    return subtract(centres, ClearanceDiagram(opened.region, impl_->tol).offset(-small), impl_->tol);
+}
+
+double ClearanceDiagram::accessibleArea(double radius_mm) const {
+    return area(opening(radius_mm));
+}
+
+MedialAxis ClearanceDiagram::medialAxis() const {
+    return clearance::medialAxisOf(impl_->inside);
+}
+
+std::vector<ClearanceEvent> ClearanceDiagram::events() const {
+    return clearance::eventsOf(impl_->inside, medialAxis());
+}
+
+std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() const {
+    std::optional<Disc> best;
+    for (int site = 0; site < static_cast<int>(impl_->inside.sites().size()); ++site) {
+        for (const clearance::Piece& piece : impl_->inside.pieces(site)) {
+            for (const bool end : {false, true}) {
+                const double radius = end ? piece.at_to : piece.at_from;
+                if (best && radius <= best->radius_mm) continue;
+                best = Disc{impl_->inside.centreAt(site, end ? piece.to : piece.from, radius), radius};
+            }
+        }
+    }
+    return best;
+}
+
+double ClearanceDiagram::distanceToBoundary(const Vec2& p) const {
+    return impl_->inside.tree().distance(p);
+}
+
+Region offset(const Region& region, double distance_mm, const Tolerances& tol) {
+    return ClearanceDiagram(region, tol).offset(distance_mm);
+}
+
+}  // namespace stepmill

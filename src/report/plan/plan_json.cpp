@@ -1,0 +1,374 @@
+#include "report/page/json_values.h"
+#include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/error.h"
+#include "stepmill/planar/region_json.h"
+#include "stepmill/post/post.h"
+#include "stepmill/report/report.h"
+
+namespace stepmill {
+
+namespace {
+
+using report::Json;
+using report::listOf;
+using report::number;
+using report::numberOrNull;
+using report::point;
+
+Json box(const Box3& b) {
+    return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});
+}
+
+Json transformJson(const Eigen::Isometry3d& transform) {
+    const Eigen::Matrix4d& matrix = transform.matrix();
+    Json rows = Json::array();
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            rows.push_back(number(matrix(row, column)));
+    return rows;
+}
+
+Json partJson(const Part& part) {
+    return {{"file", part.file},
+            {"sha256", part.sha256},
+            {"name", part.name},
+            {"unit_in_file", part.unit_in_file},
+            {"bbox_mm", box(part.bbox_mm)},
+            {"volume_mm3", number(part.volume_mm3)},
+            {"solids", part.count},
+            {"surfaces", part.surfaces}};
+}
+
+Json stockJson(const Stock& stock) {
+    return {{"kind", stock.kind == Stock::Kind::Box ? "box" : "step"},
+            {"bbox_mm", box(stock.bbox_mm)},
+            {"volume_mm3", number(stock.volume_mm3)}};
+}
+
+Json sourceJson(const std::string& file, const std::string& sha256) {
+    return sha256.empty() ? Json(nullptr) : Json{{"file", file}, {"sha256", sha256}};
+}
+
+/// What verify needs beside the files to derive setups and features anew.
+Json requestJson(const Plan& plan) {
+    const PlanRequest& request = plan.request;
+    const StockMargin& margin = request.setup.margin;
+    const std::optional<Part>& stock = request.setup.stock_part;
+    return {{"solid", plan.part.solid_index},
+            {"unit", request.unit},
+            {"stock_margin_mm", {number(margin.side_mm), number(margin.top_mm), number(margin.bottom_mm)}},
+            {"stock", stock ? sourceJson(stock->file, stock->sha256) : Json(nullptr)},
+            {"fixtures", sourceJson(request.fixtures.file, request.fixtures.sha256)},
+            {"finish_walls_mm", number(request.sequence.finish.walls_mm)},
+            {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
+}
+
+Json machineJson(const Machine& machine) {
+    Json json{{"name", machine.name},
+              {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
+              {"max_feed_mm_per_min", number(machine.max_feed_mm_per_min)},
+              {"max_speed_rpm", number(machine.max_speed_rpm)},
+              {"tool_change_s", number(machine.tool_change_s)},
+              {"hourly_rate", number(machine.hourly_rate)},
+              {"currency", machine.currency},
+              {"travel_mm", machine.travel_mm},
+              {"magazine_size", machine.magazine_size},
+              {"safe_height_mm", number(machine.safe_height_mm)},
+              {"dialect", machine.dialect}};
+    if (machine.acceleration_mm_per_s2 > 0) {
+        json["acceleration_mm_per_s2"] = number(machine.acceleration_mm_per_s2);
+        json["junction_deviation_mm"] = number(machine.junction_deviation_mm);
+    }
+    return json;
+}
+
+/// The tools the plan calls, by number, as they must stand in the magazine.
+Json sharingJson(const ToolSharing& sharing) {
+    return {{"features_changed", sharing.features_changed},
+            {"tool_changes_alone", sharing.visits_alone},
+            {"tool_changes", sharing.visits},
+            {"tools_alone", sharing.tools_alone},
+            {"tools", sharing.tools},
+            {"saved", number(sharing.saved)}};
+}
+
+/// Who reaches all of it alone, null where nobody does.
+Json lumpJson(const BlockedLump& lump) {
+    return {{"area_mm2", number(lump.area_mm2)},
+            {"region", regionToJson(lump.region)},
+            {"surrogates", lump.surrogates.empty() ? Json(nullptr) : Json(lump.surrogates)},
+            {"reason", lump.reason}};
+}
+
+Json toolAreasJson(const AccessibleArea& area) {
+    Json json{{"tool", area.tool_id},
+              {"accessible_area_mm2", number(area.accessible_area_mm2)},
+              {"coverable_area_mm2", number(area.coverable_area_mm2)},
+              {"collision_free_area_mm2", number(area.collision_free_area_mm2)},
+              {"access_volume_mm3", number(area.access_volume_mm3)},
+              {"blocked_lumps", listOf(area.blocked_lumps, lumpJson)},
+              {"excluded", nullptr}};
+    if (area.excluded)
+        json["excluded"] = {{"reason", toString(area.excluded->reason)}, {"text", area.excluded->text}};
+    return json;
+}
+
+Json surrogateJson(const SurrogateWork& work) {
+    return {{"tool", work.tool}, {"area_mm2", number(work.area_mm2)}, {"time_s", number(work.time_s)}};
+}
+
+Json edgeJson(const DagEdge& edge) {
+    return {{"from", edge.from.empty() ? "source" : edge.from},
+            {"to", edge.to.empty() ? "sink" : edge.to},
+            {"region_area_mm2", number(edge.region_area_mm2)},
+            {"cut_length_mm", number(edge.totals.cut_length_mm)},
+            {"air_length_mm", number(edge.totals.air_length_mm)},
+            {"time_s", number(edge.time_s)},
+            {"cost", number(edge.cost)},
+            {"surrogates", listOf(edge.surrogates, surrogateJson)}};
+}
+
+Json residualJson(const Residual& residual) {
+    return {{"region", regionToJson(residual.region)},
+            {"area_mm2", number(residual.area_mm2)},
+            {"volume_mm3", number(residual.volume_mm3)},
+            {"reason", residual.reason},
+            {"advice", residual.advice}};
+}
+
+/// The tools of the DAG's cheapest path; their surrogates stand with the edges.
+Json pathJson(const ToolSequence& sequence) {
+    Json path = Json::array();
+    for (const SequenceStep& step : sequence.steps) {
+        if (step.role == Role::Surrogate) continue;
+        if (path.empty() || path.back() != step.tool_id) path.push_back(step.tool_id);
+    }
+    return path;
+}
+
+Json obstacleJson(const Obstacle& obstacle) {
+    return {{"bottom_z_mm", number(obstacle.bottom_z_mm)},
+            {"top_z_mm", number(obstacle.top_z_mm)},
+            {"section", regionToJson(obstacle.section)}};
+}
+
+Json cylinderJson(const HolderCylinder& cylinder) {
+    return {{"diameter_mm", number(cylinder.diameter_mm)},
+            {"bottom_mm", number(cylinder.bottom_mm)},
+            {"top_mm", number(cylinder.top_mm)}};
+}
+
+Json toolJson(const ToolAssembly& tool) {
+    Json range = nullptr;
+    if (tool.stick_out_range)
+        range = {number(tool.stick_out_range->shortest_mm), number(tool.stick_out_range->longest_mm)};
+    return {{"id", tool.id},
+            {"number", tool.number},
+            {"type", toString(tool.type)},
+            {"description", tool.description},
+            {"diameter_mm", number(tool.diameter_mm)},
+            {"corner_radius_mm", number(tool.corner_radius_mm)},
+            {"flute_length_mm", number(tool.flute_length_mm)},
+            {"stick_out_mm", number(tool.stick_out_mm)},
+            {"stick_out_range_mm", std::move(range)},
+            {"shank", cylinderJson(tool.shank)},
+            {"holder", listOf(tool.holder, cylinderJson)}};
+}
+
+/// Tools the operations use, by number.
+Json usedToolsJson(const Plan& plan) {
+    std::map<int, const ToolAssembly*> used;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations) {
+            const ToolAssembly& tool = plan.library.tool(operation.tool_id);
+            used.emplace(tool.number, &tool);
+        }
+    return listOf(used, [](const auto& entry) { return toolJson(*entry.second); });
+}
+
+Json featureJson(const PlannedFeature& planned) {
+    const Feature& feature = planned.feature;
+    const ToolSequence& sequence = planned.sequence;
+    return {{"id", feature.id},
+            {"setup", feature.setup_id},
+            {"class", toString(feature.feature_class)},
+            {"parents", feature.parents},
+            {"top_z_mm", number(feature.top_z_mm)},
+            {"floor_z_mm", number(feature.floor_z_mm)},
+            {"depth_mm", number(feature.depth_mm())},
+            {"area_mm2", number(feature.area_mm2)},
+            {"volume_mm3", number(feature.volume_mm3)},
+            {"open_length_mm", number(feature.open_length_mm)},
+            {"closed_length_mm", number(feature.closed_length_mm)},
+            {"min_corner_radius_mm", numberOrNull(feature.min_corner_radius_mm)},
+            {"target", regionToJson(feature.target)},
+            {"obstruction", regionToJson(feature.obstruction)},
+            {"obstacles", listOf(feature.obstacles, obstacleJson)},
+            {"tools", listOf(sequence.tools, toolAreasJson)},
+            {"dag", {{"edges", listOf(sequence.edges, edgeJson)}, {"path", pathJson(sequence)}}},
+            {"time_s", number(sequence.time_s)},
+            {"motion_time_s", number(sequence.motion_s)},
+            {"lower_bound_s", number(sequence.lower_bound_s)},
+            {"residual", listOf(sequence.residual, residualJson)}};
+}
+
+Json patternTimeJson(const PatternTime& time) {
+    return {{"pattern", toString(time.pattern)},
+            {"angle_deg", number(time.angle_deg)},
+            {"time_s", number(time.time_s)},
+            {"at_least", time.at_least}};
+}
+
+Json regionPatternsJson(const RegionPatterns& region) {
+    return listOf(region.weighed, patternTimeJson);
+}
+
+Json operationJson(const Operation& operation) {
+    const Toolpath& path = operation.path;
+    Json json{{"id", operation.id},
+              {"setup", operation.setup_id},
+              {"feature", operation.feature_id},
+              {"tool", operation.tool_id},
+              {"role", toString(operation.role)},
+              {"pattern", path.pattern},
+              {"regions", listOf(path.regions, regionPatternsJson)},
+              {"layers", path.layers},
+              {"z_top_mm", number(operation.z_top_mm)},
+              {"z_floor_mm", number(operation.z_floor_mm)},
+              {"step_over_mm", number(path.step_over_mm)},
+              {"step_down_mm", number(path.step_down_mm)},
+              {"feed_mm_per_min", number(path.feed_mm_per_min)},
+              {"plunge_feed_mm_per_min", number(path.plunge_feed_mm_per_min)},
+              {"speed_rpm", number(operation.speed_rpm)},
+              {"coolant", toString(operation.coolant)},
+              {"dwell_s", number(operation.dwell_s)},
+              {"even_length_mm", number(operation.even_length_mm)},
+              {"cut_length_mm", number(path.totals.cut_length_mm)},
+              {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
+              {"air_length_mm", number(path.totals.air_length_mm)},
+              {"time_s", number(path.totals.time_s() + operation.dwell_s)},
+              {"motion_time_s", number(path.totals.motion_time_s + operation.dwell_s)}};
+    if (operation.leaves.any()) {
+        json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
+        json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);
+    }
+    return json;
+}
+
+Json reasonJson(const ReasonVolume& entry) {
+    return {{"reason", entry.reason}, {"volume_mm3", number(entry.volume_mm3)}};
+}
+
+Json balanceJson(const VolumeBalance& balance) {
+    return {{"stock_minus_part_mm3", number(balance.stock_minus_part_mm3)},
+            {"planned_mm3", number(balance.planned_mm3)},
+            {"residual_mm3", number(balance.residual_mm3)},
+            {"unreachable_mm3", number(balance.unreachable_mm3)},
+            {"residual_by_reason", listOf(balance.residual_by_reason, reasonJson)},
+            {"unreachable_by_reason", listOf(balance.unreachable_by_reason, reasonJson)}};
+}
+
+Json arrivingStockJson(const Setup& setup) {
+    const Stock::Kind kind = setup.stock.kind;
+    return {{"kind", kind == Stock::Kind::Box    ? "box"
+                     : kind == Stock::Kind::Step ? "step"
+                                                 : "in process"},
+            {"size_mm", point(Vec3(setup.stock_bbox_mm.sizes()))},
+            {"volume_mm3", number(setup.stock.volume_mm3)}};
+}
+
+Json clampingJson(const Clamping& clamping) {
+    Json json{{"vise", clamping.vise}, {"text", clamping.text}, {"seat_mm2", number(clamping.seat_mm2)}};
+    if (!clamping.vise) return json;
+    json["across"] = point(clamping.across);
+    json["opening_mm"] = number(clamping.opening_mm);
+    json["from_mm"] = number(clamping.from_mm);
+    json["depth_mm"] = number(clamping.depth_mm);
+    json["length_mm"] = number(clamping.length_mm);
+    return json;
+}
+
+Json fixtureJson(const Fixture& fixture) {
+    return {{"name", fixture.name},
+            {"bottom_z_mm", number(fixture.bottom_z_mm)},
+            {"top_z_mm", number(fixture.top_z_mm)},
+            {"section", regionToJson(fixture.section)}};
+}
+
+/// All digits: a direction rounded to six decimals is another plane.
+Json directionJson(const Vec3& direction) {
+    Json numbers = Json::array();
+    for (const double value : direction)
+        numbers.push_back(value == 0 ? 0.0 : value);
+    return numbers;
+}
+
+Json setupJson(const PlannedSetup& setup, Dialect dialect) {
+    return {{"id", setup.setup.id},
+            {"axis", directionJson(setup.setup.axis)},
+            {"transform", transformJson(setup.setup.part_to_setup)},
+            {"program", programName(setup.setup.id, dialect)},
+            {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
+            {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
+            {"time_s", number(setup.time_s)},
+            {"motion_time_s", number(setup.motion_s)},
+            {"axis_name", axisName(setup.setup.axis)},
+            {"indexed", setup.setup.indexed},
+            {"stock", arrivingStockJson(setup.setup)},
+            {"clamping", clampingJson(setup.clamping)},
+            {"fixtures", listOf(setup.setup.fixtures, fixtureJson)},
+            {"volume_balance", balanceJson(setup.balance)}};
+}
+
+Json totalsJson(const PlanTotals& totals) {
+    return {{"time_s", number(totals.time_s)},
+            {"motion_time_s", number(totals.motion_s)},
+            {"cutting_s", number(totals.cutting_s)},
+            {"air_s", number(totals.air_s)},
+            {"tool_change_s", number(totals.tool_change_s)},
+            {"tool_changes", totals.tool_changes},
+            {"cost", number(totals.cost)},
+            {"lower_bound_s", number(totals.lower_bound_s)}};
+}
+
+}  // namespace
+
+std::string planJson(const Plan& plan) {
+    Json features = Json::array();
+    Json operations = Json::array();
+    for (const PlannedSetup& setup : plan.setups) {
+        for (const PlannedFeature& feature : setup.features)
+            features.push_back(featureJson(feature));
+        for (const Operation& operation : setup.operations)
+            operations.push_back(operationJson(operation));
+    }
+    const Dialect dialect = dialectOf(plan.machine);
+    const Json json{
+        {"format", 1},
+        {"stepmill", {{"version", STEPMILL_VERSION}}},
+        {"part", partJson(plan.part)},
+        {"stock", stockJson(plan.stock)},
+        {"request", requestJson(plan)},
+        {"machine", machineJson(plan.machine)},
+        {"material", plan.material},
+        {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
+        {"cost_model", toString(plan.cost_model)},
+        {"setups", listOf(plan.setups, [&](const PlannedSetup& setup) { return setupJson(setup, dialect); })},
+        {"tools", usedToolsJson(plan)},
+        {"features", std::move(features)},
+        {"operations", std::move(operations)},
+        {"tool_sharing", sharingJson(plan.sharing)},
+        {"totals", totalsJson(plan.totals)},
+        {"volume_balance", balanceJson(plan.balance)},
+        {"warnings", listOf(plan.warnings, [](const Warning& warning) {
+             return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
+         })}};
+
+    // Names come from strangers' files: bytes that are no UTF-8 are replaced, not fatal.
+    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::vector<std::string> errors = schemaErrors(SchemaName::Plan, text);
+    if (!errors.empty()) throw Error(ErrorCode::Internal, "plan.json", errors.front());
+    return text;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "report/page/text.h"
+#include "stepmill/core/plain_text.h"
+#include "stepmill/report/report.h"
+
+namespace stepmill {
+
+namespace {
+
+std::string boundWords(double time_s, double bound_s) {
+    return bound_s > 0 ? fmt::format("{:.2f}", time_s / bound_s) : std::string("-");
+}
+
+/// Where features took other tools than their own cheapest.
+std::string sharingLine(const ToolSharing& sharing) {
+    if (sharing.features_changed == 0) return {};
+    return fmt::format("tools shared: {} tool changes instead of {}, {} tools instead of {}\n",
+                       sharing.visits, sharing.visits_alone, sharing.tools, sharing.tools_alone);
+}
+
+}  // namespace
+
+std::string summaryText(const Plan& plan) {
+    const Vec3 size = plan.part.bbox_mm.sizes();
+    std::string text =
+        fmt::format("{}  {:.2f} x {:.2f} x {:.2f} mm (file unit: {}), {}, {}\n\n", plainLine(plan.part.name),
+                    size.x(), size.y(), size.z(), plainLine(plan.part.unit_in_file), plainLine(plan.material),
+                    plainLine(plan.machine.name));
+    text += fmt::format("{:<8} {:<15} {:>8} {:>11} {:>9} {:>6}  {:<34} {:>10}\n", "feature", "class", "depth",
+                        "volume", "time", "x best", "tools", "stays");
+    for (const PlannedSetup& setup : plan.setups) {
+        text += fmt::format("{} along {}{}: {}\n", setup.setup.id, axisName(setup.setup.axis),
+                            setup.setup.indexed ? " (indexed)" : "", plainLine(setup.clamping.text));
+        for (const PlannedFeature& planned : setup.features) {
+            const ToolSequence& sequence = planned.sequence;
+            text +=
+                fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
+                            planned.feature.id, toString(planned.feature.feature_class),
+                            planned.feature.depth_mm(), planned.feature.volume_mm3 / 1000,
+                            clockTime(sequence.time_s), boundWords(sequence.time_s, sequence.lower_bound_s),
+                            plainLine(toolWords(sequence)), residualVolumeMm3(sequence) / 1000);
+        }
+    }
+    const PlanTotals& totals = plan.totals;
+    text += fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",
+                        clockTime(totals.time_s), clockTime(totals.cutting_s), clockTime(totals.air_s),
+                        totals.tool_changes, clockTime(totals.tool_change_s), totals.cost,
+                        plainLine(plan.machine.currency));
+    if (plan.machine.acceleration_mm_per_s2 > 0)
+        text += fmt::format("with the machine's acceleration {}\n", clockTime(totals.motion_s));
+    text += sharingLine(plan.sharing);
+    text += fmt::format("no plan with these tools can take less than {}\n", clockTime(totals.lower_bound_s));
+    const VolumeBalance& books = plan.balance;
+    text += fmt::format(
+        "books: stock - part {:.3f} cm3 = planned {:.3f} + stays {:.3f} + out of reach {:.3f} (gap {:.1e})\n",
+        books.stock_minus_part_mm3 / 1000, books.planned_mm3 / 1000, books.residual_mm3 / 1000,
+        books.unreachable_mm3 / 1000, books.gapShare());
+    for (const Warning& warning : plan.warnings)
+        text += fmt::format("warning: {}: {}\n", plainLine(warning.subject), plainLine(warning.text));
+    return text;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,243 @@
+#include "stepmill/sequence/advice/sensitivity.h"
+
+#include "sequence/dag/candidate.h"
+#include "stepmill/core/error.h"
+#include "stepmill/sequence/tool_dag.h"
+
+namespace stepmill {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// A line lower by less than this share is the same line, rounded.
+constexpr double kSameShare = 1e-9;
+
+/// Splits ranges until no line lies below the two that are best at their ends.
+class Splitter {
+  public:
+    explicit Splitter(const CheapestAt& cheapest) : cheapest_(cheapest) {}
+
+    std::vector<BestSequence> run() {
+        const CostLine first = cheapest_(0);
+        split(0, first, kInfinite, cheapest_(kInfinite));
+        if (pieces_.empty()) pieces_.push_back({0, kInfinite, first});
+        pieces_.back().to = kInfinite;
+        return std::move(pieces_);
+    }
+
+  private:
+    /// Adds the pieces between two values at which these lines are best.
+    void split(double from, const CostLine& left, double to, const CostLine& right) {
+        const bool falls = left.per_unit > right.per_unit * (1 + kSameShare);
+        if (!falls) {
+            // One of them is best all along; where rounding made two of one line, the left one stays.
+            add(from, left.fixed <= right.fixed * (1 + kSameShare) ? left : right);
+            return;
+        }
+        const double meet = (right.fixed - left.fixed) / (left.per_unit - right.per_unit);
+        if (meet <= from * (1 + kSameShare)) return add(from, right);
+        if (meet >= to) return add(from, left);
+        const CostLine middle = cheapest_(meet);
+        if (middle.at(meet) >= left.at(meet) * (1 - kSameShare)) {
+            add(from, left);
+            add(meet, right);
+            return;
+        }
+        split(from, left, meet, middle);
+        split(meet, middle, to, right);
+    }
+
+    void add(double from, const CostLine& line) {
+        if (!pieces_.empty() && pieces_.back().line.tools == line.tools) return;
+        if (!pieces_.empty()) pieces_.back().to = from;
+        pieces_.push_back({from, kInfinite, line});
+    }
+
+    const CheapestAt& cheapest_;
+    std::vector<BestSequence> pieces_;
+};
+
+Machine withRate(Machine machine, double hourly_rate) {
+    machine.hourly_rate = hourly_rate;
+    return machine;
+}
+
+ToolAssembly withPrice(ToolAssembly tool, double price) {
+    tool.price = price;
+    return tool;
+}
+
+/// Machine and library as they would be at this value of the parameter, and what then is to be made least.
+struct Shop {
+    ToolLibrary library;
+    Machine machine;
+    Objective objective;
+};
+
+Shop shopAt(double value, Shop shop, Parameter parameter) {
+    // Longer than any path takes, so that sequences with fewer tools always win.
+    constexpr double kEndlessChangeS = 1e9;
+    const bool endless = value == kInfinite;
+    switch (parameter) {
+        case Parameter::ToolChange:
+            shop.machine.tool_change_s = endless ? kEndlessChangeS : value;
+            break;
+        case Parameter::HourlyRate:
+            // At an endless rate only time counts.
+            if (endless)
+                shop.objective = Objective::Time;
+            else
+                shop.machine.hourly_rate = value;
+            break;
+        case Parameter::ToolPrice:
+            // At endless prices only wear counts.
+            if (endless) shop.machine.hourly_rate = 0;
+            for (ToolAssembly& tool : shop.library.tools)
+                tool.price *= endless ? 1 : value;
+            break;
+    }
+    return shop;
+}
+
+/// What the steps of a sequence cost; steps in a row with one tool share its change.
+CostLine lineOf(const ToolSequence& sequence, const Shop& shop, Parameter parameter, Objective objective) {
+    CostLine sum;
+    PathTotals totals;
+    for (std::size_t i = 0; i < sequence.steps.size(); ++i) {
+        const SequenceStep& step = sequence.steps[i];
+        totals += step.path.totals;
+        const bool goes_on = i + 1 < sequence.steps.size() && sequence.steps[i + 1].tool_id == step.tool_id;
+        if (goes_on) continue;
+        const CostLine line =
+            edgeLine(totals, shop.library.tool(step.tool_id), shop.machine, parameter, objective);
+        sum.fixed += line.fixed;
+        sum.per_unit += line.per_unit;
+        sum.tools.push_back(step.tool_id);
+        totals = {};
+    }
+    return sum;
+}
+
+/// The tool DAG of evaluated edges by node numbers, tools in falling diameter.
+class EdgeLines {
+  public:
+    EdgeLines(const EdgeLines&) = delete;
+    EdgeLines& operator=(const EdgeLines&) = delete;
+    EdgeLines(const std::vector<DagEdge>& edges, const ToolLibrary& library, const Machine& machine,
+              Parameter parameter, Objective objective)
+        : library_(library), order_(byFallingDiameter(library_)), ends_(order_.size(), false) {
+        for (const DagEdge& edge : edges) {
+            const int from = edge.from.empty() ? kSource : nodeOf(edge.from);
+            if (edge.to.empty()) {
+                ends_[from] = true;
+                continue;
+            }
+            const int to = nodeOf(edge.to);
+            lines_[{from, to}] = edgeLine(edge.totals, *order_[to], machine, parameter, objective);
+        }
+    }
+
+    CostLine cheapestAt(double value) const {
+        const CheapestPath path = cheapestPath(
+            static_cast<int>(order_.size()),
+            [&](int m, int n) {
+                const auto line = lines_.find({m, n});
+                if (line == lines_.end()) return kNoEdge;
+                return value == kInfinite ? line->second.per_unit : line->second.at(value);
+            },
+            ends_);
+        CostLine sum;
+        int before = kSource;
+        for (const int node : path.tools) {
+            const CostLine& line = lines_.at({before, node});
+            sum.fixed += line.fixed;
+            sum.per_unit += line.per_unit;
+            sum.tools.push_back(order_[node]->id);
+            before = node;
+        }
+        return sum;
+    }
+
+  private:
+    int nodeOf(const std::string& id) const {
+        const auto found = std::find_if(order_.begin(), order_.end(),
+                                        [&](const ToolAssembly* tool) { return tool->id == id; });
+        STEPMILL_CHECK(found != order_.end(), "edges name tools of the library");
+        return static_cast<int>(found - order_.begin());
+    }
+
+    ToolLibrary library_;
+    std::vector<const ToolAssembly*> order_;  ///< points into library_
+    std::vector<bool> ends_;
+    std::map<std::pair<int, int>, CostLine> lines_;
+};
+
+}  // namespace
+
+std::string toString(Parameter parameter) {
+    switch (parameter) {
+        case Parameter::ToolChange:
+            return "tool-change";
+        case Parameter::HourlyRate:
+            return "hourly-rate";
+        case Parameter::ToolPrice:
+            return "tool-price";
+    }
+    throw Error(ErrorCode::Internal, "parameter", "unknown value");
+}
+
+std::vector<BestSequence> bestSequences(const CheapestAt& cheapest) {
+    return Splitter(cheapest).run();
+}
+
+Objective objectiveFor(Parameter parameter, Objective asked) {
+    return parameter == Parameter::ToolChange ? asked : Objective::Cost;
+}
+
+CostLine edgeLine(const PathTotals& totals, const ToolAssembly& tool, const Machine& machine,
+                  Parameter parameter, Objective objective) {
+    // Eq. 12 and 13 are linear in each parameter: the line is the cost at 0 and what one unit of it adds.
+    CostLine line;
+    Machine at = machine;
+    switch (parameter) {
+        case Parameter::ToolChange:
+            at.tool_change_s = 0;
+            line.fixed = weightOf(edgeCost(totals, tool, at), objective);
+            at.tool_change_s = 1;
+            line.per_unit = weightOf(edgeCost({}, tool, at), objective);
+            break;
+        case Parameter::HourlyRate:
+            line.fixed = weightOf(edgeCost(totals, tool, withRate(machine, 0)), objective);
+            line.per_unit =
+                weightOf(edgeCost(totals, withPrice(tool, 0), withRate(machine, 1)), Objective::Cost);
+            break;
+        case Parameter::ToolPrice:
+            line.fixed = weightOf(edgeCost(totals, withPrice(tool, 0), machine), objective);
+            line.per_unit = weightOf(edgeCost(totals, tool, withRate(machine, 0)), Objective::Cost);
+            break;
+    }
+    line.tools = {tool.id};
+    return line;
+}
+
+CheapestAt cheapestOverEdges(const std::vector<DagEdge>& edges, const ToolLibrary& library,
+                             const Machine& machine, Parameter parameter, Objective objective) {
+    const auto lines = std::make_shared<const EdgeLines>(edges, library, machine, parameter,
+                                                         objectiveFor(parameter, objective));
+    return [lines](double value) { return lines->cheapestAt(value); };
+}
+
+CheapestAt cheapestBySequencing(const Feature& feature, const ToolLibrary& library, const Machine& machine,
+                                const SequenceOptions& options, const Tolerances& tol, Parameter parameter) {
+    const Objective objective = objectiveFor(parameter, options.objective);
+    return [&feature, &library, &machine, &tol, options, parameter, objective](double value) {
+        const Shop own{library, machine, objective};
+        const Shop shop = shopAt(value, own, parameter);
+        SequenceOptions asked = options;
+        asked.objective = shop.objective;
+        const ToolSequence sequence = sequenceTools(feature, shop.library, shop.machine, asked, tol);
+        return lineOf(sequence, own, parameter, objective);
+    };
+}
+
+}  // namespace stepmill

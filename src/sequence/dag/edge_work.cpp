@@ -1,0 +1,53 @@
+#include "sequence/dag/edge_work.h"
+
+#include "stepmill/sequence/advice/area_models.h"
+
+namespace stepmill {
+namespace {
+
+AreaModelTool modelOf(const DagTask& task, const Candidate& tool) {
+    return areaModelTool(tool.tool->radius_mm(), tool.coverable_mm2, task.ground.feature().depth_mm(),
+                         tool.cutting);
+}
+
+/// k of [Yao2000] for all cutters of the feature.
+YaoConstants yaoConstants(const DagTask& task) {
+    std::vector<AreaModelTool> models;
+    for (const Candidate& tool : task.tools)
+        if (!tool.drill()) models.push_back(modelOf(task, tool));
+    return {0, yaoFactorSPerMm(models)};
+}
+
+/// Seconds the model gives that area, tool changes left out.
+double modelTimeS(const DagTask& task, const Candidate& n, double new_mm2) {
+    AreaModelTool work = modelOf(task, n);
+    work.area_mm2 = new_mm2;
+    work.volume_mm3 = new_mm2 * task.ground.feature().depth_mm();
+    return task.options.cost_model == CostModel::Yao ? yaoEdgeS(0, work, yaoConstants(task))
+                                                     : limEdgeS(0, work, 0);
+}
+
+}  // namespace
+
+bool needsPaths(const DagTask& task) {
+    return task.options.cost_model == CostModel::Path;
+}
+
+std::optional<EdgeWork> edgeWork(const DagTask& task, const Candidate* m, const Candidate& n,
+                                 const SharedRings& rings) {
+    if (needsPaths(task) || n.drill()) {
+        const SequenceStep step = makePath(task, m, n, rings);
+        if (step.path.moves.empty()) return std::nullopt;
+        return EdgeWork{step.path.totals, area(step.area.area), step.area.new_area_mm2};
+    }
+    const DecomposedArea decomposed = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
+    if (decomposed.centres.empty()) return std::nullopt;
+    EdgeWork work;
+    work.region_area_mm2 = area(decomposed.area);
+    work.new_area_mm2 = decomposed.new_area_mm2;
+    work.totals.feed_time_s = modelTimeS(task, n, work.new_area_mm2);
+    work.totals.motion_time_s = work.totals.feed_time_s;
+    return work;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "sequence/dag/candidate.h"
+#include "sequence/surrogates/edge_help.h"
+#include "stepmill/sequence/tool_dag.h"
+
+namespace stepmill {
+
+class SurrogateFinder;
+using SharedRings = std::shared_ptr<const RingFamily>;
+
+/// One feature's tools and settings, as every edge of its DAG needs them.
+struct DagTask {
+    const FeatureGround& ground;
+    const std::vector<Candidate>& tools;
+    const std::vector<bool>& ends;
+    const SequenceOptions& options;
+    const Machine& machine;
+    double retract_z_mm = 0;
+    /// Who helps tools that have lumps; null: none of the tools has any.
+    const SurrogateFinder* surrogates = nullptr;
+    /// Weight of the cheapest tool that does all alone, where that is known: then only cheaper sequences of
+    /// several tools are sought. kNoEdge: not known.
+    double alone_weight = kNoEdge;
+};
+
+/// An edge as it was evaluated, whatever follows it.
+struct WeighedEdge {
+    int from = 0;  ///< node numbers
+    int to = 0;
+    DagEdge edge;  ///< without its surrogates
+    EdgeHelp help;
+    double weight = 0;  ///< seconds or money, changes included
+
+    /// The same when that node follows.
+    double weightBefore(int next) const { return weight - help.saving(next); }
+};
+
+/// All evaluated edges of a feature's tool DAG and its cheapest path.
+struct DagResult {
+    std::vector<WeighedEdge> edges;  ///< by from, then to
+    std::vector<int> path;           ///< node numbers
+    std::vector<SharedRings> rings;  ///< of each node; null where no edge led to it
+    int pruned = 0;
+    double weight = kNoEdge;  ///< of the path: seconds or money
+};
+
+/// Evaluates the edges on real tool paths, in parallel, and finds the cheapest path. The result is the
+/// same for any number of threads: every edge has a slot of its own and what is pruned depends on earlier
+/// rounds only.
+DagResult evaluateDag(const DagTask& task);
+
+/// Pattern of the paths that edges are weighed by. To weigh all patterns on every edge costs several times as
+/// much and hardly ever changes which tools are cheapest; the chosen steps get the best of all.
+inline constexpr Pattern kWeighedPattern = Pattern::ContourInsideOut;
+
+/// What n itself sweeps after m (null: nothing swept yet), with the tool path an edge is weighed by. No
+/// moves: nothing. \param rings  ringsOf() the tool
+SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings);
+
+/// The rings that all paths of a tool share while edges are weighed; null for a drill.
+SharedRings ringsOf(const DagTask& task, const Candidate& tool);
+
+/// Step n of a chosen path, after m (null for the first), with the tool path to run, of the quickest
+/// patterns, proved. Surrogates' steps are not in it. \throws Error(Internal) if the path gouges
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n);
+
+}  // namespace stepmill

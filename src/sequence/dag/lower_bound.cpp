@@ -1,0 +1,90 @@
+#include "sequence/dag/lower_bound.h"
+
+#include "stepmill/planar/boolean.h"
+#include "stepmill/sequence/tool_dag.h"
+
+namespace stepmill {
+namespace {
+
+/// The least any sequence ends with.
+double clearedAtTheEnd(const std::vector<Candidate>& tools, const std::vector<bool>& ends) {
+    double least = kNoEdge;
+    for (std::size_t k = 0; k < tools.size(); ++k) {
+        if (ends[k]) least = std::min(least, tools[k].coverable_mm2);
+    }
+    return least;
+}
+
+/// Area that the tools 0..k can clear together, as far as it counts: no more than `end_mm2`. Mostly it is
+/// the last tool's own; only a smaller cutter that cannot get down where a larger one can makes it larger.
+std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candidate>& tools, double end_mm2,
+                                 const Tolerances& tol) {
+    std::vector<double> areas;
+    Region reached;
+    double reached_mm2 = 0;
+    for (const Candidate& tool : tools) {
+        if (tool.drill()) {
+            reached_mm2 = feature.area_mm2;
+        } else if (reached_mm2 < feature.area_mm2 - sameArea(feature, tol)) {
+            reached = reached.empty() ? tool.area->coverable : unite(reached, tool.area->coverable, tol);
+            reached_mm2 = std::max({reached_mm2, area(reached), tool.coverable_mm2});
+        }
+        areas.push_back(std::min(reached_mm2, end_mm2));
+    }
+    return areas;
+}
+
+/// The fastest of the tools k, k+1, ..., and of those that help and are no candidates.
+std::vector<double> fastestFrom(const std::vector<Candidate>& tools) {
+    double fastest = 0;
+    for (const Candidate& tool : tools)
+        fastest = std::max(fastest, tool.outsider_rate_mm3_per_s);
+    std::vector<double> rates(tools.size());
+    for (std::size_t k = tools.size(); k-- > 0;) {
+        fastest = std::max(fastest, tools[k].volume_rate_mm3_per_s);
+        rates[k] = fastest;
+    }
+    return rates;
+}
+
+/// The smallest tool that is used, as a surrogate maybe, is one that ends the feature or a smaller one.
+std::vector<bool> smallestUsed(const std::vector<Candidate>& tools, std::vector<bool> ends) {
+    const bool helped =
+        std::any_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
+    for (std::size_t k = 1; helped && k < ends.size(); ++k)
+        ends[k] = ends[k] || ends[k - 1];
+    return ends;
+}
+
+}  // namespace
+
+TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tools,
+                      const std::vector<bool>& ends, const Machine& machine, const Tolerances& tol) {
+    const std::vector<double> reached = reachedAreas(feature, tools, clearedAtTheEnd(tools, ends), tol);
+    const std::vector<double> fastest = fastestFrom(tools);
+    const std::vector<bool> last = smallestUsed(tools, ends);
+    const int n = static_cast<int>(tools.size());
+    // What tool k is the first in the sequence to reach, it, a later one or a surrogate must clear, at best
+    // as fast as the fastest of these.
+    const auto cutting = [&](int m, int k) {
+        const double before = m == kSource ? 0 : reached[m];
+        return std::max(0.0, reached[k] - before) * feature.depth_mm() / fastest[k];
+    };
+    TimeBounds bounds;
+    const CheapestPath with = cheapestPath(
+        n, [&](int m, int k) { return cutting(m, k) + machine.tool_change_s; }, last);
+    const CheapestPath without = cheapestPath(n, cutting, last);
+    if (!with.tools.empty()) bounds.with_changes_s = with.cost;
+    if (!without.tools.empty()) bounds.cutting_s = without.cost;
+    return bounds;
+}
+
+double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea>& tools,
+                   const ToolLibrary& library, const SequenceOptions& options, const Machine& machine) {
+    const Feature& feature = ground.feature();
+    const Tolerances& tol = ground.tolerances();
+    const std::vector<Candidate> usable = usableTools(feature, tools, library, options, machine, tol);
+    return timeBounds(feature, usable, endTools(feature, usable, tol), machine, tol).with_changes_s;
+}
+
+}  // namespace stepmill

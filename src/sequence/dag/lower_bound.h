@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "sequence/dag/candidate.h"
+
+namespace stepmill {
+
+/// Lower bounds of a feature's machining time, see docs/algorithms/costs.md.
+struct TimeBounds {
+    double with_changes_s = 0;  ///< one tool change for every tool used
+    double cutting_s = 0;       ///< no tool changes, as if all tools were free to call
+};
+
+/// \param ends  as from endTools()
+TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tools,
+                      const std::vector<bool>& ends, const Machine& machine, const Tolerances& tol);
+
+}  // namespace stepmill
