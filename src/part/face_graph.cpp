@@ -5,12 +5,10 @@
 #include <BRep_Tool.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
 #include <Geom2d_Curve.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -151,9 +149,7 @@ FaceShape shapeOf(const TopoDS_Face& face, const PartFace& entry) {
     const BRepAdaptor_Surface surface(face, Standard_False);
     shape.samples = samplesOf(face, surface);
     describeSurface(shape, surface, parameters(face));
-    GProp_GProps properties;
-    BRepGProp::SurfaceProperties(face, properties);
-    shape.area_mm2 = properties.Mass();
+    shape.area_mm2 = areaOf(face);
     addOutline(shape, face);
     for (const FaceSample& sample : shape.samples)
         shape.bbox_mm.extend(sample.at);

@@ -13,10 +13,11 @@ namespace stepmill {
 /// "plane", "cylinder", ... as PartFace::surface says it.
 std::string surfaceKind(const TopoDS_Face& face);
 
-/// Signed volume [mm3]; negative for a solid whose faces look inwards.
+/// Signed volume by integrals over the faces, to about 1e-6 of itself [mm3]; negative for a solid whose faces
+/// look inwards.
 double volumeOf(const TopoDS_Shape& shape);
 
-/// Of all faces [mm2].
+/// Of all faces, to about 1e-6 [mm2].
 double areaOf(const TopoDS_Shape& shape);
 
 /// Tight box of the shape itself, without OCCT's tolerances around it [mm].

@@ -237,5 +237,13 @@ TEST_F(ReadStepTest, ReadingTwiceGivesTheSameParts) {
         EXPECT_EQ(first.faces[i].step_name, second.faces[i].step_name);
 }
 
+TEST_F(ReadStepTest, MeasuresTheShapeHoweverTheParametersRun) {
+    text_ = readFile(fs::path(STEPMILL_SOURCE_DIR) / "step_parts" / "die_cavity.step");
+    const double volume_mm3 = read().front().volume_mm3;
+    // A control point moves along its own curve: the edge stays where it was, to 0.01 mm.
+    edit("(21.541072862007,28.003724413505,25.)", "(21.541072862007,29.003724413505,25.)");
+    EXPECT_NEAR(read().front().volume_mm3, volume_mm3, 1e-5 * volume_mm3);
+}
+
 }  // namespace
 }  // namespace stepmill
