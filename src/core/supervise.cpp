@@ -33,13 +33,18 @@ namespace {
 
 constexpr int kExitBug = 3;
 
+[[noreturn]] void refuse(const char* what) {
+    throw Error(ErrorCode::SystemLimit, "system",
+                std::string("grants no ") + what + ": " + std::strerror(errno));
+}
+
 /// The board in anonymous memory that parent and child both see.
 class SharedMemory {
   public:
     SharedMemory() {
         void* memory =
             ::mmap(nullptr, sizeof(SharedBoard), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (memory == MAP_FAILED) throw Error(ErrorCode::Internal, "supervisor", std::strerror(errno));
+        if (memory == MAP_FAILED) refuse("memory to share with a child");
         board_ = new (memory) SharedBoard;
     }
     SharedMemory(const SharedMemory&) = delete;
@@ -211,7 +216,7 @@ Supervised runSupervised(const std::function<int(StageBoard&)>& work, double tim
     flushStreams();  // else the child would write the parent's unwritten output again
     const pid_t parent = ::getpid();
     const pid_t child = ::fork();
-    if (child < 0) throw Error(ErrorCode::Internal, "supervisor", std::strerror(errno));
+    if (child < 0) refuse("further process");
     if (child == 0) {
         stop.letThrough();
         std::signal(SIGXFSZ, SIG_IGN);

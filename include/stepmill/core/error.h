@@ -18,6 +18,7 @@ enum class ErrorCode {
     InvalidCatalog,    ///< tool library, machine or plan file breaks its schema
     OutputUnwritable,  ///< the output folder or file cannot be written
     TimedOut,          ///< the time limit ended the run
+    SystemLimit,       ///< the system grants no further process or memory
     InvalidRegion,     ///< a planar region breaks the rules of region.h
     GeometryKernel,    ///< OpenCASCADE or GEOS failed on good input
     Internal           ///< a Stepmill invariant does not hold: a bug

@@ -51,6 +51,7 @@ struct Supervised {
 /// \param timeout_s     infinite: no limit
 /// \param memory_bytes  private memory the child may have (RLIMIT_DATA: heap and stacks, not what is merely
 ///                      mapped); 0: no limit but the caller's own
+/// \throws Error(SystemLimit) where the system grants no further process or memory
 /// \pre no other thread runs in the calling process (fork); timeout_s is a number above 0
 Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
                          std::uint64_t memory_bytes = 0);

@@ -9,7 +9,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
+
+#include "stepmill/core/error.h"
 
 namespace stepmill {
 namespace {
@@ -205,6 +208,24 @@ TEST(Supervise, GrandchildrenDoNotOutliveTheRun) {
     EXPECT_LT(secondsSince(start), 20);
     ::close(ends[0]);
 }
+
+#ifndef __SANITIZE_ADDRESS__
+TEST(Supervise, SaysSoWhereTheSystemGrantsNoMoreMemory) {
+    const Supervised run = runSupervised(
+        [](StageBoard&) {
+            const rlimit nothing_more{0, 0};
+            ::setrlimit(RLIMIT_AS, &nothing_more);
+            try {
+                runSupervised([](StageBoard&) { return 0; }, 30);
+            } catch (const Error& error) {
+                return error.code() == ErrorCode::SystemLimit ? 7 : 1;
+            }
+            return 0;
+        },
+        30);
+    EXPECT_EQ(run.exit_code, 7);
+}
+#endif
 
 }  // namespace
 }  // namespace stepmill
