@@ -27,20 +27,22 @@ std::string toString(FeatureClass feature_class);
 /// One full circle, with a floor or without.
 bool isHole(FeatureClass feature_class);
 
-/// A piece of a target's boundary on one side of which the cutter may (open) or may not (closed) go.
+/// A piece of a target's boundary. The cutter may cross an open piece; a closed one is a wall.
 struct BoundaryPiece {
     Path path;
     bool open = false;
 };
 
-/// Material above the floor that holders must keep clear of: `section` up to `top_z_mm`.
+/// Material above the floor that shank and holder must keep clear of, as an upright prism in setup
+/// coordinates. Errs outwards: the true material lies inside.
 struct Obstacle {
     double bottom_z_mm = 0;
     double top_z_mm = 0;
-    Region section;  ///< part or stock still standing anywhere at or above bottom_z_mm (shadow)
+    Region section;  ///< part or stock that stands anywhere at or above bottom_z_mm (the shadow)
 };
 
-/// A removal volume f(p, h): floor region p and depth h [DSouza2006], in setup coordinates.
+/// A removal volume f(p, h) with the floor region p and the depth h [DSouza2006], in setup coordinates. Outer
+/// loops of its regions run counter-clockwise, holes clockwise.
 struct Feature {
     std::string id;  ///< "S1.F2"
     std::string setup_id;
@@ -49,8 +51,8 @@ struct Feature {
     double top_z_mm = 0;
     double floor_z_mm = 0;
     bool through = false;                 ///< nothing of part or stock lies below the floor
-    Region target;                        ///< T: to be cleared down to the floor
-    Region obstruction;                   ///< O: must not be touched while doing so
+    Region target;                        ///< T: the ground to clear down to the floor
+    Region obstruction;                   ///< O: what the cutter must not touch while it clears T
     std::vector<BoundaryPiece> boundary;  ///< the target's boundary, open and closed pieces in loop order
     double open_length_mm = 0;
     double closed_length_mm = 0;
@@ -66,7 +68,7 @@ struct Feature {
     double depth_mm() const { return top_z_mm - floor_z_mm; }
 };
 
-/// What of stock - part a setup's features do not own, with the reason.
+/// A part of stock - part that no feature of the setup owns.
 struct Unplanned {
     std::string reason;  ///< "undercut", "wall not vertical"
     double volume_mm3 = 0;
@@ -80,13 +82,26 @@ struct FeatureSet {
     std::vector<Unplanned> unplanned;
 };
 
-/// Finds the removal features of a setup [algorithms.md, section 2]: removal = stock - shadow per layer,
-/// its components linked into a forest; a child equal to its parent only deepens it, any other child is a
-/// feature nested in its parent.
+/// Finds the removal features of a setup.
+///
+/// In every layer the ground to remove is stock - shadow. Its connected components become nodes of a forest:
+/// a component hangs below the one above it that covers it. A child that covers the same ground makes its
+/// parent deeper; any other child becomes a feature of its own, nested in its parent. In stock that earlier
+/// setups have cut, components also join over ground that those setups left open.
+///
+/// \param layers  from slice(), in setup coordinates [mm]
+/// \param tol     areas below `area_mm2` are rounding and belong to no feature
+/// \return  Features and unplanned volumes; their volumes add up to stock - part within
+///          `tol.volume_share`. Targets err inwards and obstructions outwards, as the layers' regions do: a
+///          feature may miss material, it never holds part. Empty when the setup has nothing to remove.
+/// \throws  Error(GeometryKernel) if a Boolean of regions fails.
+/// \note  O(layers x edges log edges).
+/// \see docs/algorithms/features.md
 FeatureSet recogniseFeatures(const LayerStack& layers, const Tolerances& tol);
 
-/// Pockets and slots with a floor into which a cutter of that diameter does not go anywhere become
-/// engravings: a shop traces them with a point instead of clearing them. Holes stay holes.
+/// Turns pockets and slots that a cutter of that diameter fits nowhere into engravings: a shop traces them
+/// with a pointed tool instead of clearing them. Holes stay holes. A window has no floor and stays what it
+/// is.
 void nameEngravings(FeatureSet& found, double smallest_cutter_mm, const Tolerances& tol);
 
 }  // namespace stepmill

@@ -69,11 +69,13 @@ struct ReadOptions {
 /// Reads a STEP file (AP203, AP214, AP242): every distinct solid a part of its own, in mm, healed.
 ///
 /// Screens the text first for what the reader cannot survive (non-finite or absurd numbers, truncation,
-/// references to nothing, a file that is not STEP), then accounts for every
-/// face, edge and shell of the file: what the geometry reader dropped, split or could not close is refused,
-/// what it or healing turned or re-made is an input-doubt. May still take unbounded time inside OCCT on
-/// hostile input: run it under runSupervised(). \throws Error(FileUnreadable, NotStep, StepDamaged, NoSolid,
-/// OpenShell, InvalidSolid, ImplausibleSize)
+/// references to nothing, a file that is not STEP). Then accounts for every face, edge and shell of the file:
+/// it refuses what the geometry reader dropped, split or could not close; what the reader or healing turned
+/// or re-made is an input-doubt. May still take unbounded time inside OCCT on hostile input: run it under
+/// runSupervised().
+/// \return  at least one part
+/// \throws Error(FileUnreadable, NotStep, StepDamaged, NoSolid, OpenShell, InvalidSolid, ImplausibleSize)
+/// \see docs/import.md
 std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace stepmill

@@ -79,7 +79,9 @@ struct PostedProgram {
 ///
 /// Every arc's centre agrees with both its ends within 1 um, so that no controller refuses it; coordinates
 /// have 4 decimals in mm, 5 in inches.
+/// \return  In machining order. A job without operations gives one program that starts and ends.
 /// \throws Error(InvalidCatalog) when two tools have one number.
+/// \note  O(moves); no geometry is made here.
 std::vector<PostedProgram> post(const Job& job, const PostOptions& options);
 
 /// The program of one setup in the dialect of the plan's machine.

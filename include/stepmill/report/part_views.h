@@ -12,7 +12,11 @@ struct View {
     std::string svg;    ///< one <svg> element, sized in mm by its viewBox
 };
 
-/// Top, front, right and isometric views. \throws Error(GeometryKernel)
+/// Top, front, right and isometric views, as seen in setup coordinates [mm].
+///
+/// Exact hidden lines for parts of few faces; of larger ones the facets are drawn, because exact hidden lines
+/// grow with the square of the faces.
+/// \throws Error(GeometryKernel)
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup);
 
 /// The same with what is visible of each face filled: class "shade tint<k>" where k = tints[face], nothing

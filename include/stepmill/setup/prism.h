@@ -8,16 +8,16 @@
 
 namespace stepmill {
 
-/// An upright prism in setup coordinates.
+/// An upright prism in setup coordinates [mm]. An empty region has no volume.
 struct Prism {
-    Region region;
+    Region region;  ///< outer loops counter-clockwise, holes clockwise
     double top_z_mm = 0;
     double bottom_z_mm = 0;
 
     double volume_mm3() const { return area(region) * (top_z_mm - bottom_z_mm); }
 };
 
-/// Sum of the prisms' volumes [mm3].
+/// Sum of the prisms' volumes [mm3]; what two of them share counts twice. 0 without prisms.
 double volumeOf(const std::vector<Prism>& prisms);
 
 /// What one setup took from the stock: prisms whose interiors do not meet, in its coordinates.

@@ -82,8 +82,10 @@ struct Setup {
 /// the larger flat face first, then +z, -z, +x, -x, +y, -y. A part with nothing to remove gets one setup.
 ///
 /// Reach decides number and order only; no area or volume of the plan comes from it. Deterministic.
+/// \return  at least one setup
 /// \throws Error(Usage) if the stock does not contain the part, with where it sticks out and by how much, or
 ///         if every axis is forbidden.
+/// \note  O(axes x samples) rays in a box tree; the search over sets is exponential in the axes that pay.
 /// \see docs/algorithms/setups.md
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 
