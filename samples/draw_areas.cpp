@@ -22,11 +22,11 @@ struct Layer {
 
 std::string svg(const Box2& frame, const std::vector<Layer>& layers) {
     constexpr double kMarginMm = 3;
-    const Box2 box = frame.grown(kMarginMm);
+    const Box2 box = grown(frame, kMarginMm);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">"
         "<g transform=\"scale(1,-1)\" stroke-width=\"0.35\" fill-rule=\"nonzero\">\n",
-        box.min.x(), -box.max.y(), box.size().x(), box.size().y());
+        box.min().x(), -box.max().y(), box.sizes().x(), box.sizes().y());
     for (const Layer& layer : layers)
         text +=
             fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", layer.data, layer.fill, layer.stroke);
@@ -56,8 +56,8 @@ void drawFinishing(const std::filesystem::path& folder, const Region& pocket, co
     clearing.free_centres = diagram.offset(-tool.radius_mm());
     clearing.cleared_centres = diagram.offset(-tool.radius_mm() - kAllowanceMm);
     clearing.target = pocket;
-    const Box2 block = boundingBox(pocket).grown(2 * tool.diameter_mm);
-    clearing.obstruction = subtract(makeRectangle(block.min, block.max), pocket, tol);
+    const Box2 block = grown(boundingBox(pocket), 2 * tool.diameter_mm);
+    clearing.obstruction = subtract(makeRectangle(block.min(), block.max()), pocket, tol);
     clearing.floor_z_mm = -1;
     clearing.retract_z_mm = 1;
     const Region roughed = offset(clearing.cleared_centres, tool.radius_mm(), tol);

@@ -213,7 +213,7 @@ class CurveFinder {
                 });
                 if (lives_on) continue;
                 const Box2 box = boundingBox(room);
-                const Vec2 middle = (box.min + box.max) / 2;
+                const Vec2 middle = (box.min() + box.max()) / 2;
                 const double diameter_mm = exactDiameter(bracket, middle);
                 if (!betweenWalls(events, bracket, room))
                     addPlace(events, AccessEventKind::Vanishes, diameter_mm, middle, bracket);

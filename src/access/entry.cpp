@@ -7,6 +7,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::access {
 namespace {
@@ -29,36 +30,17 @@ constexpr std::size_t kRampEdges = 8;
 /// Directions tried besides, for components with none but curved edges.
 constexpr int kRampFanDirections = 8;
 
-struct Edge {
-    Vec2 from;
-    Segment segment;
-    double length_mm = 0;
-
-    Vec2 at(double t) const { return pointAt(from, segment, t); }
-    /// Out of the region that lies on the edge's left.
-    Vec2 outward(double t) const {
-        const Vec2 along = tangentAt(from, segment, t);
-        return {along.y(), -along.x()};
-    }
-};
-
 /// All edges, the longest first; equals stay in loop order.
 std::vector<Edge> edgesByLength(const Region& region) {
-    std::vector<Edge> edges;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            edges.push_back({from, segment, length(from, segment)});
-            from = segment.to;
-        }
-    }
+    std::vector<Edge> edges = edgesOf(region);
     std::stable_sort(edges.begin(), edges.end(),
-                     [](const Edge& a, const Edge& b) { return a.length_mm > b.length_mm; });
+                     [](const Edge& a, const Edge& b) { return length(a) > length(b); });
     return edges;
 }
 
-double distanceToRegion(const Region& region, const Vec2& p) {
-    return contains(region, p) ? 0 : distanceToBoundary(region, p);
+/// Out of the region that lies on the edge's left.
+Vec2 outward(const Edge& edge, double share) {
+    return -leftOf(tangentAt(edge, share));
 }
 
 /// Goes down beside the material and moves in over an open edge.
@@ -77,10 +59,10 @@ std::optional<Entry> overOpenEdge(const FeatureGround& ground, double radius_mm,
     };
     for (const double clearance_mm : kOpenEdgeClearanceMm) {
         for (const Edge& edge : edges) {
-            if (!leavesTarget(edge.at(0.5))) continue;
+            if (!leavesTarget(pointAt(edge, 0.5))) continue;
             for (const double t : kAlongEdge) {
-                const Vec2 rim = edge.at(t);
-                const Vec2 out = edge.outward(t) * clearance_mm;
+                const Vec2 rim = pointAt(edge, t);
+                const Vec2 out = outward(edge, t) * clearance_mm;
                 const Vec2 at = snapToGrid(Vec2(rim + out));
                 if (distanceToRegion(feature.target, at) < radius_mm + clearance_mm / 2) continue;
                 const bool free = clearOfWalls(rim) && clearOfWalls(rim + out / 2) && clearOfWalls(at);
@@ -107,7 +89,7 @@ std::optional<ClearanceDiagram::Disc> widestDisc(const FeatureGround& ground, do
 /// The straight piece of the component through `base`.
 std::optional<Path> chordThrough(const Region& component, const Vec2& base, const Vec2& direction,
                                  const Tolerances& tol) {
-    const double reach_mm = boundingBox(component).size().norm() + 1;
+    const double reach_mm = boundingBox(component).sizes().norm() + 1;
     const Vec2 from = snapToGrid(Vec2(base - direction * reach_mm));
     const Vec2 to = snapToGrid(Vec2(base + direction * reach_mm));
     for (const Path& piece : split(Path{from, {Segment{to, std::nullopt}}}, component, tol).inside) {
@@ -120,8 +102,8 @@ std::optional<Path> chordThrough(const Region& component, const Vec2& base, cons
 
 /// The middle of the component beside the edge's midpoint, across to its other side.
 Vec2 middleBeside(const Region& component, const Edge& edge, const Tolerances& tol) {
-    const Vec2 inward = -edge.outward(0.5);
-    const Vec2 foot = edge.at(0.5) + inward * tol.linear_mm * 2;
+    const Vec2 inward = -outward(edge, 0.5);
+    const Vec2 foot = pointAt(edge, 0.5) + inward * tol.linear_mm * 2;
     const auto across = chordThrough(component, foot, inward, tol);
     return across ? Vec2((across->start + across->end()) / 2) : foot;
 }
@@ -136,7 +118,7 @@ std::optional<Entry> ramp(const FeatureGround& ground, const ToolAssembly& tool,
     };
     std::size_t tried = 0;
     for (const Edge& edge : edges) {
-        if (edge.segment.arc || edge.length_mm <= tol.sliver_mm) continue;
+        if (edge.segment.arc || length(edge) <= tol.sliver_mm) continue;
         if (tried++ == kRampEdges) break;
         const Vec2 along = (edge.segment.to - edge.from).normalized();
         consider(middle, along);

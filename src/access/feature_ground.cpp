@@ -28,10 +28,9 @@ double widestRadiusFromOutside(const FeatureGround& ground) {
     };
     Box2 box = boundingBox(target);
     const Box2 walls = boundingBox(ground.feature().obstruction);
-    box.add(walls.min);
-    box.add(walls.max);
+    box.extend(walls);
     double room_mm = 0;
-    double too_much_mm = box.size().norm();
+    double too_much_mm = box.sizes().norm();
     while (too_much_mm - room_mm > kWidestCutterStepMm) {
         const double middle_mm = (room_mm + too_much_mm) / 2;
         (roomFor(middle_mm) ? room_mm : too_much_mm) = middle_mm;

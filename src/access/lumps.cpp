@@ -18,8 +18,8 @@ void append(Region& region, const Region& piece) {
 }
 
 Region within(const Region& region, const Box2& box, const Tolerances& tol) {
-    if (region.empty() || !boundingBox(region).overlaps(box)) return {};
-    return intersect(region, makeRectangle(box.min, box.max), tol);
+    if (region.empty() || !boundingBox(region).intersects(box)) return {};
+    return intersect(region, makeRectangle(box.min(), box.max()), tol);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ Feature lumpFeature(const Feature& feature, const Region& lump, const std::vecto
     small.top_z_mm = feature.top_z_mm;
     small.floor_z_mm = feature.floor_z_mm;
     small.target = lump;
-    const Box2 around = boundingBox(lump).grown(reach_mm);
+    const Box2 around = grown(boundingBox(lump), reach_mm);
     std::vector<Region> near;
     for (const Region& standing : obstruction) {
         Region part = within(standing, around, tol);

@@ -16,81 +16,35 @@ constexpr double kRoundingMm = 3e-6;
 /// Step beside a neck, as a share of its width, at which clearance is asked whether it rises.
 constexpr double kBesideShare = 0.02;
 
-void addEdges(const Region& region, std::vector<WallEdge>& edges) {
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            edges.push_back({from, segment, boundingBox(Path{from, {segment}})});
-            from = segment.to;
-        }
-    }
-}
-
-double boxDistance(const Box2& box, const Vec2& p) {
-    const double dx = std::max({box.min.x() - p.x(), p.x() - box.max.x(), 0.0});
-    const double dy = std::max({box.min.y() - p.y(), p.y() - box.max.y(), 0.0});
-    return std::hypot(dx, dy);
-}
-
-double boxDistance(const Box2& a, const Box2& b) {
-    const double dx = std::max({a.min.x() - b.max.x(), b.min.x() - a.max.x(), 0.0});
-    const double dy = std::max({a.min.y() - b.max.y(), b.min.y() - a.max.y(), 0.0});
-    return std::hypot(dx, dy);
-}
-
-bool onArc(const WallEdge& edge, const Vec2& p) {
-    if (edge.from == edge.segment.to) return true;
-    const Arc& arc = *edge.segment.arc;
-    return std::abs(sweepAngle(edge.from, p, arc)) <= std::abs(sweepAngle(edge.from, edge.segment.to, arc));
-}
-
-Vec2 nearestOnLine(const WallEdge& edge, const Vec2& p) {
-    const Vec2 along = edge.segment.to - edge.from;
-    const double t = (p - edge.from).dot(along) / along.squaredNorm();
-    return edge.from + std::clamp(t, 0.0, 1.0) * along;
-}
-
-Vec2 nearestOn(const WallEdge& edge, const Vec2& p) {
-    if (!edge.segment.arc) return nearestOnLine(edge, p);
-    const Arc& arc = *edge.segment.arc;
-    const Vec2 out = p - arc.centre;
-    if (out.norm() > kRoundingMm) {
-        const Vec2 foot = arc.centre + arc.radius_mm * out.normalized();
-        if (onArc(edge, foot)) return foot;
-    }
-    return (p - edge.from).norm() < (p - edge.segment.to).norm() ? edge.from : edge.segment.to;
-}
-
 using PointPair = std::pair<Vec2, Vec2>;
 
 /// The middle of where two lines lie opposite to each other: the one place that stands for parallel walls.
-void addMiddleOfOverlap(const WallEdge& a, const WallEdge& b, std::vector<PointPair>& pairs) {
-    const Vec2 first = nearestOnLine(a, b.from);
-    const Vec2 last = nearestOnLine(a, b.segment.to);
+void addMiddleOfOverlap(const Edge& a, const Edge& b, std::vector<PointPair>& pairs) {
+    const Vec2 first = nearestPoint(a, b.from);
+    const Vec2 last = nearestPoint(a, b.segment.to);
     if ((last - first).norm() <= kRoundingMm) return;  // end to end, or no overlap
     for (const double share : {0.5, 0.25, 0.75}) {
         const Vec2 p = first + share * (last - first);
-        pairs.emplace_back(p, nearestOn(b, p));
+        pairs.emplace_back(p, nearestPoint(b, p));
     }
 }
 
 /// Where the straight way from `towards` through the arc's centre meets the arc, on either side.
-void addAlongCentre(const WallEdge& arc_edge, const Vec2& towards, const WallEdge& other,
+void addAlongCentre(const Edge& arc_edge, const Vec2& towards, const Edge& other,
                     std::vector<PointPair>& pairs) {
     const Arc& arc = *arc_edge.segment.arc;
     Vec2 u = towards - arc.centre;
-    if (u.norm() <= kRoundingMm)
-        u = pointAt(arc_edge.from, arc_edge.segment, 0.5) - arc.centre;  // concentric
+    if (u.norm() <= kRoundingMm) u = pointAt(arc_edge, 0.5) - arc.centre;  // concentric
     u.normalize();
     for (const double side : {1.0, -1.0}) {
         const Vec2 p = arc.centre + side * arc.radius_mm * u;
-        if (onArc(arc_edge, p)) pairs.emplace_back(p, nearestOn(other, p));
+        if (distanceTo(p, arc_edge) <= kRoundingMm) pairs.emplace_back(p, nearestPoint(other, p));
     }
 }
 
 /// Pairs of points, one on each edge, among which are all where the distance is least; the middles of
 /// parallel lines apart, as they shall come first.
-void closePairs(const WallEdge& a, const WallEdge& b, bool middles, std::vector<PointPair>& pairs) {
+void closePairs(const Edge& a, const Edge& b, bool middles, std::vector<PointPair>& pairs) {
     pairs.clear();
     if (middles) {
         if (!a.segment.arc && !b.segment.arc) addMiddleOfOverlap(a, b, pairs);
@@ -98,14 +52,14 @@ void closePairs(const WallEdge& a, const WallEdge& b, bool middles, std::vector<
     }
     for (const auto& [edge, other] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
         if (!edge->segment.arc) continue;
-        const Vec2 towards = other->segment.arc ? other->segment.arc->centre
-                                                : nearestOnLine(*other, edge->segment.arc->centre);
+        const Vec2 towards =
+            other->segment.arc ? other->segment.arc->centre : nearestPoint(*other, edge->segment.arc->centre);
         addAlongCentre(*edge, towards, *other, pairs);
     }
     for (const Vec2& end : {a.from, a.segment.to})
-        pairs.emplace_back(end, nearestOn(b, end));
+        pairs.emplace_back(end, nearestPoint(b, end));
     for (const Vec2& end : {b.from, b.segment.to})
-        pairs.emplace_back(nearestOn(a, end), end);
+        pairs.emplace_back(nearestPoint(a, end), end);
 }
 
 /// Does clearance not fall on both sides of the way between the two wall points? Between hollow walls it
@@ -114,7 +68,7 @@ bool isNarrowest(const Walls& walls, const Vec2& p, const Vec2& q) {
     const Vec2 middle = (p + q) / 2;
     const double radius_mm = (p - q).norm() / 2;
     const Vec2 across = (q - p) / (2 * radius_mm);
-    const Vec2 step = 2 * kBesideShare * radius_mm * Vec2(-across.y(), across.x());
+    const Vec2 step = 2 * kBesideShare * radius_mm * leftOf(across);
     const double least_mm = radius_mm - kRoundingMm;
     return walls.clearance(middle + step) >= least_mm || walls.clearance(middle - step) >= least_mm;
 }
@@ -139,11 +93,11 @@ bool known(const Walls& walls, const std::vector<Neck>& necks, const Neck& neck,
 
 void addNecks(const Walls& walls, double widest_mm, bool middles, const Tolerances& tol,
               std::vector<Neck>& necks) {
-    const std::vector<WallEdge>& edges = walls.edges();
+    const std::vector<Edge>& edges = walls.edges();
     std::vector<PointPair> pairs;
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = i + 1; j < edges.size(); ++j) {
-            if (boxDistance(edges[i].box, edges[j].box) > widest_mm) continue;
+            if (edges[i].box.exteriorDistance(edges[j].box) > widest_mm) continue;
             closePairs(edges[i], edges[j], middles, pairs);
             for (const auto& [p, q] : pairs) {
                 const Neck neck{(p - q).norm(), (p + q) / 2};
@@ -161,27 +115,11 @@ void addNecks(const Walls& walls, double widest_mm, bool middles, const Toleranc
 Walls::Walls(const FeatureGround& ground)
     : walled_in_(ground.walledIn()),
       target_(ground.feature().target),
-      material_(ground.feature().obstruction) {
-    addEdges(walled_in_ ? target_ : material_, edges_);
-}
-
-double Walls::clearance(const Vec2& p) const {
-    double least_mm = std::numeric_limits<double>::infinity();
-    for (const WallEdge& edge : edges_)
-        if (boxDistance(edge.box, p) < least_mm)
-            least_mm = std::min(least_mm, distanceTo(p, edge.from, edge.segment));
-    return least_mm;
-}
-
-bool Walls::clear(const Vec2& centre, double radius_mm) const {
-    return std::none_of(edges_.begin(), edges_.end(), [&](const WallEdge& edge) {
-        return boxDistance(edge.box, centre) < radius_mm &&
-               distanceTo(centre, edge.from, edge.segment) < radius_mm;
-    });
-}
+      material_(ground.feature().obstruction),
+      walls_(walled_in_ ? target_ : material_) {}
 
 bool Walls::discFits(const Vec2& centre, double radius_mm, double slack_mm) const {
-    if (!clear(centre, radius_mm - slack_mm)) return false;
+    if (walls_.anyNearer(centre, radius_mm - slack_mm)) return false;
     if (walled_in_) return contains(target_, centre);
     if (contains(material_, centre)) return false;
     return contains(target_, centre) || distanceToBoundary(target_, centre) < radius_mm - slack_mm;
@@ -189,7 +127,7 @@ bool Walls::discFits(const Vec2& centre, double radius_mm, double slack_mm) cons
 
 std::vector<Arc> Walls::insideArcs() const {
     std::vector<Arc> arcs;
-    for (const WallEdge& edge : edges_) {
+    for (const Edge& edge : walls_.edges()) {
         // The target lies left of its boundary, the room outside the obstruction right of its boundary.
         if (edge.segment.arc && edge.segment.arc->ccw == walled_in_) arcs.push_back(*edge.segment.arc);
     }

@@ -5,34 +5,13 @@
 #include <cmath>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge_index.h"
 
 namespace stepmill::feature {
 namespace {
 
 /// Walls that turn by less pass as smooth [rad]: a cutter of 10 mm radius leaves 3 um in such a corner.
 constexpr double kSharpCornerRad = 0.05;
-
-struct Edge {
-    Vec2 from;
-    Segment segment;
-    Box2 box;
-};
-
-std::vector<Edge> edgesOf(const Region& region, double grown_by_mm) {
-    std::vector<Edge> edges;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            edges.push_back({from, segment, boundingBox(Path{from, {segment}}).grown(grown_by_mm)});
-            from = segment.to;
-        }
-    }
-    return edges;
-}
-
-bool inBox(const Box2& box, const Vec2& p) {
-    return p.x() >= box.min.x() && p.x() <= box.max.x() && p.y() >= box.min.y() && p.y() <= box.max.y();
-}
 
 struct OpenOrClosed {
     Path path;
@@ -43,7 +22,7 @@ struct OpenOrClosed {
 class EdgeSorter {
   public:
     EdgeSorter(const Region& obstruction, const Tolerances& tol)
-        : obstruction_(obstruction), walls_(edgesOf(obstruction, tol.sliver_mm)), tol_(tol) {}
+        : obstruction_(obstruction), walls_(obstruction), tol_(tol) {}
 
     std::vector<OpenOrClosed> sort(const Vec2& from, const Segment& segment) const {
         // Targets are made by cutting stock with shadows, so an edge nearly always lies on a wall as a whole
@@ -58,11 +37,7 @@ class EdgeSorter {
     }
 
   private:
-    bool onWall(const Vec2& p) const {
-        return std::any_of(walls_.begin(), walls_.end(), [&](const Edge& wall) {
-            return inBox(wall.box, p) && distanceTo(p, wall.from, wall.segment) <= tol_.sliver_mm;
-        });
-    }
+    bool onWall(const Vec2& p) const { return walls_.distanceTo(p) <= tol_.sliver_mm; }
 
     std::vector<OpenOrClosed> cut(const Path& edge) const {
         const SplitPath pieces = split(edge, obstruction_, tol_);
@@ -86,7 +61,7 @@ class EdgeSorter {
     }
 
     const Region& obstruction_;
-    std::vector<Edge> walls_;
+    EdgeIndex walls_;
     Tolerances tol_;
 };
 
@@ -119,7 +94,7 @@ std::vector<BoundaryPiece> piecesOf(const Loop& loop, const EdgeSorter& sorter) 
 }
 
 bool turnsSharplyLeft(const Vec2& before, const Vec2& after) {
-    return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after)) > kSharpCornerRad;
+    return std::atan2(cross(before, after), before.dot(after)) > kSharpCornerRad;
 }
 
 bool hasSharpCorner(const Path& wall) {

@@ -31,8 +31,7 @@ std::optional<StraightWall> straightWall(const Path& path, const Tolerances& tol
     const bool straight =
         std::all_of(path.segments.begin(), path.segments.end(), [&](const Segment& segment) {
             const Vec2 offset = segment.to - path.start;
-            return !segment.arc &&
-                   std::abs(chord.x() * offset.y() - chord.y() * offset.x()) <= tol.sliver_mm * chord.norm();
+            return !segment.arc && std::abs(cross(chord, offset)) <= tol.sliver_mm * chord.norm();
         });
     if (!straight) return std::nullopt;
     return StraightWall{path.start, chord.normalized()};

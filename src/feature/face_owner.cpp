@@ -43,8 +43,8 @@ class Volumes {
   private:
     bool over(std::size_t i, const Vec3& p) const {
         const Box2& box = boxes_[i];
-        return p.x() >= box.min.x() && p.x() <= box.max.x() && p.y() >= box.min.y() && p.y() <= box.max.y() &&
-               contains(features_[i].target, p.head<2>());
+        return p.x() >= box.min().x() && p.x() <= box.max().x() && p.y() >= box.min().y() &&
+               p.y() <= box.max().y() && contains(features_[i].target, p.head<2>());
     }
     const std::vector<Feature>& features_;
     std::vector<Box2> boxes_;

@@ -201,7 +201,7 @@ class Grouper {
             for (const int other : forest_.of_layer[layer]) {
                 if (isMember(group, other)) continue;
                 const Region& region = forest_.components[other].region;
-                if (box.overlaps(boundingBox(region)) &&
+                if (box.intersects(boundingBox(region)) &&
                     !isSliver(intersect(group.target, region, tol_), tol_))
                     return other;
             }

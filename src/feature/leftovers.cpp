@@ -55,7 +55,7 @@ class Judge {
     Judge(const LayerStack& layers, const Tolerances& tol) : layers_(layers), tol_(tol) {
         for (const FaceTrace& trace : layers.traces) {
             if (trace.stand == FaceStand::Wall && !trace.footprint.segments.empty())
-                walls_.push_back({&trace, boundingBox(trace.footprint).grown(kOnWallMm)});
+                walls_.push_back({&trace, grown(boundingBox(trace.footprint), kOnWallMm)});
         }
     }
 
@@ -96,7 +96,7 @@ class Judge {
         const auto found = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& wall) {
             if (z_mm > wall.trace->top_z_mm || z_mm < wall.trace->bottom_z_mm) return false;
             if (isDeepFillet(*wall.trace, layer.bottom_z_mm)) return false;
-            if ((p.array() < wall.box.min.array()).any() || (p.array() > wall.box.max.array()).any())
+            if ((p.array() < wall.box.min().array()).any() || (p.array() > wall.box.max().array()).any())
                 return false;
             Vec2 from = wall.trace->footprint.start;
             for (const Segment& segment : wall.trace->footprint.segments) {
@@ -138,7 +138,7 @@ class Judge {
         const Box2 box = boundingBox(component.region);
         for (const FaceTrace& trace : layers_.traces) {
             if (trace.stand != FaceStand::Floor || std::abs(trace.top_z_mm - z_mm) > tol_.gouge_mm) continue;
-            if (!boundingBox(trace.region).overlaps(box)) continue;
+            if (!boundingBox(trace.region).intersects(box)) continue;
             const double covered_mm2 = area(intersect(component.region, trace.region, tol_));
             on_mm2 += covered_mm2;
             finished.area_mm2[trace.face] += covered_mm2;

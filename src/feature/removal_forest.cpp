@@ -69,7 +69,7 @@ void linkToParents(RemovalForest& forest, int child, const std::vector<int>& abo
     double overlap_mm2 = 0;
     for (const int parent : above) {
         const Region& region = forest.components[parent].region;
-        if (!box.overlaps(boundingBox(region))) continue;
+        if (!box.intersects(boundingBox(region))) continue;
         const Region common = intersect(component.region, region, tol);
         if (area(common) <= tol.area_mm2 || isSliver(common, tol)) continue;
         overlap_mm2 += area(common);

@@ -45,20 +45,16 @@ std::vector<Ray> raysOf(const Feature& feature) {
 std::vector<Chord> chordsOf(const Region& region, const Box2& near, double chord_mm) {
     std::vector<Chord> chords;
     for (const Loop& loop : region.loops) {
-        if (!boundingBox(loop).overlaps(near)) continue;
+        if (!boundingBox(loop).intersects(near)) continue;
         const std::vector<Vec2> points = tessellate(loop, chord_mm);
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             Box2 box;
-            box.add(points[i]);
-            box.add(points[i + 1]);
-            if (box.overlaps(near)) chords.push_back({points[i], points[i + 1]});
+            box.extend(points[i]);
+            box.extend(points[i + 1]);
+            if (box.intersects(near)) chords.push_back({points[i], points[i + 1]});
         }
     }
     return chords;
-}
-
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 /// Way along the ray to the first chord it leaves the material through, or `most`; `most` too where that
@@ -93,7 +89,7 @@ std::optional<WallThickness> thinnestWall(const Feature& feature, const LayerSta
                                           const Tolerances& tol) {
     const std::vector<Ray> rays = raysOf(feature);
     const double most = kBody * feature.depth_mm();
-    const Box2 near = boundingBox(feature.target).grown(most);
+    const Box2 near = grown(boundingBox(feature.target), most);
     const double chord_mm = std::max(tol.chord_mm, 1e-2);
     std::vector<Found> found;
     for (const Layer& layer : layers.layers) {

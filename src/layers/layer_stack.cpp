@@ -54,7 +54,7 @@ std::vector<int> LayerStack::wallsAlong(const Path& path, double top_z_mm, doubl
     for (const FaceTrace& trace : traces) {
         if (trace.stand != FaceStand::Wall || trace.footprint.segments.empty()) continue;
         if (trace.bottom_z_mm >= top_z_mm || trace.top_z_mm <= bottom_z_mm) continue;
-        if (!boundingBox(trace.footprint).grown(reach_mm).overlaps(boundingBox(path))) continue;
+        if (!grown(boundingBox(trace.footprint), reach_mm).intersects(boundingBox(path))) continue;
         if (runsAlong(path, trace.footprint, reach_mm) || runsAlong(trace.footprint, path, reach_mm))
             found.push_back(trace.face);
     }
@@ -66,7 +66,7 @@ std::vector<int> LayerStack::floorsUnder(const Region& region, double z_mm, doub
     std::vector<int> found;
     for (const FaceTrace& trace : traces) {
         if (trace.stand != FaceStand::Floor || std::abs(trace.top_z_mm - z_mm) > reach_mm) continue;
-        if (!boundingBox(trace.region).overlaps(boundingBox(region))) continue;
+        if (!boundingBox(trace.region).intersects(boundingBox(region))) continue;
         if (area(intersect(region, trace.region, tol)) > tol.area_mm2) found.push_back(trace.face);
     }
     return found;

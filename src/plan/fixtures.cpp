@@ -19,7 +19,8 @@ constexpr double kTouchMm = 0.01;
 /// Larger by a share of its size: half of that on each side, all of it upwards.
 Fixture grown(const Fixture& fixture, double share, const Tolerances& tol) {
     Fixture larger = fixture;
-    larger.section = offset(fixture.section, share / 2 * boundingBox(fixture.section).size().minCoeff(), tol);
+    larger.section =
+        offset(fixture.section, share / 2 * boundingBox(fixture.section).sizes().minCoeff(), tol);
     larger.top_z_mm += share * (fixture.top_z_mm - fixture.bottom_z_mm);
     return larger;
 }

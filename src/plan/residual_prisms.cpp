@@ -24,7 +24,7 @@ std::vector<Vec2> pointsIn(const Region& region) {
         for (const Segment& segment : loop.segments) {
             const Vec2 along = tangentAt(from, segment, 0.5);
             const double in = std::min(kInsideMm, length(from, segment) / 10);
-            points.push_back(pointAt(from, segment, 0.5) + in * Vec2(-along.y(), along.x()));
+            points.push_back(pointAt(from, segment, 0.5) + in * leftOf(along));
             from = segment.to;
         }
     }

@@ -21,30 +21,31 @@ Points lineLine(const Vec2& from1, const Vec2& to1, const Vec2& from2, const Vec
     return {from1 + d1 * (cross(from2 - from1, d2) / turn)};
 }
 
-Points lineCircle(const Vec2& from, const Vec2& to, const Arc& arc, double reach_mm, double tangent_mm) {
+Points lineCircle(const Vec2& from, const Vec2& to, const Arc& arc, const MeetingTolerance& tolerance) {
+    if (from == to) return {};
     const Vec2 direction = (to - from).normalized();
     const Vec2 foot = from + direction * direction.dot(arc.centre - from);
     const double distance = (foot - arc.centre).norm();
     const double beyond = distance - arc.radius_mm;
-    if (beyond > std::max(reach_mm, tangent_mm)) return {};
-    if (beyond > -tangent_mm) return {foot};
+    if (beyond > std::max(tolerance.reach_mm, tolerance.tangent_mm)) return {};
+    if (beyond > -tolerance.tangent_mm) return {foot};
     const double half = std::sqrt((arc.radius_mm - distance) * (arc.radius_mm + distance));
     return {foot - half * direction, foot + half * direction};
 }
 
-Points circleCircle(const Arc& a, const Arc& b, double reach_mm, double coincident_mm, double tangent_mm) {
+Points circleCircle(const Arc& a, const Arc& b, const MeetingTolerance& tolerance) {
     const Vec2 between = b.centre - a.centre;
     const double d = between.norm();
     const double ra = a.radius_mm;
     const double rb = b.radius_mm;
-    if (d + std::abs(ra - rb) <= coincident_mm || d == 0) return {};
+    if (d + std::abs(ra - rb) <= tolerance.coincident_mm || d == 0) return {};
     const double apart = d - (ra + rb);
     const double inside = std::abs(ra - rb) - d;
-    const double slack = std::max(reach_mm, tangent_mm);
+    const double slack = std::max(tolerance.reach_mm, tolerance.tangent_mm);
     if (apart > slack || inside > slack) return {};
     const Vec2 axis = between / d;
-    if (apart > -tangent_mm) return {a.centre + axis * (ra + apart / 2)};
-    if (inside > -tangent_mm) {
+    if (apart > -tolerance.tangent_mm) return {a.centre + axis * (ra + apart / 2)};
+    if (inside > -tolerance.tangent_mm) {
         const double gap = inside / 2;
         return {ra > rb ? Vec2(a.centre + axis * (ra - gap)) : Vec2(a.centre - axis * (ra + gap))};
     }
@@ -55,19 +56,14 @@ Points circleCircle(const Arc& a, const Arc& b, double reach_mm, double coincide
     return {a.centre + along * axis - half * across, a.centre + along * axis + half * across};
 }
 
-Points meetings(const Vec2& from1, const Segment& s1, const Vec2& from2, const Segment& s2, double reach_mm,
-                double coincident_mm, double tangent_mm) {
-    if (s1.arc && s2.arc) return circleCircle(*s1.arc, *s2.arc, reach_mm, coincident_mm, tangent_mm);
-    if (s1.arc) return lineCircle(from2, s2.to, *s1.arc, reach_mm, tangent_mm);
-    if (s2.arc) return lineCircle(from1, s1.to, *s2.arc, reach_mm, tangent_mm);
-    return lineLine(from1, s1.to, from2, s2.to);
-}
-
 }  // namespace
 
 Points carrierIntersections(const Vec2& from1, const Segment& segment1, const Vec2& from2,
-                            const Segment& segment2, double coincident_mm) {
-    return meetings(from1, segment1, from2, segment2, 0, coincident_mm, kTangentMm);
+                            const Segment& segment2, const MeetingTolerance& tolerance) {
+    if (segment1.arc && segment2.arc) return circleCircle(*segment1.arc, *segment2.arc, tolerance);
+    if (segment1.arc) return lineCircle(from2, segment2.to, *segment1.arc, tolerance);
+    if (segment2.arc) return lineCircle(from1, segment1.to, *segment2.arc, tolerance);
+    return lineLine(from1, segment1.to, from2, segment2.to);
 }
 
 Points contacts(const Vec2& from1, const Segment& segment1, const Vec2& from2, const Segment& segment2,
@@ -78,8 +74,8 @@ Points contacts(const Vec2& from1, const Segment& segment1, const Vec2& from2, c
     for (const Vec2& end : {from2, segment2.to})
         if (distanceTo(end, from1, segment1) <= reach_mm) points.push_back(end);
     // The touching point of curves that overlap by more than the reach would be out of reach of both.
-    const double tangent_mm = std::min(kTangentMm, reach_mm / 2);
-    for (const Vec2& p : meetings(from1, segment1, from2, segment2, reach_mm, reach_mm, tangent_mm))
+    const MeetingTolerance tolerance{reach_mm, reach_mm, std::min(kTangentMm, reach_mm / 2)};
+    for (const Vec2& p : carrierIntersections(from1, segment1, from2, segment2, tolerance))
         if (distanceTo(p, from1, segment1) <= reach_mm && distanceTo(p, from2, segment2) <= reach_mm)
             points.push_back(p);
     return points;

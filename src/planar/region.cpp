@@ -12,25 +12,6 @@
 
 namespace stepmill {
 
-using planar::cross;
-
-// Box2 ---------------------------------------------------------------------------------------------------
-
-void Box2::add(const Vec2& p) {
-    min = min.cwiseMin(p);
-    max = max.cwiseMax(p);
-}
-
-Box2 Box2::grown(double by_mm) const {
-    if (empty()) return *this;
-    return {min - Vec2::Constant(by_mm), max + Vec2::Constant(by_mm)};
-}
-
-bool Box2::overlaps(const Box2& other) const {
-    return min.x() <= other.max.x() && other.min.x() <= max.x() && min.y() <= other.max.y() &&
-           other.min.y() <= max.y();
-}
-
 // Construction -------------------------------------------------------------------------------------------
 
 Region makePolygon(const std::vector<Vec2>& corners) {
@@ -147,10 +128,11 @@ double perimeter(const Region& region) {
 
 Box2 boundingBox(const Path& path) {
     Box2 box;
-    box.add(path.start);
+    box.extend(path.start);
     forEachSegment(path, [&](const Vec2& from, const Segment& segment) {
-        box.add(segment.to);
-        if (segment.arc) forEachExtreme(from, segment.to, *segment.arc, [&](const Vec2& p) { box.add(p); });
+        box.extend(segment.to);
+        if (segment.arc)
+            forEachExtreme(from, segment.to, *segment.arc, [&](const Vec2& p) { box.extend(p); });
     });
     return box;
 }
@@ -159,8 +141,7 @@ Box2 boundingBox(const Region& region) {
     Box2 box;
     for (const Loop& loop : region.loops) {
         const Box2 part = boundingBox(loop);
-        box.add(part.min);
-        box.add(part.max);
+        box.extend(part);
     }
     return box;
 }
@@ -225,6 +206,10 @@ double distanceToBoundary(const Region& region, const Vec2& p) {
     return distance;
 }
 
+double distanceToRegion(const Region& region, const Vec2& p) {
+    return contains(region, p) ? 0.0 : distanceToBoundary(region, p);
+}
+
 // Structure ----------------------------------------------------------------------------------------------
 
 namespace {
@@ -238,8 +223,9 @@ bool lowerLeft(const Loop& a, const Loop& b) {
 }
 
 bool encloses(const Box2& outer, const Box2& inner) {
-    const Box2 slack = outer.grown(2 * kGridMm);
-    return (slack.min.array() <= inner.min.array()).all() && (slack.max.array() >= inner.max.array()).all();
+    const Box2 slack = grown(outer, 2 * kGridMm);
+    return (slack.min().array() <= inner.min().array()).all() &&
+           (slack.max().array() >= inner.max().array()).all();
 }
 
 struct Outer {

@@ -55,7 +55,7 @@ bool turnsBack(const Vec2& from, const Segment& first, const Segment& second) {
     const Vec2 ahead = first.to - from;
     const Vec2 back = second.to - first.to;
     return ahead.dot(back) < 0 &&
-           std::abs(planar::cross(ahead, back)) <= kGridMm * std::max(ahead.norm(), back.norm());
+           std::abs(cross(ahead, back)) <= kGridMm * std::max(ahead.norm(), back.norm());
 }
 
 Trouble diagnoseLoop(const Loop& loop) {

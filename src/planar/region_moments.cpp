@@ -33,7 +33,7 @@ struct Sums {
     /// The thin triangle from the origin to the stretch from p along `step`: integrands of degree n in the
     /// distance from the origin gather 1 / (n + 2) of their value at the far end.
     void add(const Vec2& p, const Vec2& step) {
-        const double turn = planar::cross(p, step);
+        const double turn = cross(p, step);
         area += turn / 2;
         first += turn / 3 * p;
         second += turn / 4 * p * p.transpose();
@@ -41,7 +41,7 @@ struct Sums {
 };
 
 void addLine(Sums& sums, const Vec2& a, const Vec2& b) {
-    const double triangle = planar::cross(a, b) / 2;
+    const double triangle = cross(a, b) / 2;
     const Vec2 both = a + b;
     sums.area += triangle;
     sums.first += triangle / 3 * both;
@@ -74,7 +74,7 @@ void addArc(Sums& sums, const Vec2& a, const Vec2& from, const Segment& segment)
 
 Moments moments(const Region& region) {
     STEPMILL_CHECK(!region.empty(), "the empty region has no centre of area");
-    const Vec2 origin = (boundingBox(region).min + boundingBox(region).max) / 2;
+    const Vec2 origin = (boundingBox(region).min() + boundingBox(region).max()) / 2;
     Sums sums;
     for (const Loop& loop : region.loops) {
         Vec2 from = loop.start;

@@ -97,8 +97,6 @@ int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm) {
 
 }  // namespace planar
 
-using planar::cross;
-
 double snapToGrid(double value_mm) {
     return std::round(value_mm / kGridMm) * kGridMm;
 }
@@ -144,7 +142,7 @@ Vec2 pointAt(const Vec2& from, const Segment& segment, double t) {
 Vec2 tangentAt(const Vec2& from, const Segment& segment, double t) {
     if (!segment.arc) return (segment.to - from).normalized();
     const Vec2 u = (pointAt(from, segment, t) - segment.arc->centre).normalized();
-    return segment.arc->ccw ? Vec2(-u.y(), u.x()) : Vec2(u.y(), -u.x());
+    return segment.arc->ccw ? leftOf(u) : -leftOf(u);
 }
 
 double distanceTo(const Vec2& p, const Vec2& from, const Segment& segment) {

@@ -7,14 +7,6 @@ namespace stepmill::planar {
 /// A kilometre: the 1 nm grid still has all its digits in a double there. Readers refuse more.
 inline constexpr double kLargestMm = 1e6;
 
-inline double cross(const Vec2& a, const Vec2& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-/// The vector turned a quarter turn counter-clockwise.
-inline Vec2 leftOf(const Vec2& v) {
-    return {-v.y(), v.x()};
-}
-
 /// Does the ray from the arc's centre through p meet the arc from `from` to `to`? True at the ends.
 bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p);
 

@@ -116,7 +116,7 @@ void addDirections(const Region& region, std::vector<Vec2>& found) {
             Vec2 across = Vec2(edge.y(), -edge.x()).normalized();
             if (across.x() < -kSameSine || (across.x() < kSameSine && across.y() < 0)) across = -across;
             const bool known = std::any_of(found.begin(), found.end(), [&](const Vec2& other) {
-                return std::abs(other.x() * across.y() - other.y() * across.x()) < kSameSine;
+                return std::abs(cross(other, across)) < kSameSine;
             });
             if (!known) found.push_back(across);
         }

@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "stepmill/core/units.h"
-#include "toolpath/curve.h"
+#include "stepmill/planar/edge.h"
+#include "stepmill/planar/path_parts.h"
 
 namespace stepmill::toolpath {
 
@@ -148,14 +149,14 @@ void MoveWriter::along(const Path& path, MoveKind kind, double to_z_mm) {
     const double from_z = at_.z();
     double gone = 0;
     for (const Edge& edge : edgesOf(path)) {
-        const double part = length(edge.from, edge.segment);
+        const double part = length(edge);
         const auto z = [&](double share) {
             return to_z_mm == from_z ? to_z_mm : from_z + (to_z_mm - from_z) * (gone + share * part) / whole;
         };
         const Vec2& to = edge.segment.to;
         // End where it starts means nothing to a controller: a full circle goes out as two halves.
         if (edge.segment.arc && edge.from == to)
-            add(kind, at3(snapToGrid(pointAt(edge.from, edge.segment, 0.5)), z(0.5)), edge.segment.arc);
+            add(kind, at3(snapToGrid(pointAt(edge, 0.5)), z(0.5)), edge.segment.arc);
         add(kind, at3(to, z(1)), edge.segment.arc);
         gone += part;
     }

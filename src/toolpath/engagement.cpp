@@ -35,14 +35,14 @@ Engagement::Engagement(const ClearingTask& task, double radius_mm, double step_o
 bool Engagement::isMaterial(const Vec2& p, const std::vector<Edge>& swept) const {
     const double inner = radius_mm_ * (1 - kCuspShare);
     for (const Edge& edge : swept)
-        if (distanceTo(p, edge.from, edge.segment) <= inner) return false;
+        if (distanceTo(p, edge) <= inner) return false;
     if (!contains(task_->target, p)) return false;
     return task_->cleared_centres.empty() || distanceToRegion(task_->cleared_centres, p) > inner;
 }
 
 double Engagement::widthAt(const Vec2& at, const Vec2& along, const std::vector<Edge>& swept) const {
     static const std::array<Vec2, kRimPoints> kRim = makeRim();
-    const Vec2 across(-along.y(), along.x());
+    const Vec2 across = leftOf(along);
     int engaged = 0;
     for (const Vec2& rim : kRim)
         if (isMaterial(at + radius_mm_ * (rim.x() * along + rim.y() * across), swept)) ++engaged;
@@ -55,16 +55,15 @@ Path Engagement::mark(const Path& path, std::vector<bool>& wide) {
     for (const Edge& edge : edgesOf(path)) {
         // What the cutter sweeps on this edge itself lies behind it.
         std::vector<Edge> near;
-        const Box2 around = edge.box.grown(2 * radius_mm_);
+        const Box2 around = grown(edge.box, 2 * radius_mm_);
         for (const Edge& other : swept_)
-            if (other.box.overlaps(around)) near.push_back(other);
-        const double whole = length(edge.from, edge.segment);
+            if (other.box.intersects(around)) near.push_back(other);
+        const double whole = length(edge);
         const int steps = std::max(1, static_cast<int>(std::ceil(whole / (kStepShare * radius_mm_))));
         std::vector<bool> wide_at;
         for (int i = 0; i <= steps; ++i) {
             const double share = static_cast<double>(i) / steps;
-            const double width = widthAt(pointAt(edge.from, edge.segment, share),
-                                         tangentAt(edge.from, edge.segment, share), near);
+            const double width = widthAt(pointAt(edge, share), tangentAt(edge, share), near);
             wide_at.push_back(width > kWidestCutShare * step_over_mm_);
         }
         const auto isWide = [&](int i) {

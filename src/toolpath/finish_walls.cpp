@@ -9,7 +9,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
-#include "toolpath/curve.h"
+#include "stepmill/planar/path_parts.h"
 #include "toolpath/emit.h"
 #include "toolpath/path_frame.h"
 #include "toolpath/ring_family.h"
@@ -31,10 +31,6 @@ constexpr std::size_t kStartEdges = 16;
 constexpr double kStartShares[] = {0.5, 0.25, 0.75};
 /// Stretches between two cuts that are shorter than this many radii are gone along rather than lifted over.
 constexpr double kBridgeRadii = 2;
-
-Vec2 leftOf(const Vec2& along) {
-    return {-along.y(), along.x()};
-}
 
 /// A stretch of a boundary of the free centres, in climb direction.
 struct Chain {
@@ -61,10 +57,10 @@ class WallPasses {
           clearing_(task.clearing),
           radius_mm_(radius_mm),
           tol_(tol),
-          left_edges_(edgesOf(task.left)),
-          obstruction_edges_(edgesOf(task.clearing.obstruction)) {
+          left_edges_(task.left),
+          obstruction_edges_(task.clearing.obstruction) {
         for (const KeptOff& kept : task.clearing.kept_off)
-            kept_edges_.push_back(edgesOf(kept.section));
+            kept_edges_.emplace_back(kept.section);
     }
 
     std::vector<WallPass> make() const {
@@ -82,7 +78,7 @@ class WallPasses {
     // Where there is something to cut ------------------------------------------------------------------
 
     bool isNeeded(const Edge& edge) const {
-        return anyNearer(left_edges_, edge, radius_mm_ - onBoundaryMm(tol_));
+        return left_edges_.anyNearer(edge, radius_mm_ - onBoundaryMm(tol_));
     }
 
     std::vector<Chain> chainsOf(const Loop& loop) const {
@@ -116,7 +112,7 @@ class WallPasses {
             std::size_t length = 0;
             for (; before[(i + 1 + length) % count] == 0; ++length) {
                 const Edge& edge = edges[(i + 1 + length) % count];
-                gap_mm += stepmill::length(edge.from, edge.segment);
+                gap_mm += stepmill::length(edge);
             }
             if (gap_mm > kBridgeRadii * radius_mm_) continue;
             for (std::size_t k = 0; k < length; ++k)
@@ -127,12 +123,12 @@ class WallPasses {
     // Where the cutter may be ----------------------------------------------------------------------------
 
     bool isFree(const Edge& way) const {
-        if (anyNearer(obstruction_edges_, way, radius_mm_ + tol_.guard_mm / 2) ||
+        if (obstruction_edges_.anyNearer(way, radius_mm_ + tol_.guard_mm / 2) ||
             contains(clearing_.obstruction, way.segment.to))
             return false;
         for (std::size_t i = 0; i < kept_edges_.size(); ++i) {
             const KeptOff& kept = task_.clearing.kept_off[i];
-            if (anyNearer(kept_edges_[i], way, kept.distance_mm - tol_.guard_mm) ||
+            if (kept_edges_[i].anyNearer(way, kept.distance_mm - tol_.guard_mm) ||
                 contains(kept.section, way.segment.to))
                 return false;
         }
@@ -182,7 +178,7 @@ class WallPasses {
     std::optional<Vec2> airBeside(const Vec2& p, const Vec2& along) const {
         for (const double share : {kLeastLeadShare, 2.0, 4.0}) {
             const Vec2 beside = snapToGrid(Vec2(p + share * task_.allowance_mm * leftOf(along)));
-            if (isAir(beside) && isFree(makeEdge(p, {beside, {}}))) return beside;
+            if (isAir(beside) && isFree(makeLine(p, beside))) return beside;
         }
         return std::nullopt;
     }
@@ -218,7 +214,7 @@ class WallPasses {
 
     static Vec2 directionAtEnd(const Path& path) {
         const Edge last = edgesOf(path).back();
-        return tangentAt(last.from, last.segment, 1);
+        return tangentAt(last, 1);
     }
 
     static void append(Path& path, const Path& more) {
@@ -249,7 +245,7 @@ class WallPasses {
         std::vector<std::size_t> order(edges.size());
         for (std::size_t i = 0; i < order.size(); ++i)
             order[i] = i;
-        const auto lengthOf = [&](std::size_t i) { return length(edges[i].from, edges[i].segment); };
+        const auto lengthOf = [&](std::size_t i) { return length(edges[i]); };
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return lengthOf(a) > lengthOf(b); });
         if (order.size() > kStartEdges) order.resize(kStartEdges);
@@ -271,9 +267,9 @@ class WallPasses {
     const ClearingTask& clearing_;
     double radius_mm_;
     const Tolerances& tol_;
-    std::vector<Edge> left_edges_;
-    std::vector<Edge> obstruction_edges_;
-    std::vector<std::vector<Edge>> kept_edges_;
+    EdgeIndex left_edges_;
+    EdgeIndex obstruction_edges_;
+    std::vector<EdgeIndex> kept_edges_;
 };
 
 std::vector<ScriptStep> scriptOf(const WallPass& pass) {

@@ -9,7 +9,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
-#include "toolpath/curve.h"
+#include "stepmill/planar/path_parts.h"
 #include "toolpath/ring_family.h"
 #include "toolpath/swept_ground.h"
 
@@ -273,13 +273,13 @@ class LayerPlanner {
         if (!pass(joint.pass).closed || entry.kind == EntryKind::Plunge) return false;
         if (entry.kind != EntryKind::OpenEdge) return isAsWideAsEntry(path);
         return jointWith(joint.pass, entry.at).distance_mm > rates_.descent_mm &&
-               boundingBox(path).size().maxCoeff() >= 2 * radius_mm_;
+               boundingBox(path).sizes().maxCoeff() >= 2 * radius_mm_;
     }
 
     /// A curve narrower than the helix or ramp found for the tool would be steep for its middle, where it
     /// may not cut.
     bool isAsWideAsEntry(const Path& curve) const {
-        const double width = boundingBox(curve).size().maxCoeff();
+        const double width = boundingBox(curve).sizes().maxCoeff();
         const double entry_width = entry_.kind == EntryKind::Helix ? 2 * entry_.helix_radius_mm
                                                                    : (entry_.ramp_to - entry_.at).norm();
         // A helix that fills its room is a ring but for the guard.
@@ -295,7 +295,7 @@ class LayerPlanner {
                 return goDownRamp();
             case EntryKind::Plunge:
                 descend(PlungeDown{entry.at}, entry.at);
-                swept_.add(makeEdge(entry.at, {entry.at, {}}));
+                swept_.add(makeLine(entry.at, entry.at));
                 return true;
             case EntryKind::OpenEdge:
                 comeDown(entry.at, true);
@@ -321,9 +321,9 @@ class LayerPlanner {
     }
 
     bool goDownRamp() {
-        const Edge ramp = makeEdge(entry_.at, {entry_.ramp_to, {}});
+        const Edge ramp = makeLine(entry_.at, entry_.ramp_to);
         if ((entry_.ramp_to - entry_.at).norm() < kLeastEntryMm) return false;
-        if (anyNearer(component_.walls, ramp, tol_.guard_mm - 2 * kGridMm)) return false;
+        if (component_.walls.anyNearer(ramp, tol_.guard_mm - 2 * kGridMm)) return false;
         descend(RampDown{entry_.at, entry_.ramp_to, needsLevel({ramp})}, entry_.at);
         return true;
     }
@@ -451,7 +451,7 @@ class LayerPlanner {
     void link(const Vec2& to, bool in_air) {
         if ((to - at_).norm() < kGridMm / 2) return;
         script_.push_back(Link{to, in_air});
-        swept_.add(makeEdge(at_, {to, {}}));
+        swept_.add(makeLine(at_, to));
         at_ = to;
     }
 
@@ -504,13 +504,13 @@ class LayerPlanner {
 }  // namespace
 
 Standing::Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol)
-    : obstruction_{task.obstruction, edgesOf(task.obstruction), radius_mm + tol.guard_mm / 2} {
+    : obstruction_{task.obstruction, EdgeIndex(task.obstruction), radius_mm + tol.guard_mm / 2} {
     for (const KeptOff& kept : task.kept_off)
-        holder_.push_back({kept.section, edgesOf(kept.section), kept.distance_mm});
+        holder_.push_back({kept.section, EdgeIndex(kept.section), kept.distance_mm});
 }
 
 bool Standing::keeps(const Kept& kept, const Vec2& from, const Vec2& to) {
-    return !anyNearer(kept.edges, makeEdge(from, {to, {}}), kept.distance_mm) && !contains(kept.section, to);
+    return !kept.edges.anyNearer(makeLine(from, to), kept.distance_mm) && !contains(kept.section, to);
 }
 
 bool Standing::isClear(const Vec2& from, const Vec2& to) const {

@@ -103,7 +103,7 @@ class Standing {
   private:
     struct Kept {
         const Region& section;
-        std::vector<Edge> edges;
+        EdgeIndex edges;
         double distance_mm;
     };
     static bool keeps(const Kept& kept, const Vec2& from, const Vec2& to);

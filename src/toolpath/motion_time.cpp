@@ -27,7 +27,7 @@ struct Stretch {
 /// Unit vector along an arc at one of its points.
 Vec2 tangentAt(const Arc& arc, const Vec2& p) {
     const Vec2 out = (p - arc.centre).normalized();
-    return arc.ccw ? Vec2(-out.y(), out.x()) : Vec2(out.y(), -out.x());
+    return arc.ccw ? leftOf(out) : -leftOf(out);
 }
 
 Stretch stretchOf(const Vec3& from, const Move& move, double speed, double acceleration) {

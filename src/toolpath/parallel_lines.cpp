@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "stepmill/core/units.h"
+#include "stepmill/planar/path_parts.h"
 
 namespace stepmill::toolpath {
 
@@ -30,7 +31,7 @@ struct Direction {
 
 Direction directionOf(double angle_rad) {
     const Vec2 along(std::cos(angle_rad), std::sin(angle_rad));
-    return {along, Vec2(-along.y(), along.x())};
+    return {along, leftOf(along)};
 }
 
 double halfTurn(double angle_rad) {
@@ -41,7 +42,7 @@ double halfTurn(double angle_rad) {
 
 std::vector<double> anglesToTry(const RingFamily::Component& component) {
     std::vector<std::pair<double, double>> by_length;  // length, angle
-    for (const Edge& edge : component.boundary) {
+    for (const Edge& edge : component.boundary.edges()) {
         if (edge.segment.arc) continue;
         const Vec2 along = edge.segment.to - edge.from;
         const double angle = halfTurn(std::atan2(along.y(), along.x()));
@@ -82,7 +83,7 @@ std::pair<double, double> extent(const std::vector<Edge>& boundary, const Vec2& 
         const Arc& arc = *edge.segment.arc;
         for (const double side : {1.0, -1.0}) {
             const Vec2 p = arc.centre + side * arc.radius_mm * direction;
-            if (distanceTo(p, edge.from, edge.segment) <= kGridMm) add(direction.dot(p));
+            if (distanceTo(p, edge) <= kGridMm) add(direction.dot(p));
         }
     }
     return {low, high};
@@ -92,7 +93,7 @@ class LineMaker {
   public:
     LineMaker(const RingFamily::Component& component, double step_over_mm)
         : ground_(component.line_ground),
-          edges_(edgesOf(component.line_ground)),
+          edges_(component.line_ground),
           guarded_edges_(edgesOf(component.guarded)),
           step_over_mm_(step_over_mm) {}
 
@@ -117,16 +118,17 @@ class LineMaker {
   private:
     /// The pieces of a line inside the ground.
     void addRow(const Vec2& from, const Vec2& to, int row, std::vector<RingFamily::Ring>& lines) const {
-        const Edge line = makeEdge(snapToGrid(from), {snapToGrid(to), {}});
+        const Edge line = makeLine(snapToGrid(from), snapToGrid(to));
         std::vector<double> shares;
-        for (const Edge& edge : edges_)
+        edges_.forEachIn(grown(line.box, kGridMm), [&](const Edge& edge) {
             for (const Vec2& p : meetingPoints(line, edge))
                 shares.push_back(shareOf(line, p));
+        });
         std::sort(shares.begin(), shares.end());
         for (std::size_t i = 1; i < shares.size(); ++i) {
             const std::optional<Edge> part = cutOut(line, shares[i - 1], shares[i]);
-            if (!part || length(part->from, part->segment) < kLeastLineShare * step_over_mm_) continue;
-            if (!contains(ground_, pointAt(part->from, part->segment, 0.5))) continue;
+            if (!part || length(*part) < kLeastLineShare * step_over_mm_) continue;
+            if (!contains(ground_, pointAt(*part, 0.5))) continue;
             Path path{part->from, {part->segment}};
             std::vector<RingFamily::Ring>& into = lines;
             const bool goes_on =
@@ -139,7 +141,7 @@ class LineMaker {
     }
 
     const Region& ground_;
-    std::vector<Edge> edges_;
+    EdgeIndex edges_;
     std::vector<Edge> guarded_edges_;
     double step_over_mm_;
 };

@@ -17,7 +17,8 @@ class PassMaker::Clipper {
           tol_(maker.tol_),
           component_(component),
           variant_(variant),
-          on_mm_(onBoundaryMm(maker.tol_)) {}
+          on_mm_(onBoundaryMm(maker.tol_)),
+          ring_cutters_(ringCutters()) {}
 
     std::vector<Pass> make() {
         for (const RingFamily::Ring& line : variant_.lines)
@@ -42,12 +43,21 @@ class PassMaker::Clipper {
         return toolpath::cutsNothing(task_.target, maker_.family_.radiusMm(), p, tol_);
     }
 
-    void clip(const RingFamily::Ring& ring) {
+    static void append(std::vector<Edge>& edges, const std::vector<Edge>& more) {
+        edges.insert(edges.end(), more.begin(), more.end());
+    }
+
+    /// Where rings are cut: at what has been cleared, at the limits of the task and, where rings leave the
+    /// component, at its boundary.
+    EdgeIndex ringCutters() const {
         std::vector<Edge> cutters = maker_.cleared_edges_;
-        cutters.insert(cutters.end(), maker_.centre_edges_.begin(), maker_.centre_edges_.end());
-        if (variant_.leaves_component)
-            cutters.insert(cutters.end(), component_.boundary.begin(), component_.boundary.end());
-        keep(ring, cutters, [&](const Vec2& p) {
+        append(cutters, maker_.centre_edges_);
+        if (variant_.leaves_component) append(cutters, component_.boundary.edges());
+        return EdgeIndex(std::move(cutters));
+    }
+
+    void clip(const RingFamily::Ring& ring) {
+        keep(ring, ring_cutters_, [&](const Vec2& p) {
             if (variant_.leaves_component && !isIn(component_.region, p)) return false;
             if (ring.level == 0 && cutsNothing(p)) return false;
             return !isCleared(p) && (!maker_.limited_ || isIn(task_.centres, p));
@@ -57,8 +67,9 @@ class PassMaker::Clipper {
     /// Boundary of a limited task inside the free centres: neither wall nor cleared ground, so no other
     /// pass makes sure that what lies beside it gets cut.
     void addLimits() {
-        std::vector<Edge> cutters = maker_.cleared_edges_;
-        cutters.insert(cutters.end(), component_.boundary.begin(), component_.boundary.end());
+        std::vector<Edge> limits = maker_.cleared_edges_;
+        append(limits, component_.boundary.edges());
+        const EdgeIndex cutters(std::move(limits));
         for (const Loop& loop : task_.centres.loops)
             keep({loop, 0, false}, cutters, [&](const Vec2& p) {
                 return contains(component_.region, p) && distanceToBoundary(component_.region, p) > on_mm_ &&
@@ -68,7 +79,7 @@ class PassMaker::Clipper {
 
     /// Cuts the ring at the cutters and makes passes of the pieces whose middle is needed.
     template <typename Needed>
-    void keep(const RingFamily::Ring& ring, const std::vector<Edge>& cutters, Needed needed) {
+    void keep(const RingFamily::Ring& ring, const EdgeIndex& cutters, Needed needed) {
         std::vector<Path> pieces;
         bool whole = true;
         bool last_kept = false;
@@ -77,7 +88,7 @@ class PassMaker::Clipper {
             for (std::size_t i = 1; i < shares.size(); ++i) {
                 const std::optional<Edge> part = cutOut(edge, shares[i - 1], shares[i]);
                 if (!part) continue;
-                const bool kept = needed(pointAt(part->from, part->segment, 0.5));
+                const bool kept = needed(pointAt(*part, 0.5));
                 whole = whole && kept;
                 if (kept && !last_kept) pieces.push_back({part->from, {}});
                 if (kept) pieces.back().segments.push_back(part->segment);
@@ -96,11 +107,12 @@ class PassMaker::Clipper {
             if (length(piece) > tol_.sliver_mm) addPass(piece, false, ring);
     }
 
-    static std::vector<double> sharesOf(const Edge& edge, const std::vector<Edge>& cutters) {
+    static std::vector<double> sharesOf(const Edge& edge, const EdgeIndex& cutters) {
         std::vector<double> shares{0, 1};
-        for (const Edge& cutter : cutters)
+        cutters.forEachIn(grown(edge.box, kGridMm), [&](const Edge& cutter) {
             for (const Vec2& p : meetingPoints(edge, cutter))
                 shares.push_back(shareOf(edge, p));
+        });
         std::sort(shares.begin(), shares.end());
         return shares;
     }
@@ -113,7 +125,7 @@ class PassMaker::Clipper {
         pass.starts_in_air = !closed && (isCleared(path.start) || cutsNothing(path.start));
         passes_.push_back(std::move(pass));
         outside_in_.push_back(ring.outside_in);
-        edges_.push_back(edgesOf(path));
+        edges_.emplace_back(path);
     }
 
     /// Lines as they came from clipping become groups that are cut in one go, from either end.
@@ -167,10 +179,11 @@ class PassMaker::Clipper {
     const RingFamily::Component& component_;
     const RingFamily::Variant& variant_;
     double on_mm_;
+    EdgeIndex ring_cutters_;
     std::vector<Pass> passes_;
     std::size_t lines_ = 0;  ///< of the passes, the first so many
     std::vector<bool> outside_in_;
-    std::vector<std::vector<Edge>> edges_;
+    std::vector<EdgeIndex> edges_;
 };
 
 PassMaker::PassMaker(const ClearingTask& task, const RingFamily& family, const Tolerances& tol)
@@ -185,7 +198,7 @@ PassMaker::PassMaker(const ClearingTask& task, const RingFamily& family, const T
 }
 
 bool PassMaker::concerns(const RingFamily::Component& component) const {
-    return boundingBox(component.region).overlaps(wanted_);
+    return boundingBox(component.region).intersects(wanted_);
 }
 
 std::vector<Pass> PassMaker::make(const RingFamily::Component& component,

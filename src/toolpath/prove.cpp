@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "stepmill/planar/edge_index.h"
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/curve.h"
 #include "toolpath/emit.h"
 #include "toolpath/swept_ground.h"
 
@@ -15,82 +15,13 @@ namespace stepmill {
 
 namespace {
 
-using toolpath::Edge;
-
 /// A disc that cuts into material by less than this many guards only touches it.
 constexpr double kSlackGuards = 8;
-
-/// Edges by the cells of a grid their boxes meet.
-class EdgeGrid {
-  public:
-    EdgeGrid(std::vector<Edge> edges, double cell_mm) : edges_(std::move(edges)) {
-        for (const Edge& edge : edges_) {
-            box_.add(edge.box.min);
-            box_.add(edge.box.max);
-        }
-        if (edges_.empty()) return;
-        const double widest = box_.size().maxCoeff();
-        cell_mm_ = std::max(cell_mm, widest / kMostCells);
-        columns_ = static_cast<int>(box_.size().x() / cell_mm_) + 1;
-        rows_ = static_cast<int>(box_.size().y() / cell_mm_) + 1;
-        cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-        for (std::size_t i = 0; i < edges_.size(); ++i)
-            forEachCell(edges_[i].box, [&](std::vector<std::size_t>& cell) { cell.push_back(i); });
-        seen_.assign(edges_.size(), 0);
-    }
-
-    /// Distance from `edge` to the nearest edge, or `limit_mm` when all are farther away.
-    double nearest(const Edge& edge, double limit_mm) {
-        double least = limit_mm;
-        ++round_;
-        const Box2 around = edge.box.grown(limit_mm);
-        if (edges_.empty() || !around.overlaps(box_)) return least;
-        forEachCell(around, [&](const std::vector<std::size_t>& cell) {
-            for (const std::size_t i : cell) {
-                if (seen_[i] == round_ || !around.overlaps(edges_[i].box)) continue;
-                seen_[i] = round_;
-                least = std::min(least, toolpath::separation(edge, edges_[i]));
-            }
-        });
-        return least;
-    }
-
-  private:
-    static constexpr double kMostCells = 256;
-
-    int index(double value, double origin, int count) const {
-        return std::clamp(static_cast<int>(std::floor((value - origin) / cell_mm_)), 0, count - 1);
-    }
-
-    template <typename Visit>
-    void forEachCell(const Box2& box, Visit visit) {
-        const int left = index(box.min.x(), box_.min.x(), columns_);
-        const int right = index(box.max.x(), box_.min.x(), columns_);
-        const int low = index(box.min.y(), box_.min.y(), rows_);
-        const int high = index(box.max.y(), box_.min.y(), rows_);
-        for (int row = low; row <= high; ++row)
-            for (int column = left; column <= right; ++column)
-                visit(cells_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                             static_cast<std::size_t>(column)]);
-    }
-
-    std::vector<Edge> edges_;
-    Box2 box_;
-    double cell_mm_ = 1;
-    int columns_ = 0;
-    int rows_ = 0;
-    std::vector<std::vector<std::size_t>> cells_;
-    std::vector<int> seen_;
-    int round_ = 0;
-};
 
 class Prover {
   public:
     Prover(const ClearingTask& task, double radius_mm, const Tolerances& tol)
-        : task_(task),
-          radius_mm_(radius_mm),
-          tol_(tol),
-          walls_(toolpath::edgesOf(task.obstruction), 2 * radius_mm) {}
+        : task_(task), radius_mm_(radius_mm), tol_(tol), walls_(task.obstruction) {}
 
     PathProof run(const Toolpath& path) {
         PathProof proof;
@@ -101,7 +32,7 @@ class Prover {
                 proof.rapids_clear = proof.rapids_clear && rapidIsClear(from, move);
                 outside_ = outside_ && from.head<2>() == move.to.head<2>();
             } else {
-                cut_.push_back({toolpath::makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}),
+                cut_.push_back({makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}),
                                 std::max(from.z(), move.to.z())});
             }
             const bool crosses = move.kind == MoveKind::Rapid && from.head<2>() != move.to.head<2>();
@@ -122,7 +53,7 @@ class Prover {
     double farMm() const { return 4 * radius_mm_; }
 
     double clearance(const Vec3& from, const Move& move) {
-        const Edge edge = toolpath::makeEdge(from.head<2>(), {move.to.head<2>(), move.arc});
+        const Edge edge = makeEdge(from.head<2>(), {move.to.head<2>(), move.arc});
         const bool first_time =
             known_
                 .insert({edge.from.x(), edge.from.y(), edge.segment.to.x(), edge.segment.to.y(),
@@ -137,7 +68,7 @@ class Prover {
             for (const Vec2& end : {edge.from, edge.segment.to})
                 off_circle =
                     std::max(off_circle, std::abs((end - move.arc->centre).norm() - move.arc->radius_mm));
-        const double distance = walls_.nearest(edge, farMm());
+        const double distance = walls_.distanceTo(edge, farMm());
         // A move that starts outside and meets no wall stays outside.
         if (!outside_ || distance == 0) {
             const double inside = insideDepth(edge.segment.to);
@@ -165,12 +96,11 @@ class Prover {
         if (move.to.z() > from.z()) return true;  // up the way it came
         if (low >= task_.top_z_mm) return true;
         const double slack = kSlackGuards * tol_.guard_mm;
-        if (toolpath::distanceToRegion(task_.target, at) >= radius_mm_ - slack) return true;
-        if (!task_.cleared_centres.empty() && toolpath::distanceToRegion(task_.cleared_centres, at) <= slack)
+        if (distanceToRegion(task_.target, at) >= radius_mm_ - slack) return true;
+        if (!task_.cleared_centres.empty() && distanceToRegion(task_.cleared_centres, at) <= slack)
             return true;
         const bool on_cut = std::any_of(cut_.begin(), cut_.end(), [&](const Level& level) {
-            return level.top_z_mm <= low &&
-                   distanceTo(at, level.edge.from, level.edge.segment) <= 2 * kGridMm;
+            return level.top_z_mm <= low && distanceTo(at, level.edge) <= 2 * kGridMm;
         });
         return on_cut || isClear(at, at, low);
     }
@@ -186,7 +116,7 @@ class Prover {
     const ClearingTask& task_;
     double radius_mm_;
     const Tolerances& tol_;
-    EdgeGrid walls_;
+    EdgeIndex walls_;
     bool outside_ = false;  ///< where the cutter is, is known to be outside the obstruction
     std::vector<Level> cut_;
     std::set<std::array<double, 7>> known_;

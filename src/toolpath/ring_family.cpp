@@ -22,15 +22,6 @@ constexpr double kGuardsOnBoundary = 4;
 /// Rings of neighbouring levels are one step-over apart, but for rounding.
 constexpr double kNeighbourSlack = 1.01;
 
-Box2 boxOf(const std::vector<Edge>& edges) {
-    Box2 box;
-    for (const Edge& edge : edges) {
-        box.add(edge.box.min);
-        box.add(edge.box.max);
-    }
-    return box;
-}
-
 }  // namespace
 
 double onBoundaryMm(const Tolerances& tol) {
@@ -41,16 +32,17 @@ bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const To
     return distanceToRegion(target, p) >= radius_mm - onBoundaryMm(tol);
 }
 
-bool adjacent(const std::vector<Edge>& a, const std::vector<Edge>& b, double step_over_mm) {
+bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm) {
     const double reach = kNeighbourSlack * step_over_mm;
-    if (!boxOf(a).grown(reach).overlaps(boxOf(b))) return false;
-    return std::any_of(b.begin(), b.end(), [&](const Edge& edge) { return anyNearer(a, edge, reach); });
+    if (!grown(a.box(), reach).intersects(b.box())) return false;
+    return std::any_of(b.edges().begin(), b.edges().end(),
+                       [&](const Edge& edge) { return a.anyNearer(edge, reach); });
 }
 
 bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2& b, const Tolerances& tol) {
     if ((a - b).norm() < kGridMm) return true;
-    const Edge way = makeEdge(a, {b, {}});
-    if (anyNearer(component.walls, way, tol.guard_mm - 2 * kGridMm)) return false;
+    const Edge way = makeLine(a, b);
+    if (component.walls.anyNearer(way, tol.guard_mm - 2 * kGridMm)) return false;
     for (const Edge& side : component.open_sides)
         for (const Vec2& p : meetingPoints(way, side))
             if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol)) return false;
@@ -85,9 +77,11 @@ class FamilyMaker {
     RingFamily::Component make(const Region& region) const {
         RingFamily::Component component;
         component.region = region;
-        component.boundary = edgesOf(region);
-        for (const Edge& edge : component.boundary)
-            (isOpen(edge) ? component.open_sides : component.walls).push_back(edge);
+        component.boundary = EdgeIndex(region);
+        std::vector<Edge> walls;
+        for (const Edge& edge : component.boundary.edges())
+            (isOpen(edge) ? component.open_sides : walls).push_back(edge);
+        component.walls = EdgeIndex(std::move(walls));
         const std::vector<Inset> insets = insetsOf(region);
         for (const Inset& inset : insets)
             if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
@@ -116,7 +110,7 @@ class FamilyMaker {
     }
 
     bool isOpen(const Edge& edge) const {
-        return cutsNothing(task_.target, radius_mm_, pointAt(edge.from, edge.segment, 0.5), tol_);
+        return cutsNothing(task_.target, radius_mm_, pointAt(edge, 0.5), tol_);
     }
 
     Openness openness(const Loop& loop) const {
@@ -176,13 +170,14 @@ class FamilyMaker {
     /// Open sides first and walls last: a ring is cut from outside in if every ring it follows from
     /// belongs to an open side.
     void markOutsideIn(std::vector<Inset>& insets) const {
+        std::vector<EdgeIndex> edges;
         for (std::size_t i = 0; i < insets.size(); ++i) {
             Inset& inset = insets[i];
             inset.outside_in = inset.level > 0 || inset.openness == Openness::Open;
-            const std::vector<Edge> edges = edgesOf(inset.loop);
+            edges.emplace_back(inset.loop);
             for (std::size_t j = 0; j < i && inset.outside_in && inset.level > 0; ++j)
                 if (insets[j].level == inset.level - 1 && !insets[j].outside_in &&
-                    adjacent(edgesOf(insets[j].loop), edges, step_over_mm_))
+                    adjacent(edges[j], edges[i], step_over_mm_))
                     inset.outside_in = false;
         }
     }
@@ -205,16 +200,16 @@ class FamilyMaker {
         const std::vector<Edge> edges = edgesOf(loop);
         return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
             return contains(component.region, edge.from) ||
-                   anyNearer(component.boundary, edge, onBoundaryMm(tol_));
+                   component.boundary.anyNearer(edge, onBoundaryMm(tol_));
         });
     }
 
     /// The obstruction without the holes that do not concern this component.
     Region wallsAround(const Region& region) const {
-        const Box2 box = boundingBox(region).grown(2 * radius_mm_);
+        const Box2 box = grown(boundingBox(region), 2 * radius_mm_);
         Region walls;
         for (const Loop& loop : task_.obstruction.loops)
-            if (signedArea(loop) > 0 || boundingBox(loop).overlaps(box)) walls.loops.push_back(loop);
+            if (signedArea(loop) > 0 || boundingBox(loop).intersects(box)) walls.loops.push_back(loop);
         return walls;
     }
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "stepmill/planar/edge_index.h"
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/curve.h"
 
 namespace stepmill {
 
@@ -34,9 +34,9 @@ class RingFamily {
         Region guarded;
         /// Of these, what lines have to run through: half a step-over around the target.
         Region line_ground;
-        std::vector<toolpath::Edge> boundary;
-        std::vector<toolpath::Edge> walls;       ///< of the boundary, where a disc touches what must stay
-        std::vector<toolpath::Edge> open_sides;  ///< of the boundary, where it only touches the target
+        EdgeIndex boundary;
+        EdgeIndex walls;               ///< of the boundary, where a disc touches what must stay
+        std::vector<Edge> open_sides;  ///< of the boundary, where it only touches the target
         /// Contour-parallel from inside out first; no two give the same path.
         std::vector<Variant> variants;
     };
@@ -63,7 +63,7 @@ double onBoundaryMm(const Tolerances& tol);
 bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const Tolerances& tol);
 
 /// Do curves of neighbouring levels run side by side somewhere?
-bool adjacent(const std::vector<Edge>& a, const std::vector<Edge>& b, double step_over_mm);
+bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm);
 
 /// May the axis go straight from a to b, both known to be free centres of the component? Keeps the guard
 /// from walls; over open sides, where no guard is needed, the ends may lie on the boundary.

@@ -58,9 +58,9 @@ class StockOffset {
     bool isWithin(const Region& island, const Region& front) const {
         if (!contains(front, island.loops.front().start)) return false;
         const std::vector<Edge> edges = edgesOf(island);
-        const std::vector<Edge> others = edgesOf(front);
+        const EdgeIndex others(front);
         return std::none_of(edges.begin(), edges.end(),
-                            [&](const Edge& edge) { return anyNearer(others, edge, tol_.linear_mm); });
+                            [&](const Edge& edge) { return others.anyNearer(edge, tol_.linear_mm); });
     }
 
     void add(const Path& path, int level, bool outside_in) {

@@ -11,26 +11,23 @@ namespace stepmill::toolpath {
 
 SweptGround::SweptGround(const ClearingTask& task, double radius_mm)
     : boundaries_(std::make_shared<const Boundaries>(
-          Boundaries{edgesOf(task.target), edgesOf(task.cleared_centres)})),
+          Boundaries{EdgeIndex(task.target), EdgeIndex(task.cleared_centres)})),
       task_(&task),
       radius_mm_(radius_mm) {}
 
 bool SweptGround::isClear(const Edge& way, double cusp_mm) const {
-    const Box2 box = way.box.grown(radius_mm_);
-    const Box2 around = box.grown(radius_mm_);
+    const Box2 box = grown(way.box, radius_mm_);
     Near near;
     near.cusp_mm = cusp_mm;
     for (const Edge& edge : swept_)
-        if (edge.box.grown(radius_mm_).overlaps(box)) near.swept.push_back(&edge);
+        if (grown(edge.box, radius_mm_).intersects(box)) near.swept.push_back(&edge);
     // The square is as wide as the box is long.
-    const double half = box.size().maxCoeff() / 2;
-    const Vec2 centre = (box.min + box.max) / 2;
+    const double half = box.sizes().maxCoeff() / 2;
+    const Vec2 centre = (box.min() + box.max()) / 2;
     const Box2 square = Box2{centre - Vec2(half, half), centre + Vec2(half, half)};
-    for (const Edge& edge : boundaries_->target)
-        if (edge.box.overlaps(square)) near.target.push_back(&edge);
-    for (const Edge& edge : boundaries_->cleared)
-        if (edge.box.overlaps(square.grown(radius_mm_)) || edge.box.overlaps(around))
-            near.cleared.push_back(&edge);
+    boundaries_->target.forEachIn(square, [&](const Edge& edge) { near.target.push_back(&edge); });
+    boundaries_->cleared.forEachIn(grown(square, radius_mm_),
+                                   [&](const Edge& edge) { near.cleared.push_back(&edge); });
     near.off_cleared = task_->cleared_centres.empty();
     return isClear(way, {centre, half}, near);
 }
@@ -39,13 +36,13 @@ bool SweptGround::isClear(const Edge& way, const Square& square, const Near& nea
     const Vec2& p = square.centre;
     const double reach = square.half_mm * std::numbers::sqrt2;
     const double inner = radius_mm_ - near.cusp_mm;
-    const double off_way = distanceTo(p, way.from, way.segment);
+    const double off_way = distanceTo(p, way);
     if (off_way - reach >= inner) return true;
     Near within;
     within.cusp_mm = near.cusp_mm;
     double nearest = std::numeric_limits<double>::infinity();
     for (const Edge* edge : near.swept) {
-        const double distance = distanceTo(p, edge->from, edge->segment);
+        const double distance = distanceTo(p, *edge);
         if (distance + reach <= radius_mm_) return true;
         nearest = std::min(nearest, distance);
         if (distance - reach < radius_mm_) within.swept.push_back(edge);
@@ -53,7 +50,7 @@ bool SweptGround::isClear(const Edge& way, const Square& square, const Near& nea
     // Squares that no boundary meets lie on one side of it whole: asked once, known for all their parts.
     bool cleared_meets = false;
     for (const Edge* edge : near.cleared) {
-        const double distance = distanceTo(p, edge->from, edge->segment);
+        const double distance = distanceTo(p, *edge);
         if (distance + reach <= radius_mm_) return true;
         nearest = std::min(nearest, distance);
         cleared_meets = cleared_meets || distance <= reach;
@@ -65,7 +62,7 @@ bool SweptGround::isClear(const Edge& way, const Square& square, const Near& nea
         within.off_cleared = true;
     }
     for (const Edge* edge : near.target)
-        if (distanceTo(p, edge->from, edge->segment) <= reach) within.target.push_back(edge);
+        if (distanceTo(p, *edge) <= reach) within.target.push_back(edge);
     within.in_target = near.in_target;
     if (!within.in_target && within.target.empty()) {
         if (!contains(task_->target, p)) return true;

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "stepmill/planar/edge_index.h"
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/curve.h"
 
 namespace stepmill::toolpath {
 
@@ -27,7 +27,7 @@ class SweptGround {
     void add(const Edge& edge) { swept_.push_back(edge); }
 
     /// Does the disc meet no material on the straight way from a to b?
-    bool isClear(const Vec2& a, const Vec2& b) const { return isClear(makeEdge(a, {b, {}})); }
+    bool isClear(const Vec2& a, const Vec2& b) const { return isClear(makeLine(a, b)); }
     /// Does it along an edge?
     bool isClear(const Edge& way) const { return isClear(way, kCuspShare * radius_mm_); }
     /// The same but for cusps of that thickness.
@@ -53,8 +53,8 @@ class SweptGround {
 
     /// Boundaries of the target and the cleared centres; copies share them.
     struct Boundaries {
-        std::vector<Edge> target;
-        std::vector<Edge> cleared;
+        EdgeIndex target;
+        EdgeIndex cleared;
     };
     std::shared_ptr<const Boundaries> boundaries_;
     const ClearingTask* task_;

@@ -15,10 +15,6 @@ constexpr double kStraightRad = 1e-6;
 /// Arcs are cut into pieces no longer than this, so that none meets itself.
 constexpr double kLongestSweepRad = kPi / 2;
 
-Vec2 leftOf(const Vec2& along) {
-    return {-along.y(), along.x()};
-}
-
 void addLine(const Vec2& from, const Vec2& to, double radius_mm, std::vector<Region>& into) {
     const Vec2 left = leftOf((to - from).normalized()) * radius_mm;
     into.push_back(makePolygon({from - left, to - left, to + left, from + left}));

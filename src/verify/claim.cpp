@@ -110,8 +110,8 @@ class SetupComparison {
         fail(place,
              fmt::format("{} is not the part's: {:.6g} instead of {:.6g} mm2, within X{:.3f} Y{:.3f} to "
                          "X{:.3f} Y{:.3f}",
-                         what, area(recorded), area(derived), box.min.x(), box.min.y(), box.max.x(),
-                         box.max.y()));
+                         what, area(recorded), area(derived), box.min().x(), box.min().y(), box.max().x(),
+                         box.max().y()));
     }
 
     void comparePlace(const Setup& derived) {

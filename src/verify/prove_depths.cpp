@@ -203,12 +203,12 @@ class DepthProver {
         Region left = intersect(sweptRegion(ways, planned_.tool.radius_mm(), tol_), standing, tol_);
         if (left.empty()) return {};
         const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
-        const Box2 around = boundingBox(left).grown(radius_mm);
+        const Box2 around = grown(boundingBox(left), radius_mm);
         std::vector<Path> before;
         for (const auto& [z_mm, level] : levels_) {
             if (!counts_on_ || z_mm > *counts_on_) break;
             for (const Path& way : level.ways)
-                if (boundingBox(way).overlaps(around)) before.push_back(way);
+                if (boundingBox(way).intersects(around)) before.push_back(way);
         }
         if (!before.empty()) left = subtract(left, sweptRegion(before, radius_mm, tol_), tol_);
         return piecesBeyondSkins(left, tol_);

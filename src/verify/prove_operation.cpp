@@ -11,7 +11,7 @@
 #include "sequence/drilling.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
-#include "toolpath/curve.h"
+#include "stepmill/planar/edge_index.h"
 #include "toolpath/swept_region.h"
 #include "verify/read_path.h"
 
@@ -119,11 +119,11 @@ class OwnMaterial {
     OwnMaterial(const ReadOperation& operation, const RecordedOperation& planned, const Region& standing,
                 const Tolerances& tol)
         : operation_(operation), planned_(planned), whole_(standing), standing_(standing), tol_(tol) {
-        edges_ = toolpath::edgesOf(standing_);
+        edges_ = EdgeIndex(standing_);
     }
 
     /// Least distance from the edge to what stands at `z_mm` when move `index` begins, less the radius.
-    double clearance(const toolpath::Edge& way, double radius_mm, double z_mm, std::size_t index) {
+    double clearance(const Edge& way, double radius_mm, double z_mm, std::size_t index) {
         if (z_mm < cut_at_mm_) restart();
         double found = distance(way, radius_mm) - radius_mm;
         if (found >= 0 || index <= cut_until_) return found;
@@ -132,11 +132,8 @@ class OwnMaterial {
     }
 
   private:
-    double distance(const toolpath::Edge& way, double radius_mm) const {
-        double least = 4 * radius_mm;
-        const Box2 around = way.box.grown(least);
-        for (const toolpath::Edge& edge : edges_)
-            if (edge.box.overlaps(around)) least = std::min(least, toolpath::separation(way, edge));
+    double distance(const Edge& way, double radius_mm) const {
+        const double least = edges_.distanceTo(way, 4 * radius_mm);
         if (least > 0 && contains(standing_, way.segment.to)) return 0;
         return least;
     }
@@ -144,7 +141,7 @@ class OwnMaterial {
     /// What was cut no lower than some height still stands below it.
     void restart() {
         standing_ = whole_;
-        edges_ = toolpath::edgesOf(standing_);
+        edges_ = EdgeIndex(standing_);
         cut_until_ = 0;
         cut_at_mm_ = -kInfinite;
     }
@@ -155,7 +152,7 @@ class OwnMaterial {
         const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
         if (!ways.empty()) {
             standing_ = subtract(standing_, sweptRegion(ways, radius_mm, tol_), tol_);
-            edges_ = toolpath::edgesOf(standing_);
+            edges_ = EdgeIndex(standing_);
             cut_at_mm_ = std::max(cut_at_mm_, z_mm);
         }
         cut_until_ = index;
@@ -166,7 +163,7 @@ class OwnMaterial {
     const Region& whole_;
     Region standing_;
     const Tolerances& tol_;
-    std::vector<toolpath::Edge> edges_;
+    EdgeIndex edges_;
     std::size_t cut_until_ = 0;
     double cut_at_mm_ = -kInfinite;  ///< highest height that something was taken off for
 };
@@ -254,8 +251,7 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
         for (std::size_t i = 0; i < operation.moves.size(); ++i) {
             const Move& move = operation.moves[i].fed.move;
             const double z = lowOf(from, move) + cylinder.bottom_mm;
-            const toolpath::Edge way =
-                toolpath::makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
             from = move.to;
             if (z >= feature.top_z_mm - kSameHeightMm) continue;
             const Region& standing = state.standingAt(z);

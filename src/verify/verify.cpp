@@ -175,8 +175,8 @@ class SetupProver {
             fmt::format(
                 "leaves {:.4g} mm2 of {} in {} places that the plan does not name, the largest X{:.3f} "
                 "Y{:.3f} to X{:.3f} Y{:.3f}",
-                findings.proof.left_mm2, state.feature.id, left.size(), box.min.x(), box.min.y(), box.max.x(),
-                box.max.y()));
+                findings.proof.left_mm2, state.feature.id, left.size(), box.min().x(), box.min().y(),
+                box.max().x(), box.max().y()));
     }
 
     const PlanRecord& record_;

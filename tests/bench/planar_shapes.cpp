@@ -40,7 +40,7 @@ Loop filleted(const std::vector<Vec2>& corners, std::size_t every, double radius
         const double half_rad = std::acos(back.dot(on)) / 2;
         const Vec2 centre = corner + radius_mm / std::sin(half_rad) * (back + on).normalized();
         const double cut_mm = radius_mm / std::tan(half_rad);
-        const bool ccw = back.x() * on.y() - back.y() * on.x() < 0;
+        const bool ccw = cross(back, on) < 0;
         segments.push_back({snapToGrid(Vec2(corner + cut_mm * back)), std::nullopt});
         segments.push_back({snapToGrid(Vec2(corner + cut_mm * on)), Arc{snapToGrid(centre), radius_mm, ccw}});
     }

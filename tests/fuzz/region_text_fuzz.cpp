@@ -84,7 +84,7 @@ void checkBooleans(const Region& region, const Tolerances& tol) {
     requireValid(common, "intersection with itself", region);
     require(std::abs(area(common) - whole_mm2) <= slack_mm2, "intersected with itself it stays", region);
     require(area(subtract(region, region, tol)) <= slack_mm2, "without itself nothing stays", region);
-    const Region moved = translated(region, snapToGrid(Vec2(0.1 * boundingBox(region).size())));
+    const Region moved = translated(region, snapToGrid(Vec2(0.1 * boundingBox(region).sizes())));
     const double together_mm2 = area(unite(region, moved, tol)) + area(intersect(region, moved, tol));
     require(std::abs(together_mm2 - 2 * whole_mm2) <= 4 * slack_mm2, "inclusion and exclusion", region);
 }
@@ -98,8 +98,8 @@ void checkText(const std::string& text) {
     if (diagnose(region)) return;
     require(toText(regionFromText(toText(region), "again")) == toText(region), "text keeps the region",
             region);
-    const Vec2 size = boundingBox(region).size();
-    const Vec2 far = boundingBox(region).max.cwiseAbs().cwiseMax(boundingBox(region).min.cwiseAbs());
+    const Vec2 size = boundingBox(region).sizes();
+    const Vec2 far = boundingBox(region).max().cwiseAbs().cwiseMax(boundingBox(region).min().cwiseAbs());
     if (size.minCoeff() < kSmallestMm || far.maxCoeff() > kLargestMm) return;
     const Tolerances tol;
     if (area(region) < tol.area_mm2) return;

@@ -38,8 +38,8 @@ inline Machine machineWithRapid(double rapid_mm_per_min) {
 
 /// A block around `target` that has it as a pocket; `open` regions are cut out of the block as well.
 inline Region blockAround(const Region& target, const Region& open, const Tolerances& tol) {
-    const Box2 box = boundingBox(target).grown(15);
-    const Region block = subtract(makeRectangle(box.min, box.max), target, tol);
+    const Box2 box = grown(boundingBox(target), 15);
+    const Region block = subtract(makeRectangle(box.min(), box.max()), target, tol);
     return open.empty() ? block : subtract(block, open, tol);
 }
 

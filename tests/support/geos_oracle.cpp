@@ -77,7 +77,7 @@ Shape strip(const Vec2& from, const Segment& segment, double distance_mm, double
     Points points;
     if (!segment.arc) {
         const Vec2 along = (segment.to - from).normalized();
-        const Vec2 left = distance_mm * Vec2(-along.y(), along.x());
+        const Vec2 left = distance_mm * leftOf(along);
         for (const Vec2& p :
              {Vec2(from + left), Vec2(from - left), Vec2(segment.to - left), Vec2(segment.to + left)})
             points.emplace_back(p.x(), p.y());

@@ -37,7 +37,7 @@ class HeightMap {
         if (twice_area == 0) return;
         Box2 box;
         for (const Vec3& p : {a, b, c})
-            box.add(p.head<2>());
+            box.extend(p.head<2>());
         raster_.forBox(box, [&](int column, int row) {
             const Vec2 p = raster_.centre(column, row);
             const auto share = [&](const Vec3& from, const Vec3& to) {

@@ -127,10 +127,10 @@ class SettingsJudge {
 
 StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup) {
     Box2 box;
-    box.add(Vec2(0, 0));
-    box.add(Vec2(setup.stock_mm[0], setup.stock_mm[1]));
+    box.extend(Vec2(0, 0));
+    box.extend(Vec2(setup.stock_mm[0], setup.stock_mm[1]));
     HeightMap map(box, kCellMm, -setup.stock_mm[2]);
-    map.raise(makeRectangle(box.min, box.max), 0);
+    map.raise(makeRectangle(box.min(), box.max()), 0);
     StockLeft left;
     std::optional<Vec3> at;
     std::map<int, double> radius_mm;

@@ -31,13 +31,14 @@ inline Region randomTarget(std::mt19937& random, const Tolerances& tol) {
 /// A block around the target, cut away on a random half of its sides.
 inline Region randomObstruction(std::mt19937& random, const Region& target, const Tolerances& tol) {
     const Box2 box = boundingBox(target);
-    const Vec2 size = box.size();
-    Region obstruction = subtract(makeRectangle(box.min - Vec2(15, 15), box.max + Vec2(15, 15)), target, tol);
+    const Vec2 size = box.sizes();
+    Region obstruction =
+        subtract(makeRectangle(box.min() - Vec2(15, 15), box.max() + Vec2(15, 15)), target, tol);
     const double cut = 12;
-    const Vec2 lows[4] = {{box.min.x() - 20, box.min.y() - 20},
-                          {box.max.x() - cut, box.min.y() - 20},
-                          {box.min.x() - 20, box.min.y() - 20},
-                          {box.min.x() - 20, box.max.y() - cut}};
+    const Vec2 lows[4] = {{box.min().x() - 20, box.min().y() - 20},
+                          {box.max().x() - cut, box.min().y() - 20},
+                          {box.min().x() - 20, box.min().y() - 20},
+                          {box.min().x() - 20, box.max().y() - cut}};
     const Vec2 sizes[4] = {{20 + cut, size.y() + 40},
                            {20 + cut, size.y() + 40},
                            {size.x() + 40, 20 + cut},

@@ -293,7 +293,7 @@ RandomRegion randomRegion(RegionKind kind, std::uint64_t seed) {
         RandomRegion result{kind, seed, {}, {}};
         result.region = Maker(kind, seed + attempt * 1'000'000, result).make();
         if (result.region.empty() || diagnose(result.region)) continue;
-        result.size_mm = boundingBox(result.region).size().minCoeff();
+        result.size_mm = boundingBox(result.region).sizes().minCoeff();
         return result;
     }
 }

@@ -18,7 +18,9 @@ class Random {
     }
     /// 0 ... n - 1
     int below(int n) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(n)); }
-    Vec2 point(const Box2& box) { return {real(box.min.x(), box.max.x()), real(box.min.y(), box.max.y())}; }
+    Vec2 point(const Box2& box) {
+        return {real(box.min().x(), box.max().x()), real(box.min().y(), box.max().y())};
+    }
 
   private:
     std::mt19937_64 engine_;

@@ -16,8 +16,8 @@ class Raster {
     Raster(const Box2& box, double cell_mm)
         : box_(box),
           cell_mm_(cell_mm),
-          columns_(static_cast<int>(std::ceil(box.size().x() / cell_mm))),
-          rows_(static_cast<int>(std::ceil(box.size().y() / cell_mm))) {}
+          columns_(static_cast<int>(std::ceil(box.sizes().x() / cell_mm))),
+          rows_(static_cast<int>(std::ceil(box.sizes().y() / cell_mm))) {}
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -27,7 +27,7 @@ class Raster {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                static_cast<std::size_t>(column);
     }
-    Vec2 centre(int column, int row) const { return box_.min + cell_mm_ * Vec2(column + 0.5, row + 0.5); }
+    Vec2 centre(int column, int row) const { return box_.min() + cell_mm_ * Vec2(column + 0.5, row + 0.5); }
 
     /// Cells inside the region, by the even-odd rule along each row.
     std::vector<char> cellsOf(const Region& region) const {
@@ -66,11 +66,11 @@ class Raster {
     /// Calls visit(cell index) for the cells whose centres lie in the disc.
     template <typename Visit>
     void forDisc(const Vec2& centre, double radius_mm, Visit visit) const {
-        const double middle_y = (centre.y() - box_.min.y()) / cell_mm_ - 0.5;
+        const double middle_y = (centre.y() - box_.min().y()) / cell_mm_ - 0.5;
         const double reach = radius_mm / cell_mm_;
         const int low = std::max(0, static_cast<int>(std::ceil(middle_y - reach)));
         const int high = std::min(rows_ - 1, static_cast<int>(std::floor(middle_y + reach)));
-        const double middle_x = (centre.x() - box_.min.x()) / cell_mm_ - 0.5;
+        const double middle_x = (centre.x() - box_.min().x()) / cell_mm_ - 0.5;
         for (int row = low; row <= high; ++row) {
             const double half = std::sqrt(std::max(0.0, reach * reach - (row - middle_y) * (row - middle_y)));
             const int left = std::max(0, static_cast<int>(std::ceil(middle_x - half)));
@@ -83,8 +83,8 @@ class Raster {
     /// Calls visit(column, row) for the cells whose centres lie in the box.
     template <typename Visit>
     void forBox(const Box2& box, Visit visit) const {
-        const Vec2 low = (box.min - box_.min) / cell_mm_ - Vec2(0.5, 0.5);
-        const Vec2 high = (box.max - box_.min) / cell_mm_ - Vec2(0.5, 0.5);
+        const Vec2 low = (box.min() - box_.min()) / cell_mm_ - Vec2(0.5, 0.5);
+        const Vec2 high = (box.max() - box_.min()) / cell_mm_ - Vec2(0.5, 0.5);
         for (int row = std::max(0, static_cast<int>(std::ceil(low.y())));
              row <= std::min(rows_ - 1, static_cast<int>(std::floor(high.y()))); ++row)
             for (int column = std::max(0, static_cast<int>(std::ceil(low.x())));
@@ -96,13 +96,14 @@ class Raster {
     static constexpr double kFar = 1e12;
 
     int firstAt(double x) const {
-        return std::max(0, static_cast<int>(std::ceil((x - box_.min.x()) / cell_mm_ - 0.5)));
+        return std::max(0, static_cast<int>(std::ceil((x - box_.min().x()) / cell_mm_ - 0.5)));
     }
 
     void addCrossings(const Vec2& a, const Vec2& b, std::vector<std::vector<double>>& crossings) const {
         const Vec2& low = a.y() < b.y() ? a : b;
         const Vec2& high = a.y() < b.y() ? b : a;
-        const int first = std::max(0, static_cast<int>(std::ceil((low.y() - box_.min.y()) / cell_mm_ - 0.5)));
+        const int first =
+            std::max(0, static_cast<int>(std::ceil((low.y() - box_.min().y()) / cell_mm_ - 0.5)));
         for (int row = first; row < rows_; ++row) {
             const double y = centre(0, row).y();
             if (y >= high.y()) break;
@@ -164,7 +165,7 @@ struct SimulatedCut {
 inline SimulatedCut simulate(const Toolpath& path, const ClearingTask& task, double radius_mm, double cell_mm,
                              double margin_mm) {
     Box2 box = boundingBox(task.target);
-    box = box.grown(2.5 * radius_mm + 2 * cell_mm);
+    box = grown(box, 2.5 * radius_mm + 2 * cell_mm);
     const Raster raster(box, cell_mm);
     const std::vector<char> target = raster.cellsOf(task.target);
     const std::vector<char> obstruction = raster.cellsOf(task.obstruction);

@@ -29,10 +29,10 @@ CaseTrace::~CaseTrace() {
     for (char& c : file)
         if (c == '/') c = '_';
     const Box2 box = boundingBox(which_.region);
-    const Vec2 size = box.size();
+    const Vec2 size = box.sizes();
     std::ofstream(testing::TempDir() + file)
-        << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='" << box.min.x() << ' ' << -box.max.y() << ' '
-        << size.x() << ' ' << size.y() << "'><path transform='scale(1,-1)' fill='#ccd' d='"
+        << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='" << box.min().x() << ' ' << -box.max().y()
+        << ' ' << size.x() << ' ' << size.y() << "'><path transform='scale(1,-1)' fill='#ccd' d='"
         << toSvgPath(which_.region) << "'/></svg>\n";
 }
 
@@ -60,7 +60,7 @@ Vec2 nearMedialAxis(const Region& region, Vec2 p) {
 }
 
 Vec2 probePoint(const Region& region, double grown_mm, Random& random) {
-    const Vec2 p = random.point(boundingBox(region).grown(grown_mm));
+    const Vec2 p = random.point(grown(boundingBox(region), grown_mm));
     return random.below(2) ? p : nearMedialAxis(region, p);
 }
 

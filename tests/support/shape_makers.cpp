@@ -53,7 +53,7 @@ Loop filleted(const std::vector<Vec2>& corners, double largest_share, Random& ra
         const Vec2 end = snapToGrid(Vec2(corner + cut_mm * on));
         const Vec2 centre =
             snapToGrid(Vec2(corner + radius_mm / std::sin(half_rad) * (back + on).normalized()));
-        const Arc arc{centre, radius_mm, back.x() * on.y() - back.y() * on.x() < 0};
+        const Arc arc{centre, radius_mm, cross(back, on) < 0};
         appendLine(loop, begin);
         if (begin == end) continue;
         if (fits(begin, end, arc))

@@ -6,16 +6,10 @@
 
 #include <Eigen/Core>
 
+#include "stepmill/planar/box.h"
+#include "stepmill/planar/vector.h"
+
 namespace stepmill {
-
-/// A point or vector in the plane of a setup [mm].
-using Vec2 = Eigen::Vector2d;
-
-/// Planar points, arc centres and radii are multiples of 1 nm, so that "the same point" and "the same
-/// arc" are plain equality.
-inline constexpr double kGridMm = 1e-6;
-double snapToGrid(double value_mm);
-Vec2 snapToGrid(const Vec2& point);
 
 /// The circle an arc edge lies on, and its sense. Two edges with equal centre and radius lie on the same
 /// circle: the value is the name under which walls are shared.
@@ -55,18 +49,6 @@ struct Region {
     std::vector<Loop> loops;
 
     bool empty() const { return loops.empty(); }
-};
-
-/// Axis-parallel box [mm]; `empty()` before the first point.
-struct Box2 {
-    Vec2 min = Vec2::Constant(1e300);
-    Vec2 max = Vec2::Constant(-1e300);
-
-    bool empty() const { return min.x() > max.x(); }
-    Vec2 size() const { return max - min; }
-    void add(const Vec2& p);
-    Box2 grown(double by_mm) const;
-    bool overlaps(const Box2& other) const;
 };
 
 // Construction -------------------------------------------------------------------------------------------
@@ -118,6 +100,8 @@ double distanceTo(const Vec2& p, const Vec2& from, const Segment& segment);
 bool contains(const Region& region, const Vec2& p);
 /// Distance from p to the nearest boundary edge [mm]; infinity for the empty region. O(edges).
 double distanceToBoundary(const Region& region, const Vec2& p);
+/// Distance from p to the region [mm], 0 inside; infinity for the empty region. O(edges).
+double distanceToRegion(const Region& region, const Vec2& p);
 
 // Structure ----------------------------------------------------------------------------------------------
 

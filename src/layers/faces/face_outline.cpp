@@ -75,7 +75,7 @@ PlaneCurve lineThrough(const Vec2& from, const Vec2& to) {
     PlaneCurve curve;
     curve.kind = PlaneCurve::Kind::Line;
     const Vec2 along = (to - from).normalized();
-    curve.normal = Vec2(-along.y(), along.x());
+    curve.normal = leftOf(along);
     curve.offset = curve.normal.dot(from);
     return curve;
 }

@@ -2,8 +2,6 @@
 
 #include "layers/section/curve_fit.h"
 
-#include "layers/section/plane_vectors.h"
-
 namespace stepmill::layers {
 
 namespace {

@@ -13,10 +13,6 @@ namespace stepmill::layers {
 
 namespace {
 
-double cross(const Vec2& o, const Vec2& a, const Vec2& b) {
-    return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-}
-
 std::vector<Vec2> pointsOf(const std::vector<Crossing>& chain) {
     std::vector<Vec2> points{chain.front().from};
     for (const Crossing& crossing : chain)
@@ -29,7 +25,7 @@ double signedArea(const std::vector<Vec2>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec2& a = points[i];
         const Vec2& b = points[(i + 1) % points.size()];
-        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+        area += 0.5 * cross(a, b);
     }
     return area;
 }
@@ -65,7 +61,8 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points) {
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t begin = hull.size();
         for (const Vec2& p : points) {
-            while (hull.size() >= begin + 2 && cross(hull[hull.size() - 2], hull.back(), p) <= 0)
+            while (hull.size() >= begin + 2 &&
+                   cross(hull.back() - hull[hull.size() - 2], p - hull[hull.size() - 2]) <= 0)
                 hull.pop_back();
             hull.push_back(p);
         }
@@ -118,7 +115,7 @@ HullSection hullSection(const SolidMesh& mesh, double z_mm, const Tolerances& to
         const std::vector<Vec2> points = pointsOf(chain);
         const std::vector<Vec2> hull = convexHull(points);
         solid.push_back(grownHull(points, mesh.chord_mm()));
-        const Vec2 size = boundingBox(solid.back()).size();
+        const Vec2 size = boundingBox(solid.back()).sizes();
         // Closed by a straight line it would be a hole: all of it is filled.
         const double exceeds = signedArea(points) < 0 ? 0.5 * size.minCoeff() : bulge(hull, points);
         out.exceeds_mm = std::max(out.exceeds_mm, exceeds + 2 * mesh.chord_mm());

@@ -22,7 +22,7 @@ HullSection hullOfAll(const SolidMesh& mesh, double top_mm, double bottom_mm) {
             points.push_back(mesh.nodes()[node].head<2>());
     }
     HullSection out{grownHull(points, mesh.chord_mm()), 0};
-    out.exceeds_mm = 0.5 * boundingBox(out.region).size().minCoeff();
+    out.exceeds_mm = 0.5 * boundingBox(out.region).sizes().minCoeff();
     return out;
 }
 

@@ -3,7 +3,6 @@
 #include "layers/section/plane_curve.h"
 
 #include "layers/section/curve_fit.h"
-#include "layers/section/plane_vectors.h"
 #include "layers/section/tidy_loop.h"
 #include "stepmill/core/units.h"
 

@@ -4,7 +4,6 @@
 
 #include <Geom_CylindricalSurface.hxx>
 
-#include "layers/section/plane_vectors.h"
 #include "layers/section/section_points.h"
 
 namespace stepmill::layers {
@@ -43,7 +42,7 @@ PlaneCurve lineOfLying(const FaceRun& run, const Ends& ends, double z_mm) {
         // The ridge of the facets is a little lower than the cylinder's: a run that passes over it turns
         // back on the other side. Between its ends lies a strip thinner than the distance to the level.
         const Vec2 along = (ends.to - ends.from).normalized();
-        curve.normal = Vec2(-along.y(), along.x());
+        curve.normal = leftOf(along);
         curve.offset = curve.normal.dot(ends.from);
         return curve;
     }

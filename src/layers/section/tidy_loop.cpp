@@ -2,7 +2,6 @@
 
 #include "layers/section/tidy_loop.h"
 
-#include "layers/section/plane_vectors.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill::layers {

@@ -16,7 +16,7 @@ namespace {
 Box2 boxOf(const SlabFacet& facet) {
     Box2 box;
     for (int i = 0; i < facet.corners; ++i)
-        box.add(facet.corner[static_cast<std::size_t>(i)]);
+        box.extend(facet.corner[static_cast<std::size_t>(i)]);
     return box;
 }
 
@@ -64,8 +64,7 @@ class LowestBelow {
     explicit LowestBelow(const std::vector<SlabFacet>& facets) {
         for (const SlabFacet& facet : facets) {
             const Box2 box = boxOf(facet);
-            box_.add(box.min);
-            box_.add(box.max);
+            box_.extend(box);
         }
         low_.assign(static_cast<std::size_t>(kCells) * kCells, 1e300);
         for (const SlabFacet& facet : facets)
@@ -86,11 +85,11 @@ class LowestBelow {
     template <typename Visit>
     void visit(const SlabFacet& facet, const Visit& visit_cell) {
         const Box2 box = boxOf(facet);
-        const Vec2 size = box_.size();
-        const int x_end = cell(box.max.x(), box_.min.x(), size.x());
-        const int y_end = cell(box.max.y(), box_.min.y(), size.y());
-        for (int x = cell(box.min.x(), box_.min.x(), size.x()); x <= x_end; ++x)
-            for (int y = cell(box.min.y(), box_.min.y(), size.y()); y <= y_end; ++y)
+        const Vec2 size = box_.sizes();
+        const int x_end = cell(box.max().x(), box_.min().x(), size.x());
+        const int y_end = cell(box.max().y(), box_.min().y(), size.y());
+        for (int x = cell(box.min().x(), box_.min().x(), size.x()); x <= x_end; ++x)
+            for (int y = cell(box.min().y(), box_.min().y(), size.y()); y <= y_end; ++y)
                 visit_cell(low_[static_cast<std::size_t>(x) * kCells + static_cast<std::size_t>(y)]);
     }
 
@@ -107,9 +106,9 @@ bool reachesBeyond(const std::vector<Vec2>& points, const Region& region, double
 /// Is the facet with all its surface farther from the region's boundary than its size?
 bool deepInside(const SlabFacet& facet, const Region& region, double chord_mm) {
     const Box2 box = boxOf(facet);
-    const Vec2 middle = 0.5 * (box.min + box.max);
+    const Vec2 middle = 0.5 * (box.min() + box.max());
     return contains(region, middle) &&
-           distanceToBoundary(region, middle) > 0.5 * box.size().norm() + chord_mm;
+           distanceToBoundary(region, middle) > 0.5 * box.sizes().norm() + chord_mm;
 }
 
 }  // namespace

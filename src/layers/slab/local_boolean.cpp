@@ -66,15 +66,14 @@ std::vector<OwnedLoop> pairUp(const Region& a, const Region& b) {
 
 Box2 joined(const Box2& a, const Box2& b) {
     Box2 box = a;
-    box.add(b.min);
-    box.add(b.max);
+    box.extend(b);
     return box;
 }
 
 bool boundaryEnters(const Loop& loop, const Box2& box) {
     Vec2 from = loop.start;
     for (const Segment& segment : loop.segments) {
-        if (boundingBox(Path{from, {segment}}).overlaps(box)) return true;
+        if (boundingBox(Path{from, {segment}}).intersects(box)) return true;
         from = segment.to;
     }
     return false;
@@ -90,7 +89,7 @@ void mergeOverlapping(std::vector<Place>& places) {
         again = false;
         for (std::size_t i = 0; i < places.size(); ++i) {
             for (std::size_t j = i + 1; j < places.size();) {
-                if (!places[i].box.grown(kApartMm).overlaps(places[j].box)) {
+                if (!grown(places[i].box, kApartMm).intersects(places[j].box)) {
                     ++j;
                     continue;
                 }
@@ -109,8 +108,8 @@ bool takeIn(std::vector<OwnedLoop>& loops, std::vector<bool>& free, std::vector<
     for (std::size_t i = 0; i < loops.size(); ++i) {
         if (!free[i]) continue;
         for (Place& place : places) {
-            const Box2 near = place.box.grown(kApartMm);
-            if (!loops[i].box.overlaps(near) || !boundaryEnters(*loops[i].loop, near)) continue;
+            const Box2 near = grown(place.box, kApartMm);
+            if (!loops[i].box.intersects(near) || !boundaryEnters(*loops[i].loop, near)) continue;
             place.box = joined(place.box, loops[i].box);
             place.loops.push_back(static_cast<int>(i));
             free[i] = false;
@@ -130,16 +129,16 @@ DifferentPlace cutOut(const std::vector<OwnedLoop>& loops, const std::vector<boo
     }
     int winding = 0;
     for (std::size_t i = 0; i < loops.size(); ++i) {
-        if (!free[i] || !loops[i].box.overlaps(place.box)) continue;
+        if (!free[i] || !loops[i].box.intersects(place.box)) continue;
         Loop outer = *loops[i].loop;
         const bool ccw = signedArea(outer) > 0;
         if (!ccw) outer = reversed(outer);
-        if (contains(Region{{outer}}, place.box.min)) winding += ccw ? 1 : -1;
+        if (contains(Region{{outer}}, place.box.min())) winding += ccw ? 1 : -1;
     }
     out.framed = winding > 0;
     if (!out.framed) return out;
-    const Box2 frame = place.box.grown(kFrameMm);
-    const Loop loop = makeRectangle(frame.min, frame.max).loops.front();
+    const Box2 frame = grown(place.box, kFrameMm);
+    const Loop loop = makeRectangle(frame.min(), frame.max()).loops.front();
     out.a.loops.push_back(loop);
     out.b.loops.push_back(loop);
     return out;
@@ -155,7 +154,7 @@ std::vector<Loop> withoutFrame(Region region, bool framed) {
     if (!framed) return std::move(region.loops);
     const auto frame = std::min_element(
         region.loops.begin(), region.loops.end(),
-        [](const Loop& a, const Loop& b) { return boundingBox(a).min.x() < boundingBox(b).min.x(); });
+        [](const Loop& a, const Loop& b) { return boundingBox(a).min().x() < boundingBox(b).min().x(); });
     if (frame != region.loops.end()) region.loops.erase(frame);
     return std::move(region.loops);
 }

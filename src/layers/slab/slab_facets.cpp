@@ -133,7 +133,7 @@ double facetArea(const SolidMesh& mesh, double z_mm) {
                 const Vec2 p = (a + (z_mm - a.z()) / (b.z() - a.z()) * (b - a)).head<2>();
                 (a.z() >= z_mm ? in : out) = p;
             }
-            if (crossed) area += 0.5 * (in.x() * out.y() - in.y() * out.x());
+            if (crossed) area += 0.5 * cross(in, out);
         }
     }
     return area;

@@ -2,7 +2,6 @@
 
 #include "layers/stock/askew_cut.h"
 
-#include "layers/section/plane_vectors.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::layers {
@@ -59,18 +58,18 @@ Region insidePolygon(const Region& region) {
 /// Points of `from_where`, inside the outline, that stay inside all the way to where `travel` takes them.
 Region staysInside(const Region& from_where, const Region& outline, const Vec2& travel,
                    const Tolerances& tol) {
-    const Box2 reached = boundingBox(from_where).grown(travel.norm());
+    const Box2 reached = grown(boundingBox(from_where), travel.norm());
     std::vector<Region> meets_wall;
     for (const Loop& loop : outline.loops) {
         Vec2 from = loop.start;
         for (const Segment& segment : loop.segments) {
             Box2 wall;
-            wall.add(from);
-            wall.add(segment.to);
+            wall.extend(from);
+            wall.extend(segment.to);
             const double area_mm2 = cross(segment.to - from, -travel);
             std::vector<Vec2> corners = {from, segment.to, segment.to - travel, from - travel};
             if (area_mm2 < 0) std::reverse(corners.begin(), corners.end());
-            if (std::abs(area_mm2) > kGridMm && wall.overlaps(reached))
+            if (std::abs(area_mm2) > kGridMm && wall.intersects(reached))
                 meets_wall.push_back(makePolygon(corners));
             from = segment.to;
         }
@@ -120,7 +119,7 @@ Region AskewCut::strip(double z_mm, double rise_mm) const {
     const double one = (base - along * lowest) / aslant;
     const double other = (base - along * highest) / aslant;
     const Box2 box = boundingBox(outline_);
-    const double beyond = (box.min.norm() + box.max.norm()) * 2 + 1;
+    const double beyond = (box.min().norm() + box.max().norm()) * 2 + 1;
     const double near_mm = std::max(std::min(one, other), -beyond);
     const double far_mm = std::min(std::max(one, other), beyond);
     if (near_mm >= far_mm) return {};

@@ -100,8 +100,8 @@ Box3 boxOfRest(const std::vector<CutStretch>& stretches, const Tolerances& tol) 
         for (const Region& piece : components(left)) {
             const Box2 extent = boundingBox(piece);
             if (area(piece) <= kFilmMm * perimeter(piece) / 2) continue;
-            box.extend(Vec3(extent.min.x(), extent.min.y(), stretch.bottom_z_mm));
-            box.extend(Vec3(extent.max.x(), extent.max.y(), stretch.top_z_mm));
+            box.extend(Vec3(extent.min().x(), extent.min().y(), stretch.bottom_z_mm));
+            box.extend(Vec3(extent.max().x(), extent.max().y(), stretch.top_z_mm));
         }
     }
     return box;

@@ -111,13 +111,13 @@ std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolera
 }
 
 bool isUprightRectangle(const Region& region) {
-    const Vec2 size = boundingBox(region).size();
+    const Vec2 size = boundingBox(region).sizes();
     return region.loops.size() == 1 && area(region) >= size.x() * size.y();
 }
 
 bool around(const Box2& outer, const Box2& inner) {
-    return (outer.min.array() <= inner.min.array() + kGridMm).all() &&
-           (inner.max.array() <= outer.max.array() + kGridMm).all();
+    return (outer.min().array() <= inner.min().array() + kGridMm).all() &&
+           (inner.max().array() <= outer.max().array() + kGridMm).all();
 }
 
 bool isLevel(const MonotonePiece& piece) {

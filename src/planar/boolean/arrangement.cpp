@@ -22,10 +22,6 @@ std::size_t at(int index) {
     return static_cast<std::size_t>(index);
 }
 
-Box2 boxOf(const Vec2& from, const Segment& segment) {
-    return boundingBox(Path{from, {segment}});
-}
-
 Vec2 mirrored(const Vec2& p) {
     return {p.y(), p.x()};
 }
@@ -36,13 +32,13 @@ void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visi
     std::vector<int> order(curves.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return curves[at(a)].box.min.x() < curves[at(b)].box.min.x(); });
+                     [&](int a, int b) { return curves[at(a)].box.min().x() < curves[at(b)].box.min().x(); });
     std::vector<int> active;
     for (const int i : order) {
-        const Box2 box = curves[at(i)].box.grown(slack_mm);
-        std::erase_if(active, [&](int j) { return curves[at(j)].box.max.x() < box.min.x(); });
+        const Box2 box = grown(curves[at(i)].box, slack_mm);
+        std::erase_if(active, [&](int j) { return curves[at(j)].box.max().x() < box.min().x(); });
         for (const int j : active)
-            if (curves[at(j)].box.overlaps(box)) visit(std::min(i, j), std::max(i, j));
+            if (curves[at(j)].box.intersects(box)) visit(std::min(i, j), std::max(i, j));
         active.push_back(i);
     }
 }
@@ -73,10 +69,10 @@ void appendCurves(const Region& region, int operand, std::vector<Curve>& curves)
             const Vec2 to = segment.to;
             if (segment.arc && std::abs(sweepAngle(from, to, *segment.arc)) > kPi + 1e-6) {
                 const Segment half{snapToGrid(pointAt(from, segment, 0.5)), segment.arc};
-                curves.push_back({from, half, operand, loop, boxOf(from, half)});
+                curves.push_back({makeEdge(from, half), operand, loop});
                 from = half.to;
             }
-            curves.push_back({from, segment, operand, loop, boxOf(from, segment)});
+            curves.push_back({makeEdge(from, segment), operand, loop});
             from = to;
         }
         ++loop;
@@ -149,13 +145,13 @@ class Arrangement::NodesInBox {
 
     template <typename Visit>
     void forEachIn(const Box2& box, Visit visit) const {
-        const int axis = box.size().x() <= box.size().y() ? 0 : 1;
+        const int axis = box.sizes().x() <= box.sizes().y() ? 0 : 1;
         const int across = 1 - axis;
         const std::vector<std::pair<double, int>>& list = sorted_[at(axis)];
-        auto it = std::lower_bound(list.begin(), list.end(), std::pair{box.min[axis], 0});
-        for (; it != list.end() && it->first <= box.max[axis]; ++it) {
+        auto it = std::lower_bound(list.begin(), list.end(), std::pair{box.min()[axis], 0});
+        for (; it != list.end() && it->first <= box.max()[axis]; ++it) {
             const double y = nodes_[at(it->second)][across];
-            if (y >= box.min[across] && y <= box.max[across]) visit(it->second);
+            if (y >= box.min()[across] && y <= box.max()[across]) visit(it->second);
         }
     }
 
@@ -205,7 +201,7 @@ void Arrangement::cutCurves() {
     const NodesInBox nodes(nodes_);
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         const Curve& c = curves_[i];
-        nodes.forEachIn(c.box.grown(2 * snap_mm_), [&](int node) {
+        nodes.forEachIn(grown(c.box, 2 * snap_mm_), [&](int node) {
             const Path& bent = snapped[i];
             if (distanceTo(nodes_[at(node)], c.from, c.segment) <= snap_mm_ ||
                 distanceTo(nodes_[at(node)], bent.start, bent.segments.front()) <= snap_mm_)
@@ -292,20 +288,19 @@ void Arrangement::sortIntoStrips() {
     Box2 all;
     for (const Piece& piece : pieces_) {
         Box2 box = curves_[at(piece.curve)].segment.arc ? curves_[at(piece.curve)].box : Box2{};
-        box.add(node(piece.begin));
-        box.add(node(piece.end));
-        all.add(box.min);
-        all.add(box.max);
+        box.extend(node(piece.begin));
+        box.extend(node(piece.end));
+        all.extend(box);
         boxes.push_back(box);
     }
     for (const int axis : {0, 1}) {
         Strips& strips = strips_[at(axis)];
         strips.pieces.resize(count);
         if (pieces_.empty()) continue;
-        strips.low_mm = all.min[axis];
-        strips.per_mm = static_cast<double>(count) / std::max(all.size()[axis], kGridMm);
+        strips.low_mm = all.min()[axis];
+        strips.per_mm = static_cast<double>(count) / std::max(all.sizes()[axis], kGridMm);
         for (std::size_t i = 0; i < pieces_.size(); ++i)
-            for (std::size_t k = strips.of(boxes[i].min[axis]); k <= strips.of(boxes[i].max[axis]); ++k)
+            for (std::size_t k = strips.of(boxes[i].min()[axis]); k <= strips.of(boxes[i].max()[axis]); ++k)
                 strips.pieces[k].push_back(static_cast<int>(i));
     }
 }

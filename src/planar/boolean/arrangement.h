@@ -6,17 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "stepmill/planar/region.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::planar {
 
-/// A line or arc of an operand as it came in.
-struct Curve {
-    Vec2 from;
-    Segment segment;
+/// An edge of an operand as it came in.
+struct Curve : Edge {
     int operand = 0;  ///< 0 or 1
     int loop = 0;     ///< numbered over both operands
-    Box2 box;
 };
 
 /// A stretch of a curve between two nodes that no other piece crosses. Coinciding stretches of several

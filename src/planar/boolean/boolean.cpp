@@ -57,7 +57,7 @@ Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, con
 Region near(const Region& region, const Box2& box) {
     Region result;
     for (const Loop& loop : region.loops)
-        if (boundingBox(loop).overlaps(box)) result.loops.push_back(loop);
+        if (boundingBox(loop).intersects(box)) result.loops.push_back(loop);
     return result;
 }
 
@@ -78,7 +78,7 @@ Region uniteAtOnce(std::span<const Placed> regions, const Tolerances& tol) {
     Region apart;
     for (const Placed& one : regions) {
         const bool meets = std::any_of(regions.begin(), regions.end(), [&](const Placed& other) {
-            return &other != &one && one.box.overlaps(other.box);
+            return &other != &one && one.box.intersects(other.box);
         });
         if (meets)
             planar::appendCurves(*one.region, 0, curves);
@@ -99,17 +99,17 @@ Region uniteNeighbours(std::span<Placed> regions, const Tolerances& tol) {
     if (regions.size() <= kAtOnce) return uniteAtOnce(regions, tol);
     Box2 all;
     for (const Placed& one : regions)
-        all.add((one.box.min + one.box.max) / 2);
-    const int axis = all.size().x() >= all.size().y() ? 0 : 1;
+        all.extend((one.box.min() + one.box.max()) / 2);
+    const int axis = all.sizes().x() >= all.sizes().y() ? 0 : 1;
     std::stable_sort(regions.begin(), regions.end(), [axis](const Placed& a, const Placed& b) {
-        return a.box.min[axis] + a.box.max[axis] < b.box.min[axis] + b.box.max[axis];
+        return a.box.min()[axis] + a.box.max()[axis] < b.box.min()[axis] + b.box.max()[axis];
     });
     const std::size_t half = regions.size() / 2;
     const Region halves[] = {uniteNeighbours(regions.first(half), tol),
                              uniteNeighbours(regions.subspan(half), tol)};
     std::vector<Placed> both;
     for (const Region& part : halves)
-        if (!part.empty()) both.push_back({&part, boundingBox(part).grown(tol.linear_mm)});
+        if (!part.empty()) both.push_back({&part, grown(boundingBox(part), tol.linear_mm)});
     return uniteAtOnce(both, tol);
 }
 
@@ -123,14 +123,14 @@ Region unite(const Region& a, const Region& b, const Tolerances& tol) {
 Region unite(std::span<const Region> regions, const Tolerances& tol) {
     std::vector<Placed> placed;
     for (const Region& region : regions)
-        if (!region.empty()) placed.push_back({&region, boundingBox(region).grown(tol.linear_mm)});
+        if (!region.empty()) placed.push_back({&region, grown(boundingBox(region), tol.linear_mm)});
     return planar::ordered(uniteNeighbours(placed, tol));
 }
 
 Region intersect(const Region& a, const Region& b, const Tolerances& tol) {
     if (a.empty() || b.empty()) return {};
-    const Region near_a = near(a, boundingBox(b).grown(tol.linear_mm));
-    const Region near_b = near(b, boundingBox(a).grown(tol.linear_mm));
+    const Region near_a = near(a, grown(boundingBox(b), tol.linear_mm));
+    const Region near_b = near(b, grown(boundingBox(a), tol.linear_mm));
     if (near_a.empty() || near_b.empty()) return {};
     return overlay(
         curvesOf(near_a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b > 0; }, tol);
@@ -138,7 +138,7 @@ Region intersect(const Region& a, const Region& b, const Tolerances& tol) {
 
 Region subtract(const Region& a, const Region& b, const Tolerances& tol) {
     if (a.empty()) return {};
-    const Region near_b = near(b, boundingBox(a).grown(tol.linear_mm));
+    const Region near_b = near(b, grown(boundingBox(a), tol.linear_mm));
     if (near_b.empty()) return planar::ordered(a);
     return overlay(
         curvesOf(a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b <= 0; }, tol);

@@ -102,7 +102,7 @@ class Walker {
 // Edges --------------------------------------------------------------------------------------------------
 
 /// An edge of the result with the line or circle it lies on.
-struct Edge {
+struct BuiltEdge {
     Vec2 from;
     Segment segment;
     Vec2 carrier_from;  ///< the source line; its rounding is what positions go by
@@ -121,7 +121,7 @@ bool sameCircle(const Arc& a, const Arc& b) {
            (a.centre - b.centre).norm() + std::abs(a.radius_mm - b.radius_mm) <= kSameCircleMm;
 }
 
-bool oneLine(const Edge& a, const Edge& b) {
+bool oneLine(const BuiltEdge& a, const BuiltEdge& b) {
     const Vec2 whole = b.segment.to - a.from;
     if (whole.dot(a.segment.to - a.from) <= 0 || whole.dot(b.segment.to - b.from) <= 0) return false;
     if (a.curve == b.curve) return true;
@@ -131,12 +131,12 @@ bool oneLine(const Edge& a, const Edge& b) {
            std::all_of(b.passed.begin(), b.passed.end(), on_line);
 }
 
-bool mergeable(const Edge& a, const Edge& b) {
+bool mergeable(const BuiltEdge& a, const BuiltEdge& b) {
     if (a.segment.arc.has_value() != b.segment.arc.has_value()) return false;
     return a.segment.arc ? sameCircle(*a.segment.arc, *b.segment.arc) : oneLine(a, b);
 }
 
-void absorb(Edge& a, const Edge& b) {
+void absorb(BuiltEdge& a, const BuiltEdge& b) {
     a.passed.push_back(b.from);
     a.passed.insert(a.passed.end(), b.passed.begin(), b.passed.end());
     a.segment.to = b.segment.to;
@@ -149,15 +149,15 @@ void absorb(Edge& a, const Edge& b) {
     a.curve = b.curve;
 }
 
-std::vector<Edge> mergedEdges(std::vector<Edge> edges) {
+std::vector<BuiltEdge> mergedEdges(std::vector<BuiltEdge> edges) {
     // Start where an edge of the result starts.
     for (std::size_t i = 0; i < edges.size(); ++i) {
         if (mergeable(edges[(i + edges.size() - 1) % edges.size()], edges[i])) continue;
         std::rotate(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(i), edges.end());
         break;
     }
-    std::vector<Edge> merged;
-    for (const Edge& edge : edges) {
+    std::vector<BuiltEdge> merged;
+    for (const BuiltEdge& edge : edges) {
         if (!merged.empty() && mergeable(merged.back(), edge))
             absorb(merged.back(), edge);
         else
@@ -167,7 +167,7 @@ std::vector<Edge> mergedEdges(std::vector<Edge> edges) {
 }
 
 /// Does the edge run along the line or circle of the other, to within slack?
-bool runsAlong(const Edge& edge, const Edge& other, double slack_mm) {
+bool runsAlong(const BuiltEdge& edge, const BuiltEdge& other, double slack_mm) {
     const auto near = [&](const Vec2& p) {
         return distanceToCarrier(p, other.carrier_from, other.carrier()) <= slack_mm;
     };
@@ -178,16 +178,16 @@ bool runsAlong(const Edge& edge, const Edge& other, double slack_mm) {
 
 /// Where two curves run within a chord of each other, chords take turns in coming from one and the other.
 /// The longer stretch takes over the shorter one next to it.
-std::vector<Edge> withoutSwitches(std::vector<Edge> edges, double slack_mm) {
+std::vector<BuiltEdge> withoutSwitches(std::vector<BuiltEdge> edges, double slack_mm) {
     for (std::size_t i = 0, unchanged = 0; unchanged < edges.size() && edges.size() > 2;) {
         const std::size_t next = (i + 1) % edges.size();
-        Edge& a = edges[i];
-        Edge& b = edges[next];
+        BuiltEdge& a = edges[i];
+        BuiltEdge& b = edges[next];
         const double la = length(a.from, a.segment);
         const double lb = length(b.from, b.segment);
         const bool a_stays = la >= lb;
-        Edge& longer = a_stays ? a : b;
-        const Edge& shorter = a_stays ? b : a;
+        BuiltEdge& longer = a_stays ? a : b;
+        const BuiltEdge& shorter = a_stays ? b : a;
         const Vec2 whole = b.segment.to - a.from;
         if (!mergeable(a, b) &&
             (!runsAlong(shorter, longer, slack_mm) || whole.norm() < std::max(la, lb) / 2)) {
@@ -216,12 +216,12 @@ std::vector<Edge> withoutSwitches(std::vector<Edge> edges, double slack_mm) {
 }
 
 /// Where two edges that follow each other meet, near their common node.
-Vec2 jointOf(const Edge& a, const Edge& b, double thin_mm) {
+Vec2 jointOf(const BuiltEdge& a, const BuiltEdge& b, double thin_mm) {
     // Where boundaries touch, intersections of different pairs lie micrometres apart if the edges meet at
     // small angles, and loops would overlap: there the joint stays at the node.
     double reach_mm = b.touches ? thin_mm : 100 * thin_mm;
     const Vec2 node = b.from;
-    const auto off = [&](const Edge& edge, const Vec2& p) {
+    const auto off = [&](const BuiltEdge& edge, const Vec2& p) {
         return distanceToCarrier(p, edge.carrier_from, edge.carrier());
     };
     if (off(a, node) <= kOnCurveMm && off(b, node) <= kOnCurveMm) return node;
@@ -230,14 +230,15 @@ Vec2 jointOf(const Edge& a, const Edge& b, double thin_mm) {
     const double shorter = std::min(length(a.from, a.segment), length(b.from, b.segment));
     reach_mm = std::min(reach_mm, shorter / 4);
     double distance = reach_mm;
-    for (const Vec2& p : carrierIntersections(a.carrier_from, a.carrier(), b.carrier_from, b.carrier(), 0)) {
+    for (const Vec2& p :
+         carrierIntersections(a.carrier_from, a.carrier(), b.carrier_from, b.carrier(), kRounded)) {
         if ((p - node).norm() >= distance) continue;
         distance = (p - node).norm();
         best = p;
     }
     if (distance < reach_mm) return snapToGrid(best);
     // Tangent or nearly so. A line may turn a little, an arc may not leave its circle.
-    const Edge& firm = b.segment.arc && !a.segment.arc ? b : a;
+    const BuiltEdge& firm = b.segment.arc && !a.segment.arc ? b : a;
     return snapToGrid(projectOnCarrier(node, firm.carrier_from, firm.carrier()));
 }
 
@@ -247,7 +248,7 @@ Loop circleLoop(const Arc& arc) {
 }
 
 /// Appends the edge; where a joint had to stay off an arc's circle, a short line leads there.
-void append(Loop& loop, const Edge& edge, const Vec2& to) {
+void append(Loop& loop, const BuiltEdge& edge, const Vec2& to) {
     if (!edge.segment.arc) {
         if (loop.end() != to) loop.segments.push_back({to, std::nullopt});
         return;
@@ -269,7 +270,7 @@ void append(Loop& loop, const Edge& edge, const Vec2& to) {
     if (end != to) loop.segments.push_back({to, std::nullopt});
 }
 
-Loop loopOf(const std::vector<Edge>& edges, double thin_mm) {
+Loop loopOf(const std::vector<BuiltEdge>& edges, double thin_mm) {
     if (edges.size() == 1) {
         if (!edges.front().segment.arc) return {};
         return circleLoop(*edges.front().segment.arc);
@@ -322,7 +323,7 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
     if (!walker.closesUp()) return std::nullopt;
     Region region;
     for (const std::vector<int>& walk : walker.loops()) {
-        std::vector<Edge> edges;
+        std::vector<BuiltEdge> edges;
         for (const int index : walk) {
             const Piece& piece = pieces[at(index)];
             const Curve& curve = arrangement.curves()[at(piece.curve)];

@@ -35,12 +35,12 @@ Side sideOf(const Vec2& from, const Segment& segment, const Region& region, doub
 
 /// Points of the segment where it meets the boundary, in its direction, without its ends.
 std::vector<Vec2> cutsOf(const Vec2& from, const Segment& segment, const Region& region, double near_mm) {
-    const Box2 box = boundingBox(Path{from, {segment}}).grown(near_mm);
+    const Box2 box = grown(boundingBox(Path{from, {segment}}), near_mm);
     std::vector<std::pair<double, Vec2>> cuts;
     for (const Loop& loop : region.loops) {
         Vec2 edge_from = loop.start;
         for (const Segment& edge : loop.segments) {
-            if (boundingBox(Path{edge_from, {edge}}).overlaps(box))
+            if (boundingBox(Path{edge_from, {edge}}).intersects(box))
                 for (const Vec2& p : planar::contacts(from, segment, edge_from, edge, near_mm))
                     cuts.emplace_back(planar::shareOf(p, from, segment), p);
             edge_from = edge.to;
@@ -109,7 +109,7 @@ SplitPath split(const Path& path, const Region& region, const Tolerances& tol) {
 bool covers(const Region& outer, const Region& inner, double slack_mm, const Tolerances& tol) {
     const Region missing = subtract(inner, outer, tol);
     for (const Region& part : components(missing)) {
-        const Vec2 size = boundingBox(part).size();
+        const Vec2 size = boundingBox(part).sizes();
         if (std::min(size.x(), size.y()) <= slack_mm) continue;
         // The largest disc in a region is never smaller than area over perimeter.
         if (2 * area(part) > slack_mm * perimeter(part)) return false;

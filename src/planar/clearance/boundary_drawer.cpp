@@ -25,7 +25,7 @@ Vec2 BoundaryDrawer::pointAt(const Place& place) const {
     const Contact facing = facingContact(sites_[place.stop], centre);
     const double missing = distance_ - (centre - facing.foot).dot(facing.normal);
     if (std::abs(missing) > kGapMm) return snapToGrid(centre);  // of another level
-    const Vec2 along = planar::leftOf(contact.normal);
+    const Vec2 along = leftOf(contact.normal);
     const double gain = facing.normal.dot(along);
     // Where the two meet at a small angle, each keeps its own point.
     constexpr double kLeastGain = 0.1;
@@ -83,7 +83,7 @@ std::vector<int> firstSites(const Profile& profile) {
 }
 
 double angleBetween(const Vec2& from, const Vec2& to) {
-    return std::atan2(planar::cross(from, to), from.dot(to));
+    return std::atan2(cross(from, to), from.dot(to));
 }
 
 }  // namespace stepmill::clearance

@@ -39,8 +39,8 @@ Region reversedLoops(const Region& region) {
 
 /// What the loops wind around at all; the Boolean counts windings, so any region around them will do.
 Region withoutOverlaps(const Region& swept, const Tolerances& tol) {
-    const Box2 box = boundingBox(swept).grown(1);
-    return intersect(swept, makeRectangle(box.min, box.max), tol);
+    const Box2 box = grown(boundingBox(swept), 1);
+    return intersect(swept, makeRectangle(box.min(), box.max()), tol);
 }
 
 }  // namespace

@@ -9,8 +9,6 @@ namespace stepmill::clearance {
 
 namespace {
 
-using planar::leftOf;
-
 /// Arcs are swept in pieces no longer than this, so that no loop comes round to itself [rad].
 constexpr double kMostTurnRad = std::numbers::pi / 2;
 /// Arcs of smaller radius lose their shape on the grid [mm].

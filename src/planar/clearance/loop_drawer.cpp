@@ -23,7 +23,7 @@ bool isShort(const Vec2& from, const Vec2& to) {
 bool turnsBack(const Vec2& from, const Vec2& corner, const Vec2& to) {
     const Vec2 ahead = corner - from, back = to - corner;
     return ahead.dot(back) < 0 &&
-           std::abs(planar::cross(ahead, back)) <= kGridMm * std::max(ahead.norm(), back.norm());
+           std::abs(cross(ahead, back)) <= kGridMm * std::max(ahead.norm(), back.norm());
 }
 
 /// Takes out a vertex that rounding has put beside its neighbour or at the tip of a spike. False when there

@@ -9,9 +9,6 @@ namespace stepmill::clearance {
 
 namespace {
 
-using planar::cross;
-using planar::leftOf;
-
 /// Normals that differ by less belong to a smooth joint: end points on the grid turn the tangents of short
 /// arcs by that much. A disc of 100 mm then cuts half a nanometre [rad].
 constexpr double kSmoothRad = 1e-4;
@@ -132,13 +129,13 @@ std::vector<Site> joined(std::vector<Site> edges) {
 /// A loop too small to tell its edges: as an obstacle a point, as a room nothing.
 std::vector<Site> speck(const Loop& loop, const Box2& box) {
     if (signedArea(loop) > 0) return {};
-    const Vec2 at = (box.min + box.max) / 2;
+    const Vec2 at = (box.min() + box.max()) / 2;
     return {cornerSite(at, 0, std::numbers::pi), cornerSite(at, -std::numbers::pi, std::numbers::pi)};
 }
 
 std::vector<Site> sitesOf(const Loop& loop, int first_edge) {
     const Box2 box = boundingBox(loop);
-    if (box.size().maxCoeff() <= kSpeckMm) {
+    if (box.sizes().maxCoeff() <= kSpeckMm) {
         std::vector<Site> sites = speck(loop, box);
         for (Site& site : sites)
             site.edge = first_edge;

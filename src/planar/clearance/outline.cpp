@@ -31,8 +31,8 @@ bool insideCap(const Cap& cap, const Vec2& direction, double margin) {
     const Vec2 a = (cap.from - cap.centre).normalized(), b = (cap.to - cap.centre).normalized();
     const Vec2 u = direction.normalized();
     if (margin < 0 && ((u - a).norm() < -margin || (u - b).norm() < -margin)) return true;
-    const bool after = planar::cross(a, u) > margin, before = planar::cross(u, b) > margin;
-    return planar::cross(a, b) < 0 ? after || before : after && before;
+    const bool after = cross(a, u) > margin, before = cross(u, b) > margin;
+    return cross(a, b) < 0 ? after || before : after && before;
 }
 
 /// Do two arcs of equal radius cross, or lie on the same circle? Those on both sides of one run may meet at a
@@ -56,7 +56,7 @@ bool capsCross(const Cap& a, const Cap& b, double radius) {
                (b.run_after == a.run_before && isCorner(p, b.to, a.from));
     };
     for (const double sign : {1.0, -1.0}) {
-        const Vec2 x = d / 2 + sign * h / distance * planar::leftOf(d);
+        const Vec2 x = d / 2 + sign * h / distance * leftOf(d);
         if (insideCap(a, x, -turned) && insideCap(b, x - d, -turned) && !meetsAtRun(a.centre + x))
             return true;
     }

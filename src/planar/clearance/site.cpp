@@ -10,8 +10,6 @@ namespace stepmill::clearance {
 
 namespace {
 
-using planar::cross;
-
 Vec2 ray(double angle) {
     return {std::cos(angle), std::sin(angle)};
 }
@@ -86,8 +84,8 @@ Meeting meetingOfArc(const Site& arc, const Contact& contact, const Site& own) {
     if (after_start && before_end) return meeting;
     const Vec2 ray = v.normalized();
     const auto ofEnd = [&](bool at_start) {
-        return meetingOfEnd(arc, at_start, arc.turn * planar::leftOf(ray), arc.centre + arc.radius * ray,
-                            contact, own, meeting);
+        return meetingOfEnd(arc, at_start, arc.turn * leftOf(ray), arc.centre + arc.radius * ray, contact,
+                            own, meeting);
     };
     if (before_end) return ofEnd(true);
     if (after_start) return ofEnd(false);
@@ -149,15 +147,15 @@ double distanceTo(const Site& site, const Vec2& p) {
 
 Box2 boxOf(const Site& site) {
     Box2 box;
-    box.add(site.start);
-    box.add(site.end);
+    box.extend(site.start);
+    box.extend(site.end);
     if (site.kind == SiteKind::Concave || site.kind == SiteKind::Convex) {
         for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
             const double turned = turnedTo(site, axis);
-            if (turned > 0 && turned < site.extent) box.add(site.centre + site.radius * axis);
+            if (turned > 0 && turned < site.extent) box.extend(site.centre + site.radius * axis);
         }
     }
-    return box.grown(2 * kOverlapMm);
+    return grown(box, 2 * kOverlapMm);
 }
 
 }  // namespace stepmill::clearance

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "planar/clearance/site.h"
+#include "stepmill/planar/box_tree.h"
 
 namespace stepmill::clearance {
 
@@ -12,7 +13,8 @@ struct Stop {
     int site = kNone;
 };
 
-/// Box tree over the sites in their order along the boundary. Queries cost O(log n) on ordinary regions.
+/// The sites in their order along the boundary, indexed by their boxes. Queries cost O(log n) on ordinary
+/// regions.
 class SiteTree {
   public:
     SiteTree() = default;
@@ -32,21 +34,12 @@ class SiteTree {
     const std::vector<Site>& sites() const { return sites_; }
 
   private:
-    struct Node {
-        Box2 box;
-        int right = kNone;  ///< the left child follows its parent; kNone: a leaf
-        int begin = 0;
-        int end = 0;
-    };
-    int build(int begin, int end);
     bool isFree(const Vec2& p) const;
-    template <typename Least, typename Limit, typename Visit>
-    void descend(const Least& least, const Limit& limit, const Visit& visit) const;
 
     Region region_;
     int free_winding_ = 1;
     std::vector<Site> sites_;
-    std::vector<Node> nodes_;
+    BoxTree tree_;
 };
 
 }  // namespace stepmill::clearance

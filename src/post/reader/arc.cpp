@@ -27,7 +27,7 @@ ArcShape fromRadius(const Vec2& from, const Vec2& to, bool ccw, double r, const 
                                  2 * half_mm));
     const double height_mm = std::sqrt(std::max(0.0, radius_mm * radius_mm - half_mm * half_mm));
     // A positive radius is the shorter way round: its centre lies left of the chord when it turns left.
-    const Vec2 left = Vec2(-chord.y(), chord.x()).normalized();
+    const Vec2 left = leftOf(chord).normalized();
     const bool is_left = ccw == (r > 0);
     return {from + chord / 2 + (is_left ? height_mm : -height_mm) * left, 0};
 }

@@ -130,7 +130,7 @@ std::string eventTable(const FeatureCurve& feature, const std::vector<AccessEven
 std::string planSvg(const FeatureCurve& feature, const std::vector<AccessEvent>& events) {
     constexpr double kSurroundings = 0.1;
     const Box2 box = boundingBox(feature.feature.target);
-    SvgDrawing svg(box.grown(kSurroundings * box.size().maxCoeff()));
+    SvgDrawing svg(grown(box, kSurroundings * box.sizes().maxCoeff()));
     svg.region(feature.feature.obstruction, "obstruction");
     svg.region(feature.feature.target, "target");
     for (const AccessEvent& event : events) {

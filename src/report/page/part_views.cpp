@@ -116,7 +116,7 @@ std::string drawing(const Lines& lines, const Shading& shading) {
     for (const std::vector<Polyline>* group : {&lines.visible, &lines.hidden})
         for (const Polyline& line : *group)
             for (const Vec2& p : line)
-                box.add(p);
+                box.extend(p);
     SvgDrawing svg(box);
     for (const auto& [tint, patches] : shading)
         svg.polylines(patches, fmt::format("shade tint{}", tint));

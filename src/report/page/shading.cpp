@@ -60,10 +60,10 @@ class Raster {
     explicit Raster(const std::vector<Facet>& facets) {
         for (const Facet& facet : facets)
             for (const Vec3& p : facet.corners)
-                frame_.add(p.head<2>());
-        cell_ = frame_.size().maxCoeff() / kCells;
-        columns_ = std::max(1, static_cast<int>(std::ceil(frame_.size().x() / cell_)));
-        rows_ = std::max(1, static_cast<int>(std::ceil(frame_.size().y() / cell_)));
+                frame_.extend(p.head<2>());
+        cell_ = frame_.sizes().maxCoeff() / kCells;
+        columns_ = std::max(1, static_cast<int>(std::ceil(frame_.sizes().x() / cell_)));
+        rows_ = std::max(1, static_cast<int>(std::ceil(frame_.sizes().y() / cell_)));
         height_.assign(static_cast<std::size_t>(columns_) * rows_, std::numeric_limits<double>::lowest());
         tint_.assign(height_.size(), kNothing);
         for (const Facet& facet : facets)
@@ -92,17 +92,17 @@ class Raster {
         std::array<Vec3, 3> p = facet.corners;
         Box2 box;
         for (Vec3& corner : p) {
-            corner.head<2>() = (corner.head<2>() - frame_.min) / cell_;
-            box.add(corner.head<2>());
+            corner.head<2>() = (corner.head<2>() - frame_.min()) / cell_;
+            box.extend(corner.head<2>());
         }
         const Vec3 u = p[1] - p[0];
         const Vec3 v = p[2] - p[0];
         const double det = u.x() * v.y() - u.y() * v.x();
         if (std::abs(det) < 1e-12) return;
-        for (int row = std::max(0, static_cast<int>(box.min.y()));
-             row <= std::min(rows_ - 1, static_cast<int>(box.max.y())); ++row)
-            for (int column = std::max(0, static_cast<int>(box.min.x()));
-                 column <= std::min(columns_ - 1, static_cast<int>(box.max.x())); ++column) {
+        for (int row = std::max(0, static_cast<int>(box.min().y()));
+             row <= std::min(rows_ - 1, static_cast<int>(box.max().y())); ++row)
+            for (int column = std::max(0, static_cast<int>(box.min().x()));
+                 column <= std::min(columns_ - 1, static_cast<int>(box.max().x())); ++column) {
                 const double dx = column + 0.5 - p[0].x();
                 const double dy = row + 0.5 - p[0].y();
                 const double s = (dx * v.y() - dy * v.x()) / det;
@@ -131,7 +131,9 @@ class Raster {
     }
 
     std::vector<Vec2> rectangle(int from, int to, int first, int last) const {
-        const auto corner = [&](int column, int row) { return Vec2(frame_.min + cell_ * Vec2(column, row)); };
+        const auto corner = [&](int column, int row) {
+            return Vec2(frame_.min() + cell_ * Vec2(column, row));
+        };
         return {corner(from, first), corner(to, first), corner(to, last), corner(from, last)};
     }
 

@@ -15,8 +15,8 @@ constexpr double kMarginShare = 0.03;
 
 SvgDrawing::SvgDrawing(const Box2& frame) {
     frame_ = frame;
-    if (frame_.empty()) frame_.add(Vec2::Zero());
-    frame_ = frame_.grown(std::max(1e-3, kMarginShare * frame_.size().maxCoeff()));
+    if (frame_.isEmpty()) frame_.extend(Vec2::Zero());
+    frame_ = grown(frame_, std::max(1e-3, kMarginShare * frame_.sizes().maxCoeff()));
 }
 
 void SvgDrawing::region(const Region& shape, const std::string& css_class) {
@@ -51,11 +51,11 @@ void SvgDrawing::dot(const Vec2& at, double radius_mm, const std::string& css_cl
 }
 
 std::string SvgDrawing::text() const {
-    const Vec2 size = frame_.size();
+    const Vec2 size = frame_.sizes();
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{:.3f} {:.3f} {:.3f} {:.3f}\" "
         "preserveAspectRatio=\"xMidYMid meet\"><g transform=\"scale(1,-1)\">\n{}</g></svg>\n",
-        frame_.min.x(), -frame_.max.y(), size.x(), size.y(), body_);
+        frame_.min().x(), -frame_.max().y(), size.x(), size.y(), body_);
 }
 
 }  // namespace stepmill

@@ -16,7 +16,7 @@ constexpr int kTints = 8;
 
 Box2 frameOf(const Feature& feature) {
     const Box2 box = boundingBox(feature.target);
-    return box.grown(kSurroundings * box.size().maxCoeff());
+    return grown(box, kSurroundings * box.sizes().maxCoeff());
 }
 
 void drawGround(SvgDrawing& svg, const Feature& feature) {
@@ -41,9 +41,8 @@ std::string stepDrawing(const PlannedFeature& planned, std::size_t step, const T
     Box2 frame = frameOf(planned.feature);
     // Passes run out over open edges; the picture follows them.
     const Box2 swept = boundingBox(planned.sequence.steps[step].area.area);
-    if (!swept.empty()) {
-        frame.add(swept.min);
-        frame.add(swept.max);
+    if (!swept.isEmpty()) {
+        frame.extend(swept);
     }
     SvgDrawing svg(frame);
     drawGround(svg, planned.feature);
@@ -63,8 +62,8 @@ std::string unmachinedDrawing(const PlannedFeature& planned) {
 std::string setupDrawing(const PlannedSetup& setup) {
     const Box3& stock = setup.setup.stock_bbox_mm;
     const Box2 top{stock.min().head<2>(), stock.max().head<2>()};
-    SvgDrawing svg(setup.setup.fixtures.empty() ? top : top.grown(kFixturesShown * top.size().maxCoeff()));
-    svg.region(makeRectangle(top.min, top.max), "obstruction");
+    SvgDrawing svg(setup.setup.fixtures.empty() ? top : grown(top, kFixturesShown * top.sizes().maxCoeff()));
+    svg.region(makeRectangle(top.min(), top.max()), "obstruction");
     for (const Fixture& fixture : setup.setup.fixtures)
         svg.region(fixture.section, "fixture");
     int tint = 0;

@@ -57,8 +57,8 @@ void raisePart(HeightMap& map, const Setup& setup) {
 
 Box2 mapBox(const Setup& setup) {
     Box2 box;
-    box.add(setup.stock_bbox_mm.min().head<2>());
-    box.add(setup.stock_bbox_mm.max().head<2>());
+    box.extend(setup.stock_bbox_mm.min().head<2>());
+    box.extend(setup.stock_bbox_mm.max().head<2>());
     return box;
 }
 
@@ -88,7 +88,7 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
         raisePart(part, setup.setup);
         HeightMap stock(mapBox(setup.setup), kCellMm, bottom);
         const Box2 box = mapBox(setup.setup);
-        stock.raise(makeRectangle(box.min, box.max), setup.setup.stock_bbox_mm.max().z());
+        stock.raise(makeRectangle(box.min(), box.max()), setup.setup.stock_bbox_mm.max().z());
         for (const Operation& operation : setup.operations) {
             const ToolAssembly& tool = planned.library.tool(operation.tool_id);
             const HeightMap::Cut cut = stock.run(operation.path, tool.radius_mm(), kRimMm);

@@ -48,7 +48,7 @@ void movePoints(Json& region, const std::function<void(Json& point)>& move) {
 /// Grown or shrunk about its middle; written as the grid has it.
 void scale(Json& region, double by) {
     const Box2 box = boundingBox(regionFromJson(region, "region"));
-    const Vec2 middle = (box.min + box.max) / 2;
+    const Vec2 middle = (box.min() + box.max()) / 2;
     movePoints(region, [&](Json& point) {
         for (int i = 0; i < 2; ++i)
             point[i] = std::round((middle[i] + by * (point[i].get<double>() - middle[i])) * 1e6) / 1e6;

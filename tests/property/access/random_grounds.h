@@ -37,9 +37,9 @@ class RandomGround {
     Feature open() {
         const Region room_region = room();
         const Box2 box = boundingBox(room_region);
-        const double edge_mm = box.min.x() + number(0.2, 0.5) * box.size().x();
-        const Box2 reach = box.grown(30);
-        const Region stock = makeRectangle({edge_mm, reach.min.y()}, reach.max);
+        const double edge_mm = box.min().x() + number(0.2, 0.5) * box.sizes().x();
+        const Box2 reach = grown(box, 30);
+        const Region stock = makeRectangle({edge_mm, reach.min().y()}, reach.max());
         const Region target = intersect(room_region, stock, {});
         double open_mm = 0;
         for (const Loop& loop : target.loops) {

@@ -134,7 +134,7 @@ TEST_P(MedialLaws, MiddlesOfEdgesAreNearTheBoundaryOnBothSides) {
             if (chord.norm() < 1e-3) continue;
             // The edge crosses the chord's bisector within a circle through its nodes' discs; there clearance
             // along the bisector rises first and falls then.
-            const Vec2 across = Vec2(-chord.y(), chord.x()).normalized();
+            const Vec2 across = leftOf(chord).normalized();
             const Vec2 middle = (a.point + b.point) / 2;
             double best = -1;
             for (int k = -60; k <= 60; ++k)
@@ -161,7 +161,7 @@ double widestBySearch(const Region& region, double within_mm, int budget) {
         best = std::max(best, clearance);
         queue.push({clearance + half * std::sqrt(2.0), half, centre});
     };
-    push((box.min + box.max) / 2, box.size().maxCoeff() / 2);
+    push((box.min() + box.max()) / 2, box.sizes().maxCoeff() / 2);
     while (!queue.empty() && queue.top().bound > best + within_mm && --budget > 0) {
         const Square square = queue.top();
         queue.pop();

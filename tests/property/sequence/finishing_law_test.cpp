@@ -49,7 +49,7 @@ ToolLibrary randomTools(std::mt19937& random) {
 
 HeightMap blockOf(const Feature& feature) {
     Box2 box = boundingBox(feature.target);
-    HeightMap map(box.grown(kBlockMm), kCellMm, feature.floor_z_mm - 1);
+    HeightMap map(grown(box, kBlockMm), kCellMm, feature.floor_z_mm - 1);
     map.raise(feature.target, feature.top_z_mm);
     map.raise(feature.obstruction, feature.top_z_mm);
     return map;

@@ -27,7 +27,7 @@ constexpr double kRimMm = 0.15;
 class WidthSampler {
   public:
     WidthSampler(const ClearingTask& task, double radius_mm, double cell_mm)
-        : raster_(boundingBox(task.target).grown(2.5 * radius_mm), cell_mm),
+        : raster_(grown(boundingBox(task.target), 2.5 * radius_mm), cell_mm),
           radius_mm_(radius_mm),
           material_(raster_.cellsOf(task.target)) {
         if (task.cleared_centres.empty()) return;

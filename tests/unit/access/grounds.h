@@ -50,8 +50,8 @@ inline Feature makeFeature(Region target, Region obstruction, double open_length
 
 /// A pocket closed all round in a block that reaches 20 mm further.
 inline Feature closedPocket(const Region& target, double depth_mm = 10) {
-    const Box2 box = boundingBox(target).grown(20);
-    return makeFeature(target, subtract(makeRectangle(box.min, box.max), target, {}), 0, depth_mm);
+    const Box2 box = grown(boundingBox(target), 20);
+    return makeFeature(target, subtract(makeRectangle(box.min(), box.max()), target, {}), 0, depth_mm);
 }
 
 }  // namespace stepmill::test

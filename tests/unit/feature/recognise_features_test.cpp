@@ -105,7 +105,7 @@ TEST(RecogniseFeatures, EndsAFeatureWhereItSplitsAndMakesEachPieceItsChild) {
         EXPECT_EQ(set.features[child].parents, std::vector<std::string>{"S1.F1"});
         EXPECT_NEAR(set.features[child].area_mm2, 35 * 60, 1e-3);
     }
-    EXPECT_LT(boundingBox(set.features[1].target).min.x(), boundingBox(set.features[2].target).min.x());
+    EXPECT_LT(boundingBox(set.features[1].target).min().x(), boundingBox(set.features[2].target).min().x());
     expectBooksClose(stack, set);
 }
 

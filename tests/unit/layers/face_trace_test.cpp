@@ -79,8 +79,8 @@ TEST(FaceTraces, PocketBlockHasFloorsWallsAndTheirFootprints) {
             const Vec2 middle = pointAt(trace.footprint.start, trace.footprint.segments[0], 0.5);
             const Vec2 along = tangentAt(trace.footprint.start, trace.footprint.segments[0], 0.5);
             const Region& part = stack.layers[trace.bottom_z_mm < -20 ? 1 : 0].part;
-            EXPECT_TRUE(contains(part, middle + 1e-3 * Vec2(-along.y(), along.x())));
-            EXPECT_FALSE(contains(part, middle - 1e-3 * Vec2(-along.y(), along.x())));
+            EXPECT_TRUE(contains(part, middle + 1e-3 * leftOf(along)));
+            EXPECT_FALSE(contains(part, middle - 1e-3 * leftOf(along)));
         }
         if (trace.stand == FaceStand::Ceiling) {
             EXPECT_NEAR(area(trace.region), 8000, 1e-6);

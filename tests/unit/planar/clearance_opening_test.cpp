@@ -230,7 +230,7 @@ TEST(ClearanceRest, IsEmptyInTheRoomThatBothReachAlike) {
     both.loops.push_back(makeRectangle({30, 0}, {50, 20}).loops.front());
     const Region rest = ClearanceDiagram(both, kTol).restCentres(4, 2);
     EXPECT_EQ(components(rest).size(), 4u);
-    EXPECT_GT(boundingBox(rest).min.x(), 30);
+    EXPECT_GT(boundingBox(rest).min().x(), 30);
     EXPECT_NEAR(area(rest), 4 * kSharpCorner * 4, kTipsMm2);
 }
 

@@ -148,8 +148,8 @@ TEST(PartViews, DrawsFourViewsWithVisibleAndHiddenEdges) {
 
 TEST(SvgDrawing, TurnsYUpIntoSvgsYDown) {
     Box2 frame;
-    frame.add(Vec2(0, 0));
-    frame.add(Vec2(10, 20));
+    frame.extend(Vec2(0, 0));
+    frame.extend(Vec2(10, 20));
     const std::string text = SvgDrawing(frame).text();
     EXPECT_NE(text.find("viewBox=\"-0.600 -20.600 11.200 21.200\""), std::string::npos) << text;
     EXPECT_NE(text.find("scale(1,-1)"), std::string::npos);

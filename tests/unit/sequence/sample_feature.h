@@ -72,8 +72,8 @@ inline Feature makePocket(const Region& target, double depth_mm,
     feature.top_z_mm = 0;
     feature.floor_z_mm = -depth_mm;
     feature.target = target;
-    const Box2 block = boundingBox(target).grown(15);
-    feature.obstruction = subtract(makeRectangle(block.min, block.max), target, tol);
+    const Box2 block = grown(boundingBox(target), 15);
+    feature.obstruction = subtract(makeRectangle(block.min(), block.max()), target, tol);
     feature.obstacles.push_back({feature.floor_z_mm, feature.top_z_mm, feature.obstruction});
     for (const Loop& loop : target.loops)
         feature.boundary.push_back({loop, false});

@@ -244,7 +244,7 @@ TEST(SequenceTools, WhatNobodyReachesStaysAndTheRestIsShared) {
     EXPECT_EQ(toolsOf(sequence).front(), "stubby EM10");
     EXPECT_EQ(toolsOf(sequence).back(), "EM6");
     // The slimmer holder keeps 10 mm off the boss, 8 of them in the pocket, so its cutter 5 mm.
-    EXPECT_NEAR(boundingBox(sequence.residual[0].region).max.y(), 5, 1e-3);
+    EXPECT_NEAR(boundingBox(sequence.residual[0].region).max().y(), 5, 1e-3);
     // Beside the wall, 2 mm before the boss, a cutter of 10 mm has its axis 7 mm from it: room for 14 mm.
     EXPECT_EQ(
         sequence.residual[0].advice,

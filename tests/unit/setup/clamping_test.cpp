@@ -36,10 +36,10 @@ TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
         EXPECT_LE(jaw.top_z_mm, -18 + 1e-9);
         EXPECT_EQ(area(intersect(jaw.section, kBlock, kTol)), 0);
         const Box2 box = boundingBox(jaw.section);
-        EXPECT_NEAR(box.min.x() + box.max.x(), 80, 1e-6);
-        EXPECT_NEAR(box.size().x(), 150 * (1 + kFixtureGrowth), 1e-6);
-        EXPECT_TRUE(box.min.y() == 50 || box.max.y() == 0);
-        side += box.min.y() == 50 ? 1 : -1;
+        EXPECT_NEAR(box.min().x() + box.max().x(), 80, 1e-6);
+        EXPECT_NEAR(box.sizes().x(), 150 * (1 + kFixtureGrowth), 1e-6);
+        EXPECT_TRUE(box.min().y() == 50 || box.max().y() == 0);
+        side += box.min().y() == 50 ? 1 : -1;
     }
     EXPECT_EQ(side, 0);
 }

@@ -107,8 +107,8 @@ TEST(RestArea, OfALimitedTaskStaysAtItsLimits) {
     expectSound(path, task, 4);
     for (const Path& chain : topView(path)) {
         const Box2 box = boundingBox(chain);
-        EXPECT_LE(box.max.x(), 30.001);
-        EXPECT_LE(box.max.y(), 30.001);
+        EXPECT_LE(box.max().x(), 30.001);
+        EXPECT_LE(box.max().y(), 30.001);
     }
 }
 

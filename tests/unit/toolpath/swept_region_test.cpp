@@ -46,7 +46,7 @@ Path randomWay(std::mt19937& random) {
             continue;
         }
         const Vec2 half = (to - from) / 2;
-        const Vec2 centre = from + half + uniform(-1, 1) * Vec2(-half.y(), half.x());
+        const Vec2 centre = from + half + uniform(-1, 1) * leftOf(half);
         way.segments.push_back({to, Arc{centre, (from - centre).norm(), uniform(0, 1) < 0.5}});
     }
     return way;

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stepmill/planar/box.h"
+#include "stepmill/planar/region.h"
+
+namespace stepmill {
+
+/// One line or arc with its start, and the box around it: an edge that can be asked on its own.
+/// An arc that ends where it starts is a full circle.
+struct Edge {
+    Vec2 from;
+    Segment segment;
+    Box2 box;
+
+    const Vec2& to() const { return segment.to; }
+};
+
+// Construction -------------------------------------------------------------------------------------------
+
+Edge makeEdge(const Vec2& from, const Segment& segment);
+/// The straight edge between two points.
+Edge makeLine(const Vec2& from, const Vec2& to);
+/// The edges of a path in its direction; of a region loop by loop, the region on their left.
+std::vector<Edge> edgesOf(const Path& path);
+std::vector<Edge> edgesOf(const Region& region);
+
+// One edge -----------------------------------------------------------------------------------------------
+
+/// Length of the edge [mm].
+inline double length(const Edge& edge) {
+    return length(edge.from, edge.segment);
+}
+/// Point at the share t in [0, 1] of the edge's length.
+inline Vec2 pointAt(const Edge& edge, double t) {
+    return pointAt(edge.from, edge.segment, t);
+}
+/// Unit direction of travel at the share t in [0, 1] of the edge's length.
+inline Vec2 tangentAt(const Edge& edge, double t) {
+    return tangentAt(edge.from, edge.segment, t);
+}
+/// Distance from p to the edge [mm].
+inline double distanceTo(const Vec2& p, const Edge& edge) {
+    return distanceTo(p, edge.from, edge.segment);
+}
+/// The point of the edge nearest to p, not snapped to the grid. From the centre of an arc, to within
+/// rounding, all its points are equally far: the nearer end stands for them.
+Vec2 nearestPoint(const Edge& edge, const Vec2& p);
+/// Share in [0, 1] of the edge's length at which p, a point on it, lies.
+double shareOf(const Edge& edge, const Vec2& p);
+/// The part of an edge between two shares of its length, joints on the 1 nm grid. Nothing where the ends
+/// coincide on the grid (for an arc they would mean a full circle).
+std::optional<Edge> cutOut(const Edge& edge, double from_share, double to_share);
+
+// Two edges ----------------------------------------------------------------------------------------------
+
+/// Points that lie on both edges, within 1 nm; at most two. Where edges overlap along a length: none, or its
+/// ends.
+std::vector<Vec2> meetingPoints(const Edge& a, const Edge& b);
+
+/// Least distance between two edges [mm], 0 where they meet; exact but for rounding.
+double separation(const Edge& a, const Edge& b);
+
+}  // namespace stepmill
