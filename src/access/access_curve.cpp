@@ -4,11 +4,9 @@
 #include <cmath>
 #include <tuple>
 
-#include "access/slivers.h"
-#include "access/swept.h"
+#include "access/curve_sampling.h"
 #include "access/walls.h"
 #include "stepmill/core/error.h"
-#include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
@@ -18,37 +16,10 @@ namespace {
 constexpr double kBelowShare = 1.65;
 constexpr double kAboveShare = 0.25;
 
-/// What one diameter gives: the area, and how many pieces and boundaries its centre region has. A neck that
-/// closes and a room that vanishes change these numbers even where the area hardly does.
-struct Probe {
-    double diameter_mm = 0;
-    double area_mm2 = 0;
-    std::size_t pieces = 0;
-    std::size_t loops = 0;
-};
-
-/// Two probes next to each other between which something happens.
-struct Bracket {
-    Probe low;
-    Probe high;
-
-    double drop_mm2() const { return low.area_mm2 - high.area_mm2; }
-    double width_mm() const { return high.diameter_mm - low.diameter_mm; }
-};
-
-Region centresFor(const FeatureGround& ground, double radius_mm) {
-    if (ground.walledIn()) return ground.targetOffset(-radius_mm);
-    const Tolerances& tol = ground.tolerances();
-    return access::withoutSliverComponents(
-        subtract(ground.targetOffset(radius_mm), ground.obstructionOffset(radius_mm), tol), tol);
-}
-
-double coverableArea(const FeatureGround& ground, const Region& centres, double radius_mm) {
-    if (centres.empty()) return 0;
-    if (ground.walledIn()) return area(ground.targetOpening(radius_mm));
-    const Tolerances& tol = ground.tolerances();
-    return area(intersect(access::swept(centres, radius_mm, tol), ground.feature().target, tol));
-}
+using access::Bracket;
+using access::centresFor;
+using access::CurveSamples;
+using access::Probe;
 
 class CurveFinder {
   public:
@@ -58,15 +29,15 @@ class CurveFinder {
           walls_(ground),
           max_error_mm2_(std::max(options.max_error_share * ground.feature().area_mm2, tol_.area_mm2)),
           necks_(access::findNecks(walls_, to_mm, tol_)),
-          arcs_(reachableArcs(to_mm)) {
-        samplePlain(startingDiameters(from_mm, to_mm, options.first_steps));
-    }
+          arcs_(reachableArcs(to_mm)),
+          samples_(access::sampleCurve(ground, startingDiameters(from_mm, to_mm, options.first_steps),
+                                       max_error_mm2_)) {}
 
     AccessCurve curve() {
         AccessCurve curve;
         curve.max_error_mm2 = max_error_mm2_;
         const double depth_mm = ground_.feature().depth_mm();
-        for (const Probe& probe : probes_)
+        for (const Probe& probe : samples_.probes)
             curve.samples.push_back({probe.diameter_mm, probe.area_mm2, probe.area_mm2 * depth_mm});
         addNecks(curve.events);
         addVanishing(curve.events);
@@ -116,71 +87,21 @@ class CurveFinder {
         return kept;
     }
 
-    Probe probe(double diameter_mm) const {
-        Probe probe{diameter_mm, 0, 0, 0};
-        if (diameter_mm == 0) {
-            const Region& target = ground_.feature().target;
-            return {0, area(target), components(target).size(), target.loops.size()};
-        }
-        const Region centres = centresFor(ground_, diameter_mm / 2);
-        probe.area_mm2 = coverableArea(ground_, centres, diameter_mm / 2);
-        probe.pieces = components(centres).size();
-        probe.loops = centres.loops.size();
-        return probe;
-    }
-
-    void samplePlain(const std::vector<double>& diameters) {
-        probes_.push_back(probe(diameters.front()));
-        for (std::size_t i = 1; i < diameters.size(); ++i)
-            refine(probes_.back(), probe(diameters[i]));
-    }
-
-    /// Is the straight line from low to high good enough? Since the curve never rises, a small drop answers
-    /// for itself; else the middle is asked.
-    bool isStraight(const Probe& low, const Probe& middle, const Probe& high) const {
-        if (low.area_mm2 - high.area_mm2 <= max_error_mm2_) return true;
-        // An arch that starts as a square root is 1.21 times as high at its top as at its middle.
-        return std::abs(middle.area_mm2 - (low.area_mm2 + high.area_mm2) / 2) <= max_error_mm2_ / 2;
-    }
-
-    /// Appends probes after `low` up to and with `high`. \pre probes_.back() is `low`
-    void refine(const Probe low, const Probe& high) {
-        const bool changes = low.pieces != high.pieces || low.loops != high.loops;
-        if (high.diameter_mm - low.diameter_mm <= 2 * tol_.linear_mm) {
-            if (changes || low.area_mm2 - high.area_mm2 > max_error_mm2_) brackets_.push_back({low, high});
-            probes_.push_back(high);
-            return;
-        }
-        if (!changes && low.area_mm2 - high.area_mm2 <= tol_.area_mm2) {
-            probes_.push_back(high);
-            return;
-        }
-        const Probe middle = probe((low.diameter_mm + high.diameter_mm) / 2);
-        const bool changes_inside = changes || middle.pieces != low.pieces || middle.loops != low.loops;
-        if (!changes_inside && isStraight(low, middle, high)) {
-            probes_.push_back(middle);
-            probes_.push_back(high);
-            return;
-        }
-        refine(low, middle);
-        refine(middle, high);
-    }
-
     /// The probes on either side of a diameter that the start enclosed.
     Bracket around(double diameter_mm) const {
         const auto high =
-            std::upper_bound(probes_.begin(), probes_.end(), diameter_mm,
+            std::upper_bound(samples_.probes.begin(), samples_.probes.end(), diameter_mm,
                              [](double value, const Probe& probe) { return value < probe.diameter_mm; });
-        if (high == probes_.end()) return {probes_.back(), probes_.back()};
+        if (high == samples_.probes.end()) return {samples_.probes.back(), samples_.probes.back()};
         auto low = high;
-        while (low != probes_.begin() && low->diameter_mm > diameter_mm - 1.5 * tol_.linear_mm)
+        while (low != samples_.probes.begin() && low->diameter_mm > diameter_mm - 1.5 * tol_.linear_mm)
             --low;
         return {*low, *high};
     }
 
     void addNecks(std::vector<AccessEvent>& events) const {
         for (const access::Neck& neck : necks_) {
-            if (neck.width_mm <= probes_.front().diameter_mm) continue;
+            if (neck.width_mm <= samples_.probes.front().diameter_mm) continue;
             addPlace(events, AccessEventKind::Neck, neck.width_mm, neck.at, around(neck.width_mm));
         }
     }
@@ -188,7 +109,7 @@ class CurveFinder {
     void addCorners(std::vector<AccessEvent>& events) const {
         for (const Arc& arc : arcs_) {
             const double diameter_mm = 2 * arc.radius_mm;
-            if (diameter_mm <= probes_.front().diameter_mm) continue;
+            if (diameter_mm <= samples_.probes.front().diameter_mm) continue;
             const bool is_known = std::any_of(events.begin(), events.end(), [&](const AccessEvent& event) {
                 return event.kind != AccessEventKind::CornerRadius &&
                        std::abs(event.diameter_mm - diameter_mm) <= 2 * tol_.linear_mm &&
@@ -203,7 +124,7 @@ class CurveFinder {
 
     /// Rooms of the last centres before a bracket in which no centre is left after it.
     void addVanishing(std::vector<AccessEvent>& events) const {
-        for (const Bracket& bracket : brackets_) {
+        for (const Bracket& bracket : samples_.jumps) {
             if (bracket.drop_mm2() <= tol_.area_mm2) continue;
             const Region before = centresFor(ground_, bracket.low.diameter_mm / 2);
             const Region after = centresFor(ground_, bracket.high.diameter_mm / 2);
@@ -221,7 +142,7 @@ class CurveFinder {
         }
     }
 
-    /// A slot between parallel walls that vanishes as a whole is a neck; naming it once is enough.
+    /// A slot between parallel walls that vanishes as a whole is a neck and is named as such.
     bool betweenWalls(const std::vector<AccessEvent>& events, const Bracket& bracket,
                       const Region& room) const {
         return std::any_of(events.begin(), events.end(), [&](const AccessEvent& event) {
@@ -262,8 +183,7 @@ class CurveFinder {
     double max_error_mm2_;
     std::vector<access::Neck> necks_;
     std::vector<Arc> arcs_;
-    std::vector<Probe> probes_;
-    std::vector<Bracket> brackets_;
+    CurveSamples samples_;
 };
 
 template <typename Value>
