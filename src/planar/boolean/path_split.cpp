@@ -7,6 +7,7 @@
 #include "planar/segment.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge_index.h"
 
 namespace stepmill {
 
@@ -19,41 +20,41 @@ struct Stretch {
     Path path;
 };
 
-Side sideOf(const Vec2& from, const Segment& segment, const Region& region, double near_mm) {
+/// A region whose boundary many edges are held against.
+struct Ground {
+    const Region& region;
+    EdgeIndex boundary;
+};
+
+Side sideOf(const Vec2& from, const Segment& segment, const Ground& ground, double near_mm) {
     Vec2 farthest = from;
     double distance = -1;
     for (const double t : {0.5, 0.25, 0.75}) {
         const Vec2 p = pointAt(from, segment, t);
-        const double d = distanceToBoundary(region, p);
+        const double d = ground.boundary.distanceTo(p);
         if (d <= distance) continue;
         distance = d;
         farthest = p;
     }
     if (distance <= near_mm) return Side::On;
-    return planar::windingNumber(region, farthest) > 0 ? Side::Inside : Side::Outside;
+    return planar::windingNumber(ground.region, farthest) > 0 ? Side::Inside : Side::Outside;
 }
 
-/// Points of the segment where it meets the boundary, in its direction, without its ends.
-std::vector<Vec2> cutsOf(const Vec2& from, const Segment& segment, const Region& region, double near_mm) {
-    const Box2 box = grown(boundingBox(Path{from, {segment}}), near_mm);
+/// Points of the edge where it meets the boundary, in its direction, without its ends.
+std::vector<Vec2> cutsOf(const Edge& edge, const EdgeIndex& boundary, double near_mm) {
     std::vector<std::pair<double, Vec2>> cuts;
-    for (const Loop& loop : region.loops) {
-        Vec2 edge_from = loop.start;
-        for (const Segment& edge : loop.segments) {
-            if (boundingBox(Path{edge_from, {edge}}).intersects(box))
-                for (const Vec2& p : planar::contacts(from, segment, edge_from, edge, near_mm))
-                    cuts.emplace_back(planar::shareOf(p, from, segment), p);
-            edge_from = edge.to;
-        }
-    }
+    boundary.forEachIn(grown(edge.box, near_mm), [&](const Edge& other) {
+        for (const Vec2& p : planar::contacts(edge.from, edge.segment, other.from, other.segment, near_mm))
+            cuts.emplace_back(planar::shareOf(p, edge.from, edge.segment), p);
+    });
     std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    const double whole = length(from, segment);
+    const double whole = length(edge);
     std::vector<Vec2> points;
     double last = 0;
     for (const auto& [share, p] : cuts) {
         if ((share - last) * whole <= near_mm || (1 - share) * whole <= near_mm) continue;
         last = share;
-        points.push_back(snapToGrid(planar::projectOnCarrier(p, from, segment)));
+        points.push_back(snapToGrid(planar::projectOnCarrier(p, edge.from, edge.segment)));
     }
     return points;
 }
@@ -75,18 +76,17 @@ void append(std::vector<Stretch>& stretches, Side side, const Vec2& from, const 
 }  // namespace
 
 SplitPath split(const Path& path, const Region& region, const Tolerances& tol) {
+    const Ground ground{region, EdgeIndex(region)};
     std::vector<Stretch> stretches;
-    Vec2 from = path.start;
-    for (const Segment& segment : path.segments) {
-        std::vector<Vec2> ends = cutsOf(from, segment, region, tol.linear_mm);
-        ends.push_back(segment.to);
-        Vec2 begin = from;
+    for (const Edge& edge : edgesOf(path)) {
+        std::vector<Vec2> ends = cutsOf(edge, ground.boundary, tol.linear_mm);
+        ends.push_back(edge.segment.to);
+        Vec2 begin = edge.from;
         for (std::size_t i = 0; i < ends.size(); ++i) {
-            const Segment part{ends[i], segment.arc};
-            append(stretches, sideOf(begin, part, region, tol.linear_mm), begin, part, i > 0);
+            const Segment part{ends[i], edge.segment.arc};
+            append(stretches, sideOf(begin, part, ground, tol.linear_mm), begin, part, i > 0);
             begin = ends[i];
         }
-        from = segment.to;
     }
     // A closed path has no end: its last stretch goes on into the first.
     if (path.closed() && stretches.size() > 1 && stretches.front().side == stretches.back().side) {
