@@ -35,9 +35,9 @@ std::string troubleWith(const CuttingData& cutting, const Machine& machine, cons
         return fmt::format("at the {:g} rev/min of {} its feed is {:.2g} mm/min, less than {:g}",
                            limited.speed_rpm, machine.name, slowest, kSlowestFeedMmPerMin);
     const double thinnest_mm = thinnestCutMm(cutting, finish);
-    if (thinnest_mm > 0 && deepest_mm > toolpath::kMostLayers * thinnest_mm)
+    if (thinnest_mm > 0 && deepest_mm > toolpath::kMostDepths * thinnest_mm)
         return fmt::format("cuts of {:.2g} mm would be more than {} over the stock's height of {:.4g} mm",
-                           thinnest_mm, toolpath::kMostLayers, deepest_mm);
+                           thinnest_mm, toolpath::kMostDepths, deepest_mm);
     return {};
 }
 

@@ -9,7 +9,7 @@
 #include "sequence/holder/holder_limits.h"
 #include "stepmill/planar/boolean.h"
 #include "toolpath/finish_walls.h"
-#include "toolpath/passes.h"
+#include "toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {

@@ -6,8 +6,8 @@
 #include "stepmill/core/error.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/path_frame.h"
-#include "toolpath/region_cut.h"
-#include "toolpath/visit_order.h"
+#include "toolpath/script/region_cut.h"
+#include "toolpath/script/visit_order.h"
 
 namespace stepmill {
 
@@ -15,14 +15,14 @@ namespace {
 
 Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData& cutting,
                    const Machine& machine) {
-    const int layers = toolpath::layersFor(task.top_z_mm - task.floor_z_mm, cutting.step_down_mm);
-    Toolpath path = toolpath::pathFrame(task, layers, radius_mm, cutting, machine);
+    const int depths = toolpath::depthsFor(task.top_z_mm - task.floor_z_mm, cutting.step_down_mm);
+    Toolpath path = toolpath::pathFrame(task, depths, radius_mm, cutting, machine);
     path.pattern = toString(Pattern::ContourInsideOut);
     return path;
 }
 
-/// What of the approach is left over ground as deep as the feature: all of it in the last layer, less the
-/// higher the layer.
+/// Mean length of the approach over ground as deep as the feature. At the last depth all of it is left, at
+/// higher depths less.
 double deepApproachMm(const Toolpath& path) {
     double sum_mm = 0;
     for (int above = 0; above < path.layers; ++above)
@@ -30,7 +30,7 @@ double deepApproachMm(const Toolpath& path) {
     return sum_mm / path.layers;
 }
 
-/// Angles of lines are told in whole degrees.
+/// The word for a pattern, with the angle of lines in whole degrees.
 std::string patternWord(const PatternTime& time) {
     const bool has_angle = time.pattern == Pattern::Zigzag || time.pattern == Pattern::OneWay;
     if (!has_angle) return toString(time.pattern);
@@ -50,12 +50,12 @@ std::string patternWords(const std::vector<RegionPatterns>& regions) {
 }
 
 /// The regions' cuts one after another, in the order with the shortest ways between them.
-void writeRegions(const ClearingTask& task, const RingFamily& family, const toolpath::LayerTask& layer,
+void writeRegions(const ClearingTask& task, const RingFamily& family, const toolpath::DepthTask& depth,
                   double angle_rad, const Machine& machine, Toolpath& path) {
     using namespace toolpath;
     const Toolpath frame = path;
-    const PassMaker passes(task, family, layer.tol);
-    const RegionCutter cutter(layer, passes, frame, angle_rad, machine);
+    const PassMaker passes(task, family, depth.tol);
+    const RegionCutter cutter(depth, passes, frame, angle_rad, machine);
     std::vector<RegionCut> cuts;
     std::vector<RegionPatterns> weighed;
     std::vector<Stop> stops;
@@ -73,7 +73,7 @@ void writeRegions(const ClearingTask& task, const RingFamily& family, const tool
     MoveWriter writer(path);
     for (const std::size_t i : visitOrder(stops)) {
         const bool over_top =
-            !path.regions.empty() && layer.standing.isClearForAll(writer.at(), cuts[i].blocks.front().begin);
+            !path.regions.empty() && depth.standing.isClearForAll(writer.at(), cuts[i].blocks.front().begin);
         cutter.write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
         path.regions.push_back(std::move(weighed[i]));
     }
@@ -107,8 +107,8 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
                           kApproachMm,
                           deepApproachMm(path)};
     const Standing standing(task, tool.radius_mm(), tol);
-    const LayerTask layer{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};
-    writeRegions(task, *rings, layer, angle, machine, path);
+    const DepthTask depth{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};
+    writeRegions(task, *rings, depth, angle, machine, path);
     path.totals = measure(path, machine);
     return path;
 }

@@ -33,7 +33,7 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double re
     path.pattern = "drill";
     path.start = {at.x(), at.y(), retract_z_mm};
     const double depth = top_z_mm - floor_z_mm;
-    path.layers = toolpath::layersFor(depth, peck);
+    path.layers = toolpath::depthsFor(depth, peck);
     path.step_down_mm = depth / path.layers;
     path.feed_mm_per_min = std::min(cutting.feed_mm_per_min, limit);
     path.plunge_feed_mm_per_min = std::min(plunge_feed, limit);

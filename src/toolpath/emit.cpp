@@ -1,4 +1,4 @@
-// From the plan view of a layer to moves in space.
+// From the plan view of a depth of cut to moves in space.
 
 #include "toolpath/emit.h"
 
@@ -13,7 +13,7 @@ namespace stepmill::toolpath {
 
 namespace {
 
-/// Lines whose directions differ by less than this go on as one [rad].
+/// Lines whose directions differ by less than this become one move [rad].
 constexpr double kStraightRad = 1e-9;
 
 Vec3 at3(const Vec2& p, double z) {
@@ -21,7 +21,7 @@ Vec3 at3(const Vec2& p, double z) {
 }
 
 /// How many times a piece of path must be gone along to descend at no more than the angle.
-int timesAlong(double length_mm, const LayerHeights& heights) {
+int timesAlong(double length_mm, const DepthHeights& heights) {
     const double drop = heights.above_mm + kDescentStartMm - heights.floor_mm;
     const double needed = drop / std::tan(heights.ramp_angle_rad);
     return std::max(1, static_cast<int>(std::ceil(needed / length_mm - 1e-9)));
@@ -29,8 +29,8 @@ int timesAlong(double length_mm, const LayerHeights& heights) {
 
 }  // namespace
 
-void MoveWriter::writeLayer(const std::vector<ScriptStep>& script, Over first_over,
-                            const LayerHeights& heights) {
+void MoveWriter::writeDepth(const std::vector<ScriptStep>& script, Over first_over,
+                            const DepthHeights& heights) {
     heights_ = heights;
     for (std::size_t i = 0; i < script.size(); ++i) {
         ScriptStep step = script[i];
@@ -39,12 +39,12 @@ void MoveWriter::writeLayer(const std::vector<ScriptStep>& script, Over first_ov
     }
 }
 
-void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vector<LayerHeights>& layers) {
+void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vector<DepthHeights>& depths) {
     const Path ramp = firstPart(ring, descent_mm);
     const Path rest = reversed(firstPart(reversed(ring), length(ring) - descent_mm));
-    heights_ = layers.front();
+    heights_ = depths.front();
     descendTo(ring.start, Over::Retract);
-    for (const LayerHeights& heights : layers) {
+    for (const DepthHeights& heights : depths) {
         heights_ = heights;
         along(ramp, MoveKind::Ramp, heights.floor_mm);
         along(rest, levelKind(), heights.floor_mm);
@@ -116,7 +116,7 @@ void MoveWriter::write(const Cut& step) {
 
 double MoveWriter::crossingZ(Over over) const {
     if (over == Over::Retract) return heights_.retract_mm;
-    const double ground = over == Over::Layer ? heights_.above_mm : heights_.top_mm;
+    const double ground = over == Over::LastFloor ? heights_.above_mm : heights_.top_mm;
     return std::min(ground + kApproachMm, heights_.retract_mm);
 }
 
@@ -133,7 +133,7 @@ void MoveWriter::approach(const Vec2& at, double clear_z_mm, Over over) {
     add(MoveKind::Rapid, at3(at, std::min(clear_z_mm, at_.z())));
 }
 
-/// To the place where a descent through this layer's material begins.
+/// To the place where a descent through the material of this depth begins.
 void MoveWriter::descendTo(const Vec2& at, Over over) {
     approach(at, heights_.above_mm + kApproachMm, over);
     const double from_z = std::min(heights_.above_mm + kDescentStartMm, at_.z());
@@ -160,7 +160,7 @@ void MoveWriter::along(const Path& path, MoveKind kind, double to_z_mm) {
         add(kind, at3(to, z(1)), edge.segment.arc);
         gone += part;
     }
-    // The last share is 1 but for rounding; the next layer counts on the exact level.
+    // The last share is 1 but for rounding; the next depth counts on the exact level.
     if (path_.moves.back().kind == kind) path_.moves.back().to.z() = to_z_mm;
     at_.z() = to_z_mm;
 }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/layer_script.h"
+#include "toolpath/script/depth_script.h"
 
 namespace stepmill::toolpath {
 
@@ -13,8 +13,8 @@ inline constexpr double kApproachMm = 1.0;
 inline constexpr double kDescentStartMm = 0.2;
 
 /// Heights of one depth of cut, and how to descend through material.
-struct LayerHeights {
-    double above_mm;       ///< the level the layer starts from: the floor of the one before, or the top
+struct DepthHeights {
+    double above_mm;       ///< the level the depth starts from: the floor of the one before, or the top
     double floor_mm;       ///< the level it is cut to
     double last_floor_mm;  ///< of the feature
     double top_mm;         ///< of the feature
@@ -28,10 +28,10 @@ class MoveWriter {
     explicit MoveWriter(Toolpath& path) : path_(path) {}
 
     /// Ends at depth, where the last pass ends.
-    void writeLayer(const std::vector<ScriptStep>& script, Over first_over, const LayerHeights& heights);
+    void writeDepth(const std::vector<ScriptStep>& script, Over first_over, const DepthHeights& heights);
     /// A closed ring over several depths of cut without leaving it: down along its first `descent_mm`, round
     /// to there, down again, and at last level along the ramp. \pre descent_mm < length(ring)
-    void writeRing(const Path& ring, double descent_mm, const std::vector<LayerHeights>& layers);
+    void writeRing(const Path& ring, double descent_mm, const std::vector<DepthHeights>& depths);
     /// Up to the retract height.
     void retract();
 
@@ -50,13 +50,13 @@ class MoveWriter {
     void descendTo(const Vec2& at, Over over);
     double crossingZ(Over over) const;
     void along(const Path& path, MoveKind kind, double to_z_mm);
-    /// The level leg after a ramp: full width for what the slope has left.
+    /// The level leg after a ramp cuts the full width of the slope.
     MoveKind levelKind() const { return path_.slot_feed_mm_per_min > 0 ? MoveKind::Slot : MoveKind::Feed; }
     void add(MoveKind kind, const Vec3& to, const std::optional<Arc>& arc = std::nullopt,
              bool in_air = false);
 
     Toolpath& path_;
-    LayerHeights heights_{};
+    DepthHeights heights_{};
     Vec3 at_ = Vec3::Zero();
 };
 

@@ -7,21 +7,21 @@ namespace stepmill::toolpath {
 /// A finishing cut is no deeper than this many diameters, however thin it is.
 inline constexpr double kDeepestFinishDiameters = 2;
 
-/// What a finishing pass along walls has to do.
+/// The work of a finishing pass along walls.
 struct WallTask {
-    /// The cutter's whole free centres; of these `cleared_centres`, from where its disc meets nothing any
-    /// more at any depth. Its `centres`, entries and rings are not looked at.
+    /// Its free centres are all those of the cutter. From its `cleared_centres` the disc meets no material at
+    /// any depth. Its `centres`, entries and rings are not used.
     const ClearingTask& clearing;
-    Region left;              ///< of the target: the strip along the walls that is to be taken off
+    Region left;              ///< part of the target: the strip along the walls to be taken off
     double allowance_mm = 0;  ///< its width
 };
 
 /// Depths of cut of a finishing pass: as few as keep the chip's cross-section, allowance x depth, to that of
 /// roughing, step-over x step-down, and the depth to the flutes and kDeepestFinishDiameters.
-int finishingLayers(double depth_mm, double allowance_mm, const ToolAssembly& tool,
+int finishingDepths(double depth_mm, double allowance_mm, const ToolAssembly& tool,
                     const CuttingData& cutting);
 
-/// One pass along the walls that still have material, at each of finishingLayers(): the boundary of the free
+/// One pass along the walls that still have material, at each of finishingDepths(): the boundary of the free
 /// centres there, in climb direction, at the cutting feed. It begins and ends
 /// - on a quarter circle tangent to the wall, half the cutter's radius wide or, where that is not free, half
 ///   of that and so on down to the allowance, from ground that is cleared;
@@ -36,7 +36,7 @@ Toolpath finishWalls(const WallTask& task, const ToolAssembly& tool, const Cutti
 /// A closed pass goes on past its start by this much, so that no mark stays where it began [mm].
 inline constexpr double kOverlapMm = 0.5;
 
-/// What of a region no move of the path at its floor sweeps, strips of a sliver aside.
+/// The part of a region that no move of the path at its floor sweeps; strips of a sliver do not count.
 Region leftBy(const Toolpath& path, const Region& region, double floor_z_mm, double radius_mm,
               const Tolerances& tol);
 

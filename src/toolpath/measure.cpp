@@ -1,4 +1,4 @@
-// What a path adds up to, and how it looks from above.
+// The lengths and times of a path, and its look from above.
 
 #include <algorithm>
 #include <cmath>

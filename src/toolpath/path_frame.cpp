@@ -7,15 +7,14 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
-#include "toolpath/passes.h"
 
 namespace stepmill::toolpath {
 namespace {
 
 /// Where the cutting data name no ramp angle.
 constexpr double kDefaultRampAngleDeg = 3;
-/// A depth that exceeds whole steps by no more than this share of a step takes no further layer.
-constexpr double kLayerExcess = 1e-9;
+/// A depth that exceeds whole steps by no more than this share of a step takes no further one.
+constexpr double kDepthExcess = 1e-9;
 
 }  // namespace
 
@@ -23,20 +22,24 @@ double rampAngle(const CuttingData& cutting) {
     return degToRad(cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg);
 }
 
-int layersFor(double depth_mm, double step_down_mm) {
-    if (step_down_mm <= 0) return 1;
-    const double layers = std::ceil(depth_mm / step_down_mm - kLayerExcess);
-    if (!(layers <= kMostLayers))
-        throw Error(ErrorCode::InvalidCatalog, fmt::format("step-down {:g} mm", step_down_mm),
-                    fmt::format("would take more than {} cuts for {:g} mm", kMostLayers, depth_mm));
-    return std::max(1, static_cast<int>(layers));
+double usedStepOver(const CuttingData& cutting, double radius_mm) {
+    return cutting.step_over_mm > 0 ? std::min(cutting.step_over_mm, radius_mm) : radius_mm;
 }
 
-Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const CuttingData& cutting,
+int depthsFor(double depth_mm, double step_down_mm) {
+    if (step_down_mm <= 0) return 1;
+    const double depths = std::ceil(depth_mm / step_down_mm - kDepthExcess);
+    if (!(depths <= kMostDepths))
+        throw Error(ErrorCode::InvalidCatalog, fmt::format("step-down {:g} mm", step_down_mm),
+                    fmt::format("would take more than {} cuts for {:g} mm", kMostDepths, depth_mm));
+    return std::max(1, static_cast<int>(depths));
+}
+
+Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const CuttingData& cutting,
                    const Machine& machine) {
     Toolpath path;
     path.step_over_mm = usedStepOver(cutting, radius_mm);
-    path.layers = layers;
+    path.layers = depths;
     path.step_down_mm = (task.top_z_mm - task.floor_z_mm) / path.layers;
     const double limit = machine.max_feed_mm_per_min;
     const auto limited = [&](double feed) { return limit > 0 ? std::min(feed, limit) : feed; };
@@ -55,8 +58,8 @@ Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const
     return path;
 }
 
-double levelOf(const ClearingTask& task, const Toolpath& frame, int layer) {
-    return layer == frame.layers ? task.floor_z_mm : task.top_z_mm - layer * frame.step_down_mm;
+double floorOf(const ClearingTask& task, const Toolpath& frame, int depth) {
+    return depth == frame.layers ? task.floor_z_mm : task.top_z_mm - depth * frame.step_down_mm;
 }
 
 }  // namespace stepmill::toolpath

@@ -7,19 +7,22 @@ namespace stepmill::toolpath {
 /// Angle of descents through material: the cutting data's, else a usual one.
 double rampAngle(const CuttingData& cutting);
 
+/// The step-over as used: no wider than the radius, so that rings leave nothing between them.
+double usedStepOver(const CuttingData& cutting, double radius_mm);
+
 /// More depths of cut than this are no way to clear anything; a path of them would not fit in memory.
-inline constexpr int kMostLayers = 1000;
+inline constexpr int kMostDepths = 1000;
 
 /// As few equal depths of cut as the step-down allows, at least one; without a step-down one.
-/// \throws Error(InvalidCatalog) for more than kMostLayers
-int layersFor(double depth_mm, double step_down_mm);
+/// \throws Error(InvalidCatalog) for more than kMostDepths
+int depthsFor(double depth_mm, double step_down_mm);
 
 /// A path without moves from the task's top to its floor in that many depths, with the cutting data's feeds
 /// within the machine's.
-Toolpath pathFrame(const ClearingTask& task, int layers, double radius_mm, const CuttingData& cutting,
+Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const CuttingData& cutting,
                    const Machine& machine);
 
 /// Height of the floor of a depth of cut, counted from 1; 0: the top.
-double levelOf(const ClearingTask& task, const Toolpath& frame, int layer);
+double floorOf(const ClearingTask& task, const Toolpath& frame, int depth);
 
 }  // namespace stepmill::toolpath

@@ -89,7 +89,7 @@ class Prover {
         const Vec2 at = from.head<2>();
         const Vec2 to = move.to.head<2>();
         if (at != to) {
-            // What stands higher than the top belongs to the obstruction, which clearance() looks at.
+            // Material higher than the top belongs to the obstruction, which clearance() looks at.
             if (move.arc || from.z() != move.to.z()) return false;
             return low >= task_.top_z_mm || isClear(at, to, low);
         }

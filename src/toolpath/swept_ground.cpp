@@ -47,7 +47,7 @@ bool SweptGround::isClear(const Edge& way, const Square& square, const Near& nea
         nearest = std::min(nearest, distance);
         if (distance - reach < radius_mm_) within.swept.push_back(edge);
     }
-    // Squares that no boundary meets lie on one side of it whole: asked once, known for all their parts.
+    // A square that no boundary meets lies on one side of it: one question answers for all its parts.
     bool cleared_meets = false;
     for (const Edge* edge : near.cleared) {
         const double distance = distanceTo(p, *edge);

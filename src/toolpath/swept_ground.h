@@ -8,13 +8,13 @@
 
 namespace stepmill::toolpath {
 
-/// A disc meets no material where all it would take is thinner than this share of its radius: cusps between
-/// passes.
+/// Material thinner than this share of the disc's radius counts as none: cusps between passes.
+/// A share of the radius, since cusps grow with it.
 inline constexpr double kCuspShare = 0.01;
-/// A pass may be left out where all it would take is thinner than so many slivers: skins, not material.
+/// A pass that would only take skins thinner than this many slivers may be left out.
 inline constexpr double kSkinSlivers = 2;
 
-/// The part of a task's target that a disc has swept, asked for ways that lie wholly in it.
+/// The part of a task's target that a disc has swept. It answers whether a way lies wholly in it.
 ///
 /// Answers are proofs, not samples: squares are halved until each lies beside the way, beside the target or
 /// within one disc that has been there. They err towards "not cleared", and by cusps of kCuspShare or as
@@ -39,12 +39,12 @@ class SweptGround {
         Vec2 centre;
         double half_mm;
     };
-    /// What matters to a square.
+    /// The edges that matter to a square.
     struct Near {
         Edges swept;
         Edges target;   ///< boundary edges that may meet the square
-        Edges cleared;  ///< of the cleared centres, the same, and those whose discs may
-        /// Known to lie inside the target or outside the cleared centres, as squares it was cut from do.
+        Edges cleared;  ///< edges of the cleared centres that, or whose discs, may meet the square
+        /// The square is known to lie inside the target or outside the cleared centres: its parent does.
         bool in_target = false;
         bool off_cleared = false;
         double cusp_mm = 0;

@@ -1,4 +1,4 @@
-// What a disc sweeps: a box or a piece of ring along every edge, a disc at every corner.
+// The ground a disc sweeps: a box or a piece of ring along every edge, a disc at every corner.
 
 #include "toolpath/swept_region.h"
 

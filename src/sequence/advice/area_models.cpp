@@ -50,7 +50,7 @@ double removalRateMm3PerS(const CuttingData& cutting) {
 
 AreaModelTool areaModelTool(double radius_mm, double coverable_mm2, double depth_mm,
                             const CuttingData& cutting) {
-    const int layers = toolpath::layersFor(depth_mm, cutting.step_down_mm);
+    const int layers = toolpath::depthsFor(depth_mm, cutting.step_down_mm);
     AreaModelTool tool;
     tool.radius_mm = radius_mm;
     tool.area_mm2 = coverable_mm2;

@@ -40,7 +40,7 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
         return std::max(disc_mm2, feature.area_mm2) * feed / kSecondsPerMinute;
     }
     const double depth_of_cut =
-        feature.depth_mm() / toolpath::layersFor(feature.depth_mm(), cutting.step_down_mm);
+        feature.depth_mm() / toolpath::depthsFor(feature.depth_mm(), cutting.step_down_mm);
     const double slot_mm2 = tool.diameter_mm * depth_of_cut;
     const double swept = slot_mm2 * cutting.feed_mm_per_min + disc_mm2 * cutting.plunge_feed_mm_per_min;
     return swept / kSecondsPerMinute;

@@ -63,9 +63,9 @@ TEST(UsableLibrary, LeavesOutFinishingCutsTooThinForTheStock) {
 }
 
 TEST(LayersFor, RefusesMoreThanAPathCanHave) {
-    EXPECT_EQ(toolpath::layersFor(10, 0.01), 1000);
+    EXPECT_EQ(toolpath::depthsFor(10, 0.01), 1000);
     for (const double step_down_mm : {0.009, 3e-9, 1e-300})
-        EXPECT_THROW(toolpath::layersFor(10, step_down_mm), Error) << step_down_mm;
+        EXPECT_THROW(toolpath::depthsFor(10, step_down_mm), Error) << step_down_mm;
 }
 
 }  // namespace

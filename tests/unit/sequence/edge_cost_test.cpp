@@ -40,11 +40,11 @@ TEST(EdgeCost, CountsNoWearWithoutAToolLife) {
 }
 
 TEST(DepthsOfCut, AreAsFewAsTheStepDownAllows) {
-    EXPECT_EQ(toolpath::layersFor(12, 0), 1);
-    EXPECT_EQ(toolpath::layersFor(12, 20), 1);
-    EXPECT_EQ(toolpath::layersFor(12, 4), 3);
-    EXPECT_EQ(toolpath::layersFor(12.1, 4), 4);
-    EXPECT_EQ(toolpath::layersFor(0.3, 0.1), 3);
+    EXPECT_EQ(toolpath::depthsFor(12, 0), 1);
+    EXPECT_EQ(toolpath::depthsFor(12, 20), 1);
+    EXPECT_EQ(toolpath::depthsFor(12, 4), 3);
+    EXPECT_EQ(toolpath::depthsFor(12.1, 4), 4);
+    EXPECT_EQ(toolpath::depthsFor(0.3, 0.1), 3);
 }
 
 TEST(LimitedBy, ASlowSpindleSlowsTheFeedsInProportion) {

@@ -151,11 +151,11 @@ TEST(FinishWalls, HasNoMovesWhereNothingIsLeft) {
 TEST(FinishingLayers, KeepToFlutesDiametersAndTheChipOfRoughing) {
     ToolAssembly tool = flatEndMill(10);
     tool.flute_length_mm = 50;
-    EXPECT_EQ(finishingLayers(20, 0.3, tool, cuttingData(5, 4)), 1);
-    EXPECT_EQ(finishingLayers(21, 0.3, tool, cuttingData(5, 4)), 2) << "two diameters";
-    EXPECT_EQ(finishingLayers(20, 2, tool, cuttingData(5, 4)), 2) << "2 x 10 is as much as 5 x 4";
+    EXPECT_EQ(finishingDepths(20, 0.3, tool, cuttingData(5, 4)), 1);
+    EXPECT_EQ(finishingDepths(21, 0.3, tool, cuttingData(5, 4)), 2) << "two diameters";
+    EXPECT_EQ(finishingDepths(20, 2, tool, cuttingData(5, 4)), 2) << "2 x 10 is as much as 5 x 4";
     tool.flute_length_mm = 12;
-    EXPECT_EQ(finishingLayers(20, 0.3, tool, cuttingData(5, 4)), 2) << "the flutes";
+    EXPECT_EQ(finishingDepths(20, 0.3, tool, cuttingData(5, 4)), 2) << "the flutes";
 }
 
 TEST(FinishWalls, TakesDeepWallsInEvenDepths) {

@@ -4,7 +4,7 @@
 
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
-#include "toolpath/layer_script.h"
+#include "toolpath/script/depth_script.h"
 
 namespace stepmill {
 namespace {

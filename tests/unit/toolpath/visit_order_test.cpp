@@ -1,4 +1,4 @@
-#include "toolpath/visit_order.h"
+#include "toolpath/script/visit_order.h"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // One region over all depths of cut, by the pattern that takes the least time.
 
-#include "toolpath/region_cut.h"
+#include "toolpath/script/region_cut.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "stepmill/core/units.h"
-#include "toolpath/engagement.h"
 #include "toolpath/path_frame.h"
-#include "toolpath/visit_order.h"
+#include "toolpath/script/engagement.h"
+#include "toolpath/script/visit_order.h"
 
 namespace stepmill::toolpath {
 
@@ -23,7 +23,7 @@ double degrees(double angle_rad) {
     return angle_rad * 180 / kPi;
 }
 
-/// Could planning the layer leave this pass out? Innermost rings may lie in the next ones' ground.
+/// Could scripting the depth leave this pass out? Innermost rings may lie in the next ones' ground.
 bool mayBeNeedless(const std::vector<Pass>& passes, const Pass& pass) {
     return pass.closed && std::all_of(pass.neighbours.begin(), pass.neighbours.end(), [&](int j) {
                return passes[static_cast<std::size_t>(j)].level < pass.level;
@@ -31,11 +31,11 @@ bool mayBeNeedless(const std::vector<Pass>& passes, const Pass& pass) {
 }
 
 /// None needs what another clears, so any order will do.
-std::vector<LayerBlock> inShortOrder(std::vector<LayerBlock> blocks) {
+std::vector<DepthBlock> inShortOrder(std::vector<DepthBlock> blocks) {
     std::vector<Stop> stops;
-    for (const LayerBlock& block : blocks)
+    for (const DepthBlock& block : blocks)
         stops.push_back({block.begin, block.end});
-    std::vector<LayerBlock> ordered;
+    std::vector<DepthBlock> ordered;
     for (const std::size_t i : visitOrder(stops))
         ordered.push_back(std::move(blocks[i]));
     return ordered;
@@ -43,7 +43,7 @@ std::vector<LayerBlock> inShortOrder(std::vector<LayerBlock> blocks) {
 
 }  // namespace
 
-RegionCutter::RegionCutter(const LayerTask& task, const PassMaker& passes, const Toolpath& frame,
+RegionCutter::RegionCutter(const DepthTask& task, const PassMaker& passes, const Toolpath& frame,
                            double ramp_angle_rad, const Machine& machine)
     : task_(task), passes_(passes), frame_(frame), ramp_angle_rad_(ramp_angle_rad), machine_(machine) {}
 
@@ -86,14 +86,14 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
 RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry& entry,
                             const RingFamily::Variant& variant, const std::vector<Pass>& passes) const {
     RegionCut made;
-    LayerScript script = scriptLayer(task_, component, entry, passes);
+    DepthScript script = scriptDepth(task_, component, entry, passes);
     if (script.empty()) return made;
     script.apart = inShortOrder(std::move(script.apart));
     if (frame_.slot_feed_mm_per_min > 0) {
         Engagement whole(task_.clearing, task_.radius_mm, task_.step_over_mm);
         markWideCuts(script.whole.steps, whole);
         Engagement apart(task_.clearing, task_.radius_mm, task_.step_over_mm);
-        for (LayerBlock& block : script.apart)
+        for (DepthBlock& block : script.apart)
             markWideCuts(block.steps, apart);
     }
     made.blocks = {std::move(script.whole)};
@@ -122,12 +122,12 @@ double RegionCutter::leastTime(const std::vector<Pass>& passes) const {
     return length_mm * frame_.layers / frame_.feed_mm_per_min * kSecondsPerMinute;
 }
 
-double RegionCutter::levelOf(int layer) const {
-    return toolpath::levelOf(task_.clearing, frame_, layer);
+double RegionCutter::floorOf(int depth) const {
+    return toolpath::floorOf(task_.clearing, frame_, depth);
 }
 
-LayerHeights RegionCutter::heights(int from_layer, int to_layer) const {
-    return {levelOf(from_layer),     levelOf(to_layer),           task_.clearing.floor_z_mm,
+DepthHeights RegionCutter::heights(int from_depth, int to_depth) const {
+    return {floorOf(from_depth),     floorOf(to_depth),           task_.clearing.floor_z_mm,
             task_.clearing.top_z_mm, task_.clearing.retract_z_mm, ramp_angle_rad_};
 }
 
@@ -135,29 +135,29 @@ void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writ
     if (cut.blocks.size() == 1 && writeLoneRing(cut.blocks.front(), writer)) return;
     Over over = first_over;
     for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
-        const LayerBlock& block = cut.blocks[k];
+        const DepthBlock& block = cut.blocks[k];
         if (k > 0) over = task_.standing.isClearForAll(writer.at(), block.begin) ? Over::Top : Over::Retract;
         for (int i = 1; i <= frame_.layers; ++i)
-            writer.writeLayer(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
+            writer.writeDepth(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
     }
 }
 
 /// A lone ring is cut on the way down, one depth of cut a turn at most, and levelled on the floor.
-bool RegionCutter::writeLoneRing(const LayerBlock& layer, MoveWriter& writer) const {
-    const auto* ramp = layer.steps.size() == 1 ? std::get_if<RampAlong>(&layer.steps[0]) : nullptr;
+bool RegionCutter::writeLoneRing(const DepthBlock& block, MoveWriter& writer) const {
+    const auto* ramp = block.steps.size() == 1 ? std::get_if<RampAlong>(&block.steps[0]) : nullptr;
     if (ramp == nullptr || !ramp->closed) return false;
     const double turn_mm = length(ramp->curve);
     if (turn_mm > task_.rates.descent_mm + kLeastLevelMm) {
-        std::vector<LayerHeights> layers;
+        std::vector<DepthHeights> depths;
         for (int i = 1; i <= frame_.layers; ++i)
-            layers.push_back(heights(i - 1, i));
-        writer.writeRing(ramp->curve, task_.rates.descent_mm, layers);
+            depths.push_back(heights(i - 1, i));
+        writer.writeRing(ramp->curve, task_.rates.descent_mm, depths);
         return true;
     }
     // A turn at the ramp angle goes no deeper than one depth of cut.
     const double depth_mm = task_.clearing.top_z_mm - task_.clearing.floor_z_mm + kDescentStartMm;
     const double slope = std::min(std::tan(ramp_angle_rad_), frame_.step_down_mm / turn_mm);
-    writer.writeLayer({rampAlong(ramp->curve, true, depth_mm / slope)}, Over::Retract,
+    writer.writeDepth({rampAlong(ramp->curve, true, depth_mm / slope)}, Over::Retract,
                       heights(0, frame_.layers));
     return true;
 }

@@ -3,11 +3,11 @@
 #include <vector>
 
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/ring_family.h"
+#include "toolpath/patterns/ring_family.h"
 
 namespace stepmill::toolpath {
 
-/// One cut of a layer: a closed ring, what clipping has left of one, in climb direction, or joined lines.
+/// One cut at a depth: a closed ring, what clipping has left of one, in climb direction, or joined lines.
 struct Pass {
     Path path;
     bool closed = false;
@@ -23,9 +23,6 @@ struct Pass {
     std::vector<int> neighbours;
 };
 
-/// The step-over as used: no wider than the radius, so that rings leave nothing between them.
-double usedStepOver(const CuttingData& cutting, double radius_mm);
-
 /// Clips the curves of a pattern to what one task has left to cut.
 class PassMaker {
   public:
@@ -35,7 +32,7 @@ class PassMaker {
     /// Is there anything to do in the component?
     bool concerns(const RingFamily::Component& component) const;
 
-    /// The passes that clear the task's centres in one layer of the component. Every point of the target that
+    /// The passes that clear the task's centres at one depth in the component. Every point of the target that
     /// a disc of radius r reaches from there lies within r of a pass, or has been cleared before
     /// [docs/algorithms/contour-parallel.md, docs/algorithms/parallel-lines.md].
     std::vector<Pass> make(const RingFamily::Component& component, const RingFamily::Variant& variant) const;

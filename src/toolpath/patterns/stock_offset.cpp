@@ -1,6 +1,6 @@
 // Rings from the outer boundary inwards.
 
-#include "toolpath/stock_offset.h"
+#include "toolpath/patterns/stock_offset.h"
 
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -27,7 +27,8 @@ class StockOffset {
   private:
     using Islands = std::vector<Region>;
 
-    /// `ground`: what the rings have not yet come to, one component; `islands`: those it has whole.
+    /// `ground`: one component that the rings have not reached yet; `islands`: the islands that lie whole in
+    /// it.
     void goIn(const Region& ground, const Islands& islands, int level) {
         // The first ring has the wall on the side where the others have material.
         for (const Loop& loop : ground.loops)

@@ -1,24 +1,26 @@
 #pragma once
 
-#include <optional>
 #include <variant>
 #include <vector>
 
-#include "toolpath/passes.h"
+#include "toolpath/patterns/passes.h"
+#include "toolpath/script/standing.h"
+#include "toolpath/swept_ground.h"
 
 namespace stepmill::toolpath {
 
-/// How a layer is cut, in plan view: the same for every depth of cut, heights are added on emission.
+// A script says in plan view how one depth of cut is cut. It is the same for every depth: heights are added
+// when it is turned into moves.
 
 /// How high the cutter goes on its way to a place where it comes down.
 enum class Over {
-    Retract,  ///< to the retract height
-    Top,      ///< just over the feature's top: the straight way is clear of the obstruction at every height
-    Layer     ///< just over the floor of the layer before, which has cleared that way too
+    Retract,   ///< to the retract height
+    Top,       ///< just over the feature's top: the straight way is clear of the obstruction at every height
+    LastFloor  ///< just over the floor of the depth before, which has cleared that way too
 };
 
 /// Down where the disc meets no material at this depth: beside the target, over ground cleared before, or
-/// on a pass of this layer.
+/// on a pass of this depth.
 struct ComeDown {
     Vec2 at;
     Over over = Over::Retract;
@@ -42,7 +44,7 @@ struct RampAlong {
     Path lead;
     Path curve;
     bool closed = true;
-    /// How often then the whole closed curve, or the open lead to and fro.
+    /// How often the cutter then goes along the whole closed curve, or to and fro along the open lead.
     int turns = 0;
     bool level = true;  ///< the curve is gone along once more at depth: a pass, or a helix no pass covers
     Over over = Over::Retract;
@@ -60,60 +62,38 @@ struct Cut {
 };
 using ScriptStep = std::variant<ComeDown, RampDown, PlungeDown, RampAlong, Link, Cut>;
 
-/// What decides between a link at depth and going up and down again.
+/// Steps of a script that are cut over all depths before the next ones.
+struct DepthBlock {
+    std::vector<ScriptStep> steps;
+    Vec2 begin = Vec2::Zero();  ///< where it comes down first
+    Vec2 end = Vec2::Zero();
+    /// How to go over to the first step from where the depth before ended.
+    Over next_over = Over::Retract;
+};
+
+/// One depth of cut of one component of the free centres.
+struct DepthScript {
+    DepthBlock whole;
+    /// The same passes in several blocks such that none needs ground that another one clears: rest material
+    /// in several places. Empty where there is one block alone.
+    std::vector<DepthBlock> apart;
+
+    bool empty() const { return whole.steps.empty(); }
+};
+
+/// Lengths and feeds that decide between a link at depth and a lift.
 struct LinkRates {
     double descent_mm;  ///< length of a ramp at the ramp angle through one depth of cut
     double feed_mm_per_min;
     double plunge_feed_mm_per_min;
     double rapid_mm_per_min;
-    double lift_mm;           ///< from the floor of a layer to where rapids cross within a feature
+    double lift_mm;           ///< from the floor of a depth to where rapids cross within a feature
     double approach_mm;       ///< the last of the way down is fed
-    double deep_approach_mm;  ///< the same over ground clear down to the feature's floor, layers' mean
+    double deep_approach_mm;  ///< the same over ground clear down to the feature's floor, the depths' mean
 };
 
-/// Steps of a layer that are cut over all depths before the next ones.
-struct LayerBlock {
-    std::vector<ScriptStep> steps;
-    Vec2 begin = Vec2::Zero();  ///< where it comes down first
-    Vec2 end = Vec2::Zero();
-    /// How to go over to the first step from where the layer before ended.
-    Over next_over = Over::Retract;
-};
-
-/// A layer of one component of the free centres.
-struct LayerScript {
-    LayerBlock whole;
-    /// The same passes in blocks of which none needs what another clears: rest material in several places.
-    /// Empty where there are not several.
-    std::vector<LayerBlock> apart;
-
-    bool empty() const { return whole.steps.empty(); }
-};
-
-/// What must stay, asked for ways over it.
-class Standing {
-  public:
-    Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol);
-
-    /// Is the straight way clear for the cutter at every height over the floor?
-    bool isClear(const Vec2& from, const Vec2& to) const;
-    /// And for shank and holder?
-    bool isClearForAll(const Vec2& from, const Vec2& to) const;
-
-  private:
-    struct Kept {
-        const Region& section;
-        EdgeIndex edges;
-        double distance_mm;
-    };
-    static bool keeps(const Kept& kept, const Vec2& from, const Vec2& to);
-
-    Kept obstruction_;
-    std::vector<Kept> holder_;
-};
-
-/// What the layers of one task have in common.
-struct LayerTask {
+/// The data that all depths of one task share.
+struct DepthTask {
     const ClearingTask& clearing;
     const Standing& standing;
     double radius_mm;
@@ -124,8 +104,12 @@ struct LayerTask {
 
 /// Puts the component's passes in order (each after those it waits for, else nearest first) and finds the way
 /// to each.
-LayerScript scriptLayer(const LayerTask& task, const RingFamily::Component& component, const Entry& entry,
+DepthScript scriptDepth(const DepthTask& task, const RingFamily::Component& component, const Entry& entry,
                         const std::vector<Pass>& passes);
+
+/// The lowest height at which the way to a place is known to be clear. `ground` is cleared at this depth; the
+/// next depth is cut after it and may cross over its floor.
+Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& from, const Vec2& to);
 
 /// Down along a curve of that many mm of ramp, so that it ends at the curve's start.
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm);

@@ -1,6 +1,6 @@
 // How wide the cutter cuts along its way.
 
-#include "toolpath/engagement.h"
+#include "toolpath/script/engagement.h"
 
 #include <array>
 #include <cmath>
@@ -53,7 +53,7 @@ Path Engagement::mark(const Path& path, std::vector<bool>& wide) {
     Path marked{path.start, {}};
     wide.clear();
     for (const Edge& edge : edgesOf(path)) {
-        // What the cutter sweeps on this edge itself lies behind it.
+        // The ground the cutter sweeps on this edge itself lies behind it.
         std::vector<Edge> near;
         const Box2 around = grown(edge.box, 2 * radius_mm_);
         for (const Edge& other : swept_)
@@ -91,7 +91,7 @@ void Engagement::add(const Path& path) {
 
 namespace {
 
-/// Goes through a layer's steps as the cutter does.
+/// Goes through a script's steps as the cutter does.
 class Marker {
   public:
     explicit Marker(Engagement& engagement) : engagement_(engagement) {}

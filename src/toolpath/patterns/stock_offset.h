@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "toolpath/ring_family.h"
+#include "toolpath/patterns/ring_family.h"
 
 namespace stepmill::toolpath {
 

@@ -1,10 +1,10 @@
-// The passes of one layer: curves of a pattern clipped to what is left to cut.
+// The passes of one depth: curves of a pattern clipped to what is left to cut.
 
-#include "toolpath/passes.h"
+#include "toolpath/patterns/passes.h"
 
 #include <algorithm>
 
-#include "toolpath/parallel_lines.h"
+#include "toolpath/patterns/parallel_lines.h"
 
 namespace stepmill::toolpath {
 
@@ -77,7 +77,7 @@ class PassMaker::Clipper {
             });
     }
 
-    /// Cuts the ring at the cutters and makes passes of the pieces whose middle is needed.
+    /// Cuts the ring at the cutters. Pieces whose middle is needed become passes.
     template <typename Needed>
     void keep(const RingFamily::Ring& ring, const EdgeIndex& cutters, Needed needed) {
         std::vector<Path> pieces;
@@ -96,7 +96,7 @@ class PassMaker::Clipper {
             }
         }
         if (whole && !pieces.empty()) return addPass(ring.path, ring.path.closed(), ring);
-        // The loop's start is only a name: join what it has cut in two.
+        // The loop's start is no end of a pass: join the pieces before and after it.
         if (ring.path.closed() && pieces.size() > 1 && last_kept && pieces.front().start == ring.path.start) {
             Path& last = pieces.back();
             last.segments.insert(last.segments.end(), pieces.front().segments.begin(),
@@ -181,7 +181,7 @@ class PassMaker::Clipper {
     double on_mm_;
     EdgeIndex ring_cutters_;
     std::vector<Pass> passes_;
-    std::size_t lines_ = 0;  ///< of the passes, the first so many
+    std::size_t lines_ = 0;  ///< the first passes are lines: their number
     std::vector<bool> outside_in_;
     std::vector<EdgeIndex> edges_;
 };

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "toolpath/ring_family.h"
+#include "toolpath/patterns/ring_family.h"
 
 namespace stepmill::toolpath {
 
@@ -18,7 +18,7 @@ RingFamily::Variant zigzag(const RingFamily::Component& component,
 /// The same lines, all run through in climb direction.
 RingFamily::Variant oneWay(const RingFamily::Variant& zigzag);
 
-/// What is left of the lines of one layer, joined end to end where a line has one neighbour in the next row
+/// The pieces of the lines of one depth, joined end to end where a line has one neighbour in the next row
 /// and that neighbour no other [Li2001: a group between two contours]. Links run straight where `component`
 /// lets them, else along the boundary of its line ground.
 std::vector<Path> joinedLines(const RingFamily::Component& component, const RingFamily::Variant& variant,

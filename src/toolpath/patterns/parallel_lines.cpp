@@ -1,6 +1,6 @@
 // Parallel lines across a region, their best angle, and the groups they are joined to.
 
-#include "toolpath/parallel_lines.h"
+#include "toolpath/patterns/parallel_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -178,15 +178,10 @@ std::optional<Path> alongBoundary(const Region& region, const Vec2& a, const Vec
         if (from.distance_mm > on_mm || nearestOn(loop, b).distance_mm > on_mm) continue;
         const Loop turned = startingAt(loop, from.edge, from.share);
         const NearestPoint to = nearestOn(turned, b);
-        double gone = to.share * length(turned.segments.size() > to.edge && to.edge > 0
-                                            ? turned.segments[to.edge - 1].to
-                                            : turned.start,
-                                        turned.segments[to.edge]);
-        Vec2 at = turned.start;
-        for (std::size_t i = 0; i < to.edge; ++i) {
-            gone += length(at, turned.segments[i]);
-            at = turned.segments[i].to;
-        }
+        const std::vector<Edge> edges = edgesOf(turned);
+        double gone = to.share * length(edges[to.edge]);
+        for (std::size_t i = 0; i < to.edge; ++i)
+            gone += length(edges[i]);
         const double whole = length(turned);
         const bool forward = gone <= whole - gone;
         Path way = forward ? firstPart(turned, gone) : firstPart(reversed(turned), whole - gone);

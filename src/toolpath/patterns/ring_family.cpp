@@ -1,15 +1,15 @@
 // Contour-parallel rings of free centres.
 
-#include "toolpath/ring_family.h"
+#include "toolpath/patterns/ring_family.h"
 
 #include <algorithm>
 
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
-#include "toolpath/parallel_lines.h"
-#include "toolpath/passes.h"
-#include "toolpath/stock_offset.h"
+#include "toolpath/path_frame.h"
+#include "toolpath/patterns/parallel_lines.h"
+#include "toolpath/patterns/stock_offset.h"
 
 namespace stepmill {
 
@@ -47,10 +47,6 @@ bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2
         for (const Vec2& p : meetingPoints(way, side))
             if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol)) return false;
     return component.open_sides.empty() || contains(component.region, (a + b) / 2);
-}
-
-double usedStepOver(const CuttingData& cutting, double radius_mm) {
-    return cutting.step_over_mm > 0 ? std::min(cutting.step_over_mm, radius_mm) : radius_mm;
 }
 
 }  // namespace toolpath

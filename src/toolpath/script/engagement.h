@@ -2,28 +2,29 @@
 
 #include <vector>
 
-#include "toolpath/layer_script.h"
+#include "toolpath/script/depth_script.h"
 
 namespace stepmill::toolpath {
 
 /// Cuts up to this many times the step-over run at the cutting feed: rounding and cusps, no more.
 inline constexpr double kWidestCutShare = 1.1;
 
-/// Tells how wide the cutter cuts on its way through a layer, from what it has swept there before.
+/// Tells how wide the cutter cuts on its way through a depth of cut. It knows the ground swept there before.
 class Engagement {
   public:
     /// Keeps `task`.
     Engagement(const ClearingTask& task, double radius_mm, double step_over_mm);
 
-    /// Splits the path where the cut becomes wider than the step-over or narrower again, and adds it to what
-    /// is swept. `wide` gets one entry for each segment of the result. Seen at points a few tenths of the
-    /// radius apart; stretches are told wide from the last narrow point on to the next one.
+    /// Splits the path where the cut becomes wider than the step-over or narrower again, and adds it to the
+    /// swept ground. `wide` gets one entry for each segment of the result. The width is taken at points a few
+    /// tenths of the radius apart; a wide stretch reaches from the last narrow point to the next one.
     Path mark(const Path& path, std::vector<bool>& wide);
 
-    /// Adds a way that is gone at a feed of its own.
+    /// Adds a way that has a feed of its own, whatever its width.
     void add(const Path& path);
 
-    /// Across the direction of travel, what of the front half of the cutter's rim stands in material [mm].
+    /// Width of the part of the cutter's front rim that stands in material, across the direction of travel
+    /// [mm].
     double widthAt(const Vec2& at, const Vec2& along) const { return widthAt(at, along, swept_); }
 
   private:
@@ -36,7 +37,7 @@ class Engagement {
     std::vector<Edge> swept_;
 };
 
-/// Marks the wide stretches of a layer's cuts and links, in the order they are made.
+/// Marks the wide stretches of a script's cuts and links, in the order they are made.
 void markWideCuts(std::vector<ScriptStep>& steps, Engagement& engagement);
 
 }  // namespace stepmill::toolpath

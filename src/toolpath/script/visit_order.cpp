@@ -1,6 +1,6 @@
 // Short ways from stop to stop.
 
-#include "toolpath/visit_order.h"
+#include "toolpath/script/visit_order.h"
 
 #include <algorithm>
 #include <numeric>

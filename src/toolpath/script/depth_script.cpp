@@ -1,0 +1,86 @@
+// The order of the passes of one depth of cut and the ways between them.
+
+#include "toolpath/script/depth_script.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/core/error.h"
+#include "toolpath/script/block_partition.h"
+#include "toolpath/script/depth_progress.h"
+#include "toolpath/script/descender.h"
+#include "toolpath/script/entry_descent.h"
+#include "toolpath/script/linker.h"
+#include "toolpath/script/needless_passes.h"
+
+namespace stepmill::toolpath {
+
+namespace {
+
+/// A lead shorter than this share of the ramp is dropped: the change of slope is below rounding.
+constexpr double kLeastLeadShare = 1e-9;
+/// Turns that exceed a whole number by no more than this are rounding.
+constexpr double kRounding = 1e-9;
+
+/// The whole depth as one block, with the heights of the ways over.
+DepthBlock wholeBlock(const DepthTask& task, const DepthProgress& cut) {
+    const std::vector<Descent>& descents = cut.descents();
+    DepthBlock whole;
+    whole.steps = cut.steps();
+    whole.begin = descents.front().to;
+    whole.end = cut.at();
+    // The depths after the first begin where this one ends.
+    whole.next_over = overWay(task.standing, cut.swept(), whole.end, whole.begin);
+    for (const Descent& descent : descents)
+        setOver(whole.steps[descent.step], overWay(task.standing, cut.swept(), descent.from, descent.to));
+    return whole;
+}
+
+}  // namespace
+
+DepthScript scriptDepth(const DepthTask& task, const RingFamily::Component& component, const Entry& entry,
+                        const std::vector<Pass>& passes) {
+    const SweptGround before(task.clearing, task.radius_mm);
+    DepthProgress progress(passes, before);
+    NeedlessPasses needless(task, progress);
+    needless.dropInnermost();
+    const SweptGround passes_ground = needless.groundOfPasses();
+    EntryDescent entry_descent(task, component, entry, before, passes_ground, progress);
+    Linker linker(task, component, before, progress);
+    Descender descender(task, component, before, entry_descent, progress);
+    for (needless.dropCleared(); progress.left() > 0; needless.dropCleared())
+        if (!linker.linkOn()) descender.goOn();
+    if (progress.steps().empty()) return {};
+    STEPMILL_CHECK(!progress.descents().empty() && progress.descents().front().step == 0,
+                   "a depth begins from above");
+    return {wholeBlock(task, progress), blocksApart(task, progress)};
+}
+
+Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& from, const Vec2& to) {
+    if (!standing.isClearForAll(from, to)) return Over::Retract;
+    return ground.isClear(from, to) ? Over::LastFloor : Over::Top;
+}
+
+RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {
+    const double whole = length(curve);
+    if (!closed) {
+        const Path lead = descent_mm / 2 < whole ? firstPart(curve, descent_mm / 2) : curve;
+        const int turns = static_cast<int>(std::ceil(descent_mm / 2 / length(lead) - kRounding));
+        return {lead, curve, false, std::max(1, turns), true, Over::Retract};
+    }
+    const int turns = static_cast<int>(std::floor(descent_mm / whole));
+    const double rest = descent_mm - turns * whole;
+    if (rest < kLeastLeadShare * descent_mm)
+        return {Path{curve.start, {}}, curve, true, turns, true, Over::Retract};
+    return {reversed(firstPart(reversed(curve), rest)), curve, true, turns, true, Over::Retract};
+}
+
+void setOver(ScriptStep& step, Over over) {
+    std::visit(
+        [over](auto& s) {
+            if constexpr (requires { s.over; }) s.over = over;
+        },
+        step);
+}
+
+}  // namespace stepmill::toolpath
