@@ -31,7 +31,7 @@ Region shrunkSwept(const AccessibleArea& m, double by_mm, const Tolerances& tol)
     return offset(swept(), -by_mm, tol);
 }
 
-/// Both tools sweep all they can inside the target: its own diagram knows what the smaller one has left.
+/// Both tools sweep all they can inside the target: the target's diagram knows the rest of the smaller one.
 DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m, const AccessibleArea& n) {
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;

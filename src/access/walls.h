@@ -7,7 +7,7 @@
 
 namespace stepmill::access {
 
-/// What bounds the room of a cutter in a feature, and what room it is.
+/// The walls that a cutter must not touch in a feature, and the room between them.
 class Walls {
   public:
     explicit Walls(const FeatureGround& ground);

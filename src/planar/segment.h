@@ -21,19 +21,19 @@ inline double radiusThrough(const Vec2& on_circle, const Vec2& centre) {
 /// Number of equal chords of at most that sagitta for an arc of that sweep; at least 1.
 int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm);
 
-/// A segment's share in the winding number of its loop about p. `side` 0 for a p away from the segment;
-/// otherwise p lies in the middle of it and counts as just left (+1) or right (-1).
-/// \pre side == 0 or the segment is no more than a half circle
+/// A segment's share in the winding number of its loop about p. `side` is 0 where p lies away from the
+/// segment; otherwise p is the segment's middle and counts as just left (+1) or just right (-1) of it. \pre
+/// side == 0 or the segment is no more than a half circle
 int windingShare(const Vec2& from, const Segment& segment, const Vec2& p, int side = 0);
 
 /// How often the loop winds around p, which must not lie on it.
 int windingNumber(const Loop& loop, const Vec2& p);
 int windingNumber(const Region& region, const Vec2& p);
 
-/// The lowest, of these the leftmost point of the true curve.
+/// The lowest point of the true curve; of several the leftmost.
 Vec2 lowestPoint(const Path& path);
 
-/// A point in the middle of one of `loop`'s edges, that one which is farthest from `other`.
+/// Of the middles of `loop`'s edges the one farthest from `other`.
 Vec2 pointAwayFrom(const Loop& loop, const Loop& other);
 
 }  // namespace stepmill::planar

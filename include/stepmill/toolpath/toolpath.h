@@ -139,8 +139,8 @@ std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const Tool
 
 /// Clearing at every depth of cut, each region of the free centres with the pattern that takes least time
 /// there: rings of the centre region at the step-over or parallel lines, entered from an open edge, cleared
-/// ground, helix, ramp or plunge, linked at depth where the straight way is free, else just over the last
-/// layer's floor, over the feature's top or over the retract height: the lowest of these that the straight
+/// ground, helix, ramp or plunge, linked at depth where the straight way is free, else just over the floor of
+/// the depth before, over the feature's top or over the retract height: the lowest of these that the straight
 /// way is proven to be clear at. Climb milling; arcs stay arcs. The step-over is limited to the cutter
 /// radius, so that rings leave nothing between them. Empty (no moves) when there is nothing to clear.
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
@@ -177,7 +177,7 @@ Toolpath withPlainRapids(const Toolpath& path, double stock_top_z_mm, const Mach
 /// Checks the moves themselves, independently of how they were made.
 PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm, const Tolerances& tol);
 
-/// The feed moves of the deepest layer, seen from above; for drawings.
+/// The feed moves at the deepest depth of cut, seen from above; for drawings.
 std::vector<Path> topView(const Toolpath& path);
 
 }  // namespace stepmill

@@ -38,8 +38,8 @@ struct LabelledPiece {
 
 /// All boundaries of two operands cut at each other's crossings.
 ///
-/// Points nearer to each other than the snapping distance are one node, first come, first served:
-/// corners before crossings, operand 0 before operand 1.
+/// Points nearer to each other than the snapping distance become one node. The node lies at the first of
+/// them: corners come before crossings, operand 0 before operand 1.
 class Arrangement {
   public:
     Arrangement(const std::vector<Curve>& curves, double snap_mm);
@@ -60,12 +60,12 @@ class Arrangement {
                                        const std::function<bool(int, int)>& inside);
 
     const std::vector<Curve>& curves() const { return curves_; }
-    /// Stretches along which two curves run in opposite directions, which so are no boundary.
+    /// Stretches along which two curves run in opposite directions: they cancel and bound nothing.
     const std::vector<Piece>& cancelled() const { return cancelled_; }
     const Vec2& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
     /// How far chords may lie off their curves [mm]; 0 when the pieces are the curves' own.
     double chordMm() const { return chord_mm_; }
-    /// The corner that the node stands for, where it was before it was rounded to the grid of the chords.
+    /// The corner for which the node stands, before it was rounded to the grid of the chords.
     const Vec2& place(int index) const;
     /// The piece as part of its line or arc again.
     Segment onCurve(const Piece& piece) const;
@@ -77,8 +77,8 @@ class Arrangement {
         const Piece* piece;
         bool leaves;
     };
-    /// Indices of ends that share a node, counter-clockwise around it. Ends in nearly one direction are told
-    /// apart by how their pieces go on, as far as the shorter one of these goes.
+    /// Indices of ends that share a node, counter-clockwise around it. Where two ends leave in nearly the
+    /// same direction, the further course of their pieces decides, along the length of the shorter one.
     std::vector<std::size_t> counterClockwise(std::span<const End> ends) const;
 
   private:

@@ -53,7 +53,7 @@ Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, con
     return region;
 }
 
-/// The loops whose boxes come near the box; outer loops beyond it and their holes cannot hold a point of it.
+/// The loops whose boxes come near the box. No other loop can contain a point of the box.
 Region near(const Region& region, const Box2& box) {
     Region result;
     for (const Loop& loop : region.loops)

@@ -38,7 +38,7 @@ class Groups {
     std::vector<std::size_t> root_;
 };
 
-/// Points of which several are the same.
+/// Points, with equal ones among them.
 class Nodes {
   public:
     std::size_t add(const Vec2& point, double clearance) {

@@ -5,7 +5,8 @@
 
 namespace stepmill::clearance {
 
-/// The graph of the discs that touch twice, from the pieces: each edge is a piece on either side.
+/// The graph of the discs that touch the boundary twice. Each of its edges comes from two pieces of the
+/// profile.
 MedialAxis medialAxisOf(const Profile& profile);
 
 /// Necks and rooms of the graph, and the concave arcs whose centre lies on it.

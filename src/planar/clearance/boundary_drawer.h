@@ -11,8 +11,8 @@ class BoundaryDrawer {
     BoundaryDrawer(const Profile& profile, double distance)
         : profile_(profile), sites_(profile.sites()), distance_(distance) {}
 
-    /// The ring's vertex at a place: as far from the stop as from the place's own site, which rounding of
-    /// both and the level's step aside leave a few nanometres open.
+    /// The ring's vertex at a place. Its distances to the stop and to the place's own site are equal but for
+    /// a few nanometres, because both are rounded and the level steps aside.
     Vec2 pointAt(const Place& place) const;
     /// The boundary from one place to the next in the direction of travel.
     void draw(const Place& from, const Place& to, LoopDrawer& loop) const;

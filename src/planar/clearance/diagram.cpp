@@ -37,7 +37,7 @@ Region reversedLoops(const Region& region) {
     return result;
 }
 
-/// What the loops wind around at all; the Boolean counts windings, so any region around them will do.
+/// All points that the loops wind around. The Boolean counts windings, so any region around them will do.
 Region withoutOverlaps(const Region& swept, const Tolerances& tol) {
     const Box2 box = grown(boundingBox(swept), 1);
     return intersect(swept, makeRectangle(box.min(), box.max()), tol);

@@ -5,9 +5,9 @@
 
 namespace stepmill::clearance {
 
-/// Points no farther than `distance_mm` from the boundary: what a disc sweeps on its way along each edge,
-/// united by Booleans. Hundreds of times slower than a level of the profile, but without any need for edges
-/// to agree on vertices: the way out where rounding keeps them from that.
+/// Points no farther than `distance_mm` from the boundary. A disc sweeps a band along each edge, and Booleans
+/// unite the bands. This is hundreds of times slower than a level of the profile, but edges need not agree on
+/// vertices: it serves where rounding keeps them from agreeing.
 /// O(n log n) Booleans for n edges.
 Region bandAround(const Region& region, double distance_mm, const Tolerances& tol);
 

@@ -4,15 +4,15 @@
 
 namespace stepmill::clearance {
 
-/// Builds one loop on the grid from edges that follow each other, without edges of no length: what rounding
-/// makes shorter than a few grid steps becomes a line or nothing.
+/// Builds one loop on the grid from edges that follow each other. It leaves out edges of no length: an edge
+/// that rounding makes shorter than a few grid steps becomes a line or is dropped.
 class LoopDrawer {
   public:
     void start(const Vec2& at);
     /// `edge`: number of the boundary edge it stands for; stretches of one edge become one again.
     void lineTo(const Vec2& to, int edge);
-    /// A line to a point that should be where the last edge ended, if rounding put it farther away than an
-    /// arc's end may lie off its circle.
+    /// Closes the gap to a point where the last edge should have ended: draws a line if rounding put the
+    /// point farther away than an arc's end may lie off its circle.
     void bridgeTo(const Vec2& to);
     /// \param sweep_rad how far the arc turns, whatever its sense; tells a tiny arc from a full turn
     /// \return whether an arc was drawn

@@ -12,7 +12,7 @@ namespace {
 /// Normals that differ by less belong to a smooth joint: end points on the grid turn the tangents of short
 /// arcs by that much. A disc of 100 mm then cuts half a nanometre [rad].
 constexpr double kSmoothRad = 1e-4;
-/// Turns closer than this to a half turn are cusps, whose side the tangents do not tell [rad].
+/// Turns closer than this to a half turn are cusps: the tangents do not tell their side [rad].
 constexpr double kCuspRad = 1e-3;
 /// Loops smaller than this are points: their edges are shorter than rounding lets one tell [mm].
 constexpr double kSpeckMm = 2e-5;

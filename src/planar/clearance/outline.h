@@ -10,18 +10,20 @@ Region ringsOf(const Profile& profile, const Level& level);
 /// The level without rings around nothing: rooms in which the disc just fits.
 Level withoutEmptyRings(const Profile& profile, const Level& level);
 
-/// What discs of the level's radius sweep whose centres have that clearance: the runs themselves and the
-/// discs' arcs between them.
+/// The ground that discs of the level's radius sweep when they roll along the boundary: its loops are the
+/// runs and, between them, arcs of the discs.
 struct Swept {
     Region region;
     /// Discs on both sides of a narrow place overlap; the region then winds around some points twice.
     bool overlapping = false;
 };
-/// Nothing where rounding has set the centre of one disc apart as its two walls see it: no arc joins them.
+/// Nothing where rounding makes the two walls of one disc see its centre at different places: no arc fits
+/// both.
 std::optional<Swept> sweptBy(const Profile& profile, const Level& level);
 
-/// Centres at `fine.distance` from the boundary whose discs do not lie in what the discs of `coarse` sweep;
-/// nothing where the two levels do not nest run by run. \pre discs of `coarse` do not overlap across necks
+/// Centres at `fine.distance` from the boundary whose discs reach beyond the ground that the discs of
+/// `coarse` sweep; nothing where the two levels do not nest run by run. \pre discs of `coarse` do not overlap
+/// at necks
 std::optional<Region> centresLeft(const Profile& profile, const Level& coarse, const Level& fine);
 
 }  // namespace stepmill::clearance

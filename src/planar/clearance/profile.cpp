@@ -119,7 +119,7 @@ double Profile::equalAt(int site, const Sample& a, const Sample& b) const {
     return signChange(difference, a.u, b.u, smallestStep(sites()[site]));
 }
 
-/// What stops the disc below `limit`; if nothing does, kNone and the limit itself.
+/// The stop of the disc below `limit`; without one kNone and the limit itself.
 Profile::Sample Profile::nearerAt(int site, double u, double limit) const {
     const Contact contact = contactAt(sites()[site], u);
     const Stop nearer = tree_.firstStop(site, contact, limit - kSameClearance * (1 + limit));

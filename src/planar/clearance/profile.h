@@ -8,7 +8,7 @@
 
 namespace stepmill::clearance {
 
-/// Stops that are no site: nothing at all, or the centre of the concave arc the disc grows on.
+/// Stops that are not sites: no stop at all, or the centre of the concave arc on which the disc grows.
 inline constexpr int kUnbounded = -1;
 inline constexpr int kOwnCentre = -2;
 /// Clearance where nothing stops the disc [mm].
@@ -26,13 +26,13 @@ struct Piece {
 
 /// Clearance as a function along the whole boundary: for every site its pieces, in order and without gaps.
 ///
-/// Per site this is the lower envelope of the clearances every other site allows. Both ends of a site ask
-/// the tree for their stop; where two stops differ, the point at which both stop the disc alike is asked:
-/// either nothing is nearer there, and it is a vertex of the Voronoi diagram, or a third stop shows up. Equal
-/// stops at both ends can only hide an island between them, which then names the site as its own stop: such
-/// one-sided pairs are looked up until there are none. On an arc whose middle looks away from such a stop the
-/// middle is asked too.
-/// Build O(n log n) for n edges on ordinary regions, sites in parallel.
+/// On each site this is the lower envelope of the clearances that all other sites allow. The search asks the
+/// tree for the stops at both ends of a site. Where they differ, it asks at the point where both stop the
+/// disc alike: either no site is nearer, and the point is a vertex of the Voronoi diagram, or a third stop
+/// shows up. Where they are equal, only an island can hide between them; its own profile then names this site
+/// as a stop, so the search looks up such one-sided pairs until there are none. Where the middle of an arc
+/// looks away from the stop of both its ends, the search asks at the middle too. Build O(n log n) for n edges
+/// on ordinary regions, sites in parallel.
 class Profile {
   public:
     /// `outside`: of the space around the region.

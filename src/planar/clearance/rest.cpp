@@ -1,4 +1,4 @@
-// What a smaller disc has left after a larger one.
+// The ground that is left to a smaller disc after a larger one.
 
 #include "planar/clearance/boundary_drawer.h"
 #include "planar/clearance/outline.h"

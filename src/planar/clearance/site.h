@@ -10,13 +10,13 @@ namespace stepmill::clearance {
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 inline constexpr int kNone = -1;
 
-/// Boundary points behind an edge by no more than this touch it: edges of a region may overlap by the
-/// distance within which Booleans take curves for one, Tolerances::linear_mm [mm].
+/// A boundary point that lies behind an edge by no more than this touches it. Edges of a region may overlap
+/// by Tolerances::linear_mm, because Booleans take curves that close for one curve [mm].
 inline constexpr double kOverlapMm = 1e-4;
-/// How much nearer to the boundary than asked a ring or a disc may come: half of kOverlapMm, a twentieth of
-/// Tolerances::gouge_mm [mm].
+/// A ring or a disc may come nearer to the boundary than asked by this much: half of kOverlapMm, a twentieth
+/// of Tolerances::gouge_mm [mm].
 inline constexpr double kNearerMm = kOverlapMm / 2;
-/// Points closer than rounding of end points and centres may bring them are one [mm].
+/// Points closer than this count as one: rounding of end points and centres may part them so far [mm].
 inline constexpr double kTouchMm = 2 * kGridMm;
 
 enum class SiteKind {
@@ -82,8 +82,8 @@ struct Meeting {
     bool back_to_back = false;
 };
 
-/// The ends of `site` stop the disc too, unless they are corners of their own or ends of `own`: so no disc
-/// slips through a joint that rounding has opened.
+/// The ends of `site` stop the disc too, so that no disc slips through a joint that rounding has opened. Ends
+/// that are reflex corners, sites of their own, or ends of `own` are left out.
 Meeting meetingOf(const Site& site, const Contact& contact, const Site& own);
 
 /// Distance from p to the site.
