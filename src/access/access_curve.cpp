@@ -5,7 +5,9 @@
 #include <tuple>
 
 #include "access/curve_sampling.h"
+#include "access/slivers.h"
 #include "access/walls.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {

@@ -4,11 +4,10 @@
 
 #include "access/collision.h"
 #include "access/entry.h"
-#include "access/lazy_diagram.h"
 #include "access/slivers.h"
 #include "access/suitability.h"
-#include "access/swept.h"
 #include "stepmill/access/access.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -65,7 +64,7 @@ void measureAreas(const FeatureGround& ground, bool all_components, AccessibleAr
                                           : access::swept(found.free_centres, found.radius_mm, tol);
     found.coverable =
         ground.walledIn() ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
-    found.swept_diagram = std::make_shared<LazyDiagram>();
+    found.swept = SureSweep(found.free_centres, found.radius_mm, {}, tol);
     found.coverable_area_mm2 = area(found.coverable);
     found.accessible_area_mm2 = found.coverable_area_mm2;
     found.access_volume_mm3 = found.coverable_area_mm2 * ground.feature().depth_mm();

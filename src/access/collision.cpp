@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "access/slivers.h"
-#include "access/swept.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 

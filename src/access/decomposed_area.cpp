@@ -1,8 +1,7 @@
 #include "stepmill/access/access.h"
 
-#include "access/lazy_diagram.h"
 #include "access/slivers.h"
-#include "access/swept.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 
@@ -25,17 +24,11 @@ void sweepUseful(const FeatureGround& ground, const Region& centres, const Regio
     if (!swept.empty()) found.area = unite(swept, tol);
 }
 
-Region shrunkSwept(const AccessibleArea& m, double by_mm, const Tolerances& tol) {
-    const auto swept = [&] { return access::sweptForSure(m, tol); };
-    if (m.swept_diagram) return m.swept_diagram->from(swept, tol).offset(-by_mm);
-    return offset(swept(), -by_mm, tol);
-}
-
 /// Both tools sweep all they can inside the target: the target's diagram knows the rest of the smaller one.
 DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m, const AccessibleArea& n) {
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;
-    // Opening the target by half a sliver more is opening m's centres by that: see access::sweptForSure().
+    // Opening the target by half a sliver more is opening m's centres by that: see SureSweep.
     const Region rest = ground.targetRestCentres(m.radius_mm + access::halfSliverMm(tol), n.radius_mm);
     found.centres = access::withoutSliverComponents(rest, tol);
     found.new_area_mm2 = std::max(0.0, n.coverable_area_mm2 - m.coverable_area_mm2);
@@ -62,7 +55,7 @@ DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea*
         return found;
     }
     found.new_area_mm2 = area(fresh);
-    const Region done = shrunkSwept(*m, n.radius_mm, tol);                                             // B_mn
+    const Region done = m->swept.shrunk(n.radius_mm);                                                  // B_mn
     const Region centres = access::withoutSliverComponents(subtract(n.free_centres, done, tol), tol);  // C
     found.cleared_centres = intersect(n.free_centres, done, tol);
     sweepUseful(ground, centres, fresh, n.radius_mm, found);  // D_mn

@@ -12,13 +12,7 @@ namespace stepmill {
 class LazyDiagram {
   public:
     const ClearanceDiagram& of(const Region& region, const Tolerances& tol) {
-        return from([&]() -> const Region& { return region; }, tol);
-    }
-
-    /// Of the region that `make` returns; asked for it once.
-    template <typename Make>
-    const ClearanceDiagram& from(const Make& make, const Tolerances& tol) {
-        std::call_once(once_, [&] { diagram_ = std::make_unique<ClearanceDiagram>(make(), tol); });
+        std::call_once(once_, [&] { diagram_ = std::make_unique<ClearanceDiagram>(region, tol); });
         return *diagram_;
     }
 

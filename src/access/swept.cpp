@@ -1,9 +1,61 @@
-#include "access/swept.h"
+#include "stepmill/access/swept.h"
 
+#include <mutex>
+#include <vector>
+
+#include "access/lazy_diagram.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/clearance_diagram.h"
 
-namespace stepmill::access {
+namespace stepmill {
+
+struct SureSweep::Made {
+    Region centres;
+    double radius_mm = 0;
+    Region given_up;
+    Tolerances tol;
+    std::once_flag once;
+    Region region;
+    LazyDiagram diagram;
+
+    const Region& swept() {
+        std::call_once(once, [&] {
+            if (!centres.empty()) region = sweep();
+        });
+        return region;
+    }
+
+    Region sweep() const {
+        const double half_sliver_mm = access::halfSliverMm(tol);
+        const Region wide = offset(centres, -half_sliver_mm, tol);
+        Region sure = access::swept(wide, radius_mm + half_sliver_mm, tol);
+        return given_up.empty() ? sure : subtract(sure, given_up, tol);
+    }
+};
+
+SureSweep::SureSweep() : made_(std::make_shared<Made>()) {}
+
+SureSweep::SureSweep(Region centres, double radius_mm, Region given_up, const Tolerances& tol) : SureSweep() {
+    made_->centres = std::move(centres);
+    made_->radius_mm = radius_mm;
+    made_->given_up = std::move(given_up);
+    made_->tol = tol;
+}
+
+SureSweep::SureSweep(Region swept, const Tolerances& tol) : SureSweep() {
+    made_->region = std::move(swept);
+    made_->tol = tol;
+}
+
+const Region& SureSweep::region() const {
+    return made_->swept();
+}
+
+Region SureSweep::shrunk(double by_mm) const {
+    const Region& swept = made_->swept();
+    return swept.empty() ? Region{} : made_->diagram.of(swept, made_->tol).offset(-by_mm);
+}
+
+namespace access {
 
 Region swept(const Region& centres, double radius_mm, const Tolerances& tol) {
     std::vector<Region> grown;
@@ -13,10 +65,5 @@ Region swept(const Region& centres, double radius_mm, const Tolerances& tol) {
     return grown.size() == 1 ? std::move(grown.front()) : unite(grown, tol);
 }
 
-Region sweptForSure(const AccessibleArea& area, const Tolerances& tol) {
-    const Region wide = offset(area.free_centres, -halfSliverMm(tol), tol);
-    Region sure = swept(wide, area.radius_mm + halfSliverMm(tol), tol);
-    return area.given_up.empty() ? sure : subtract(sure, area.given_up, tol);
-}
-
-}  // namespace stepmill::access
+}  // namespace access
+}  // namespace stepmill

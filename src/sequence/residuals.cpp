@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "access/swept.h"
 #include "sequence/drilling.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -62,10 +62,9 @@ std::string whatWouldClear(const Withheld& withheld) {
 /// What the last tool covers on paper and no pass sweeps: there its centres are thinner than a sliver.
 Region beyondPasses(const std::vector<const Candidate*>& used, const Tolerances& tol) {
     const Candidate& last = *used.back();
-    Region missed = subtract(last.area->coverable, access::sweptForSure(*last.area, tol), tol);
+    Region missed = subtract(last.area->coverable, last.area->swept.region(), tol);
     for (const Candidate* tool : used)
-        if (tool != &last && !missed.empty())
-            missed = subtract(missed, access::sweptForSure(*tool->area, tol), tol);
+        if (tool != &last && !missed.empty()) missed = subtract(missed, tool->area->swept.region(), tol);
     Region beyond;
     for (const Region& piece : toolpath::piecesBeyondSkins(missed, tol))
         beyond.loops.insert(beyond.loops.end(), piece.loops.begin(), piece.loops.end());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/access/swept.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
@@ -76,9 +77,6 @@ class FeatureGround {
     std::unique_ptr<Impl> impl_;
 };
 
-/// Diagram of a region, both made by the first who asks; safe to share between threads.
-class LazyDiagram;
-
 /// A piece of what a tool's cutter could reach but for its shank or holder, and other tools can reach.
 struct BlockedLump {
     Region region;  ///< its parts are nearer to each other than the cutter's diameter
@@ -122,9 +120,8 @@ struct AccessibleArea {
     std::optional<Exclusion> excluded;
     /// What of `accessible` nobody clears: where surrogates do part of it, ground that none of them reaches.
     Region given_up;
-    /// Diagram of what the tool's passes sweep for sure, which every pair that starts with this tool shrinks;
-    /// copies share it. May be null: decomposedArea() then builds its own.
-    std::shared_ptr<LazyDiagram> swept_diagram;
+    /// What the tool's passes clear for sure: the pairs that start with this tool shrink it.
+    SureSweep swept;
 };
 
 /// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.

@@ -52,8 +52,9 @@ std::vector<const Candidate*> SequenceChoices::usedOn(const std::vector<int>& pa
     return used;
 }
 
-std::vector<Residual> SequenceChoices::left() const {
-    return leftOver(ground, usedOn(dag.path), withheld);
+const std::vector<Residual>& SequenceChoices::left() const {
+    std::call_once(left_once_, [&] { left_ = leftOver(ground, usedOn(dag.path), withheld); });
+    return left_;
 }
 
 const std::vector<SequenceChoice>& SequenceChoices::choices() const {
@@ -94,7 +95,7 @@ bool SequenceChoices::leavesTheSame(const std::vector<int>& path) const {
         std::any_of(dag.path.begin(), dag.path.end(), limited))
         return false;
     if (path.back() == dag.path.back()) return true;
-    return leftOver(ground, usedOn(path), withheld).empty() && left().empty();
+    return left().empty() && leftOver(ground, usedOn(path), withheld).empty();
 }
 
 void SequenceChoices::addChoice(const std::vector<int>& path, double weight) const {

@@ -40,7 +40,7 @@ class SequenceChoices {
     /// Error(Internal) if a path gouges
     void take(std::size_t index, ToolSequence& sequence) const;
     /// What stays after the cheapest way, and so after each of choices().
-    std::vector<Residual> left() const;
+    const std::vector<Residual>& left() const;
 
   private:
     std::vector<SequenceStep> stepsOn(const std::vector<int>& path) const;
@@ -52,6 +52,8 @@ class SequenceChoices {
     void addWays(std::vector<int>& path, double weight) const;
     void addChoice(const std::vector<int>& path, double weight) const;
 
+    mutable std::once_flag left_once_;
+    mutable std::vector<Residual> left_;
     mutable std::once_flag listed_;
     mutable std::vector<SequenceChoice> choices_;
     mutable std::vector<std::vector<int>> paths_;  ///< of choices_

@@ -84,7 +84,7 @@ void admitWithSurrogates(const FeatureGround& ground, const HeldOffTools& held_o
             others = subtract(others, none_reaches, tol);
             area.given_up = none_reaches;
             area.opens_target = false;
-            area.swept_diagram.reset();
+            area.swept = SureSweep(area.free_centres, area.radius_mm, none_reaches, tol);
             area.coverable = subtract(area.coverable, none_reaches, tol);
             area.coverable_area_mm2 = stepmill::area(area.coverable);
             area.access_volume_mm3 = area.coverable_area_mm2 * ground.feature().depth_mm();

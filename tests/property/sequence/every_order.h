@@ -4,10 +4,9 @@
 #include <map>
 #include <vector>
 
-#include "access/lazy_diagram.h"
-#include "access/swept.h"
 #include "sequence/dag/candidate.h"
 #include "sequence/holder/tool_areas.h"
+#include "stepmill/access/swept.h"
 #include "support/clearing_tasks.h"
 #include "unit/sequence/sample_feature.h"
 
@@ -35,9 +34,6 @@ class EveryOrder {
                 area = std::move(*limited);
             }
             tools_.push_back(tool);
-            swept_.push_back(access::sweptForSure(area, tol_));
-            // step() may say another radius: what is swept stays that of the tool's own.
-            area.swept_diagram->from([&]() -> const Region& { return swept_.back(); }, tol_);
             areas_.push_back(std::move(area));
         }
         cleared_.resize(std::size_t{1} << tools_.size());
@@ -77,7 +73,7 @@ class EveryOrder {
             if ((set >> n & 1U) == 0) continue;
             all.accessible = all.accessible.empty() ? areas_[n].accessible
                                                     : unite(all.accessible, areas_[n].accessible, tol_);
-            swept.push_back(swept_[n]);
+            swept.push_back(areas_[n].swept.region());
             all.coverable =
                 all.coverable.empty() ? areas_[n].coverable : unite(all.coverable, areas_[n].coverable, tol_);
         }
@@ -85,8 +81,7 @@ class EveryOrder {
         for (std::size_t n = 0; n < tools_.size(); ++n)
             if ((set >> n & 1U) != 0 && areas_[n].coverable_area_mm2 >= all.coverable_area_mm2 - same())
                 return areas_[n];
-        all.swept_diagram = std::make_shared<LazyDiagram>();
-        if (!swept.empty()) all.swept_diagram->from([&] { return unite(swept, tol_); }, tol_);
+        if (!swept.empty()) all.swept = SureSweep(unite(swept, tol_), tol_);
         return all;
     }
 
@@ -130,7 +125,6 @@ class EveryOrder {
     FeatureGround ground_;
     std::vector<const ToolAssembly*> tools_;
     std::vector<AccessibleArea> areas_;
-    std::vector<Region> swept_;            ///< by each tool's passes for sure
     std::vector<AccessibleArea> cleared_;  ///< by each set of tools
     std::map<std::pair<std::size_t, std::size_t>, double> steps_;
 };
