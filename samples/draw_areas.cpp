@@ -9,7 +9,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/region_text.h"
-#include "toolpath/finish_walls.h"
+#include "stepmill/toolpath/finish_walls.h"
 
 namespace stepmill {
 namespace {

@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "access/curve_sampling.h"
-#include "access/slivers.h"
 #include "access/walls.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
 #include "stepmill/core/error.h"
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "access/collision.h"
 #include "access/entry.h"
-#include "access/slivers.h"
 #include "access/suitability.h"
 #include "stepmill/access/access.h"
+#include "stepmill/access/collision.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
 

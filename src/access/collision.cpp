@@ -1,10 +1,10 @@
-#include "access/collision.h"
+#include "stepmill/access/collision.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "access/slivers.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"

@@ -1,6 +1,6 @@
 #include "stepmill/access/access.h"
 
-#include "access/slivers.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "access/collision.h"
-#include "access/slivers.h"
+#include "stepmill/access/collision.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 

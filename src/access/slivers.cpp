@@ -1,4 +1,4 @@
-#include "access/slivers.h"
+#include "stepmill/access/slivers.h"
 
 #include "stepmill/planar/clearance_diagram.h"
 

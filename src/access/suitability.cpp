@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "access/collision.h"
+#include "stepmill/access/collision.h"
 
 namespace stepmill::access {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "access/collision.h"
+#include "stepmill/access/collision.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/sequence/sequence.h"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "plan/plan_steps.h"
-#include "sequence/drilling.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/sequence/drilling.h"
 
 namespace stepmill {
 namespace {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "plan/plan_steps.h"
-#include "sequence/dag/candidate.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/sequence/machine_limits.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {

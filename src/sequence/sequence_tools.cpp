@@ -4,11 +4,11 @@
 #include "sequence/dag/evaluate_dag.h"
 #include "sequence/dag/lower_bound.h"
 #include "sequence/dag/sequence_choices.h"
-#include "sequence/drilling.h"
 #include "sequence/holder/holder_limits.h"
 #include "sequence/holder/tool_areas.h"
-#include "sequence/residuals.h"
+#include "sequence/steps/residuals.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/sequence.h"
 
 namespace stepmill {

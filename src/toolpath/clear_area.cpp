@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "stepmill/core/error.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/path_frame.h"
 #include "toolpath/script/region_cut.h"
 #include "toolpath/script/visit_order.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "stepmill/core/error.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
-#include "toolpath/path_frame.h"
 
 namespace stepmill {
 

@@ -1,6 +1,6 @@
 // The pass along the walls that takes off what roughing has left there.
 
-#include "toolpath/finish_walls.h"
+#include "stepmill/toolpath/finish_walls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/path_parts.h"
+#include "stepmill/toolpath/path_frame.h"
+#include "stepmill/toolpath/swept_region.h"
 #include "toolpath/emit.h"
 #include "toolpath/finishing/wall_chains.h"
 #include "toolpath/finishing/wall_leads.h"
-#include "toolpath/path_frame.h"
 #include "toolpath/patterns/ring_family.h"
 #include "toolpath/script/visit_order.h"
 #include "toolpath/swept_ground.h"
-#include "toolpath/swept_region.h"
 
 namespace stepmill::toolpath {
 namespace {

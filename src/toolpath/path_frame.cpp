@@ -1,4 +1,4 @@
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/path_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The ground a disc sweeps: a box or a piece of ring along every edge, a disc at every corner.
 
-#include "toolpath/swept_region.h"
+#include "stepmill/toolpath/swept_region.h"
 
 #include <cmath>
 

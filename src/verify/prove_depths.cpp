@@ -11,7 +11,7 @@
 
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/advice/area_models.h"
-#include "toolpath/swept_region.h"
+#include "stepmill/toolpath/swept_region.h"
 #include "verify/prove_operation.h"
 
 namespace stepmill::verify {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "sequence/drilling.h"
+#include "stepmill/sequence/drilling.h"
 #include "verify/prove_state.h"
 
 namespace stepmill::verify {

@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "access/collision.h"
-#include "sequence/drilling.h"
+#include "stepmill/access/collision.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge_index.h"
-#include "toolpath/swept_region.h"
+#include "stepmill/sequence/drilling.h"
+#include "stepmill/toolpath/swept_region.h"
 #include "verify/read_path.h"
 
 namespace stepmill::verify {

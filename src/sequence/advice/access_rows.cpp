@@ -5,6 +5,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/sequence/advice/ranking.h"
+#include "stepmill/sequence/machine_limits.h"
 
 namespace stepmill {
 namespace {

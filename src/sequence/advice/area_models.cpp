@@ -2,7 +2,7 @@
 
 #include "sequence/dag/candidate.h"
 #include "stepmill/core/units.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {

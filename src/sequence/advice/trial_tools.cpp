@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "access/collision.h"
 #include "sequence/dag/candidate.h"
 #include "stepmill/access/access_curve.h"
+#include "stepmill/access/collision.h"
 
 namespace stepmill {
 namespace {

@@ -1,9 +1,10 @@
 #include "sequence/dag/candidate.h"
 
-#include "sequence/drilling.h"
 #include "stepmill/core/units.h"
 #include "stepmill/sequence/advice/area_models.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/sequence/drilling.h"
+#include "stepmill/sequence/machine_limits.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
@@ -114,7 +115,8 @@ std::vector<bool> endTools(const Feature& feature, const std::vector<Candidate>&
     const bool milled_whole = best >= feature.area_mm2 - sameArea(feature, tol);
     std::vector<bool> ends;
     for (const Candidate& tool : tools) {
-        // A drill's point leaves a cone on a blind floor, so there it ends only what no cutter can finish.
+        // A drill's point leaves a cone on a blind floor, so there it ends only what no cutter can
+        // finish.
         const bool drill_ends = feature.through || !milled_whole;
         ends.push_back(tool.drill() ? drill_ends : tool.coverable_mm2 >= best - sameArea(feature, tol));
     }

@@ -34,11 +34,6 @@ double weightOf(const EdgeCost& cost, Objective objective);
 /// What that time on the machine costs, without wear and tool changes.
 EdgeCost machineCost(double seconds, const Machine& machine);
 
-/// Cutting data within the machine's speed and feed. A spindle that is too slow slows the feeds in
-/// proportion, so that the chip stays as thick as the library asks. Without a plunge feed the cutting feed
-/// stands for it.
-CuttingData limitedBy(const Machine& machine, CuttingData cutting);
-
 /// Upper bound of the material one tool can remove per second.
 ///
 /// Moving level, a cutter sweeps its diameter times the depth of cut, at most at the cutting feed.

@@ -6,10 +6,10 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/dag/edge_work.h"
-#include "sequence/drilling.h"
 #include "sequence/holder/tool_areas.h"
 #include "sequence/surrogates/surrogates.h"
 #include "stepmill/core/error.h"
+#include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {

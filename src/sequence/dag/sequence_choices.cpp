@@ -4,9 +4,9 @@
 
 #include <tbb/parallel_for.h>
 
-#include "sequence/drilling.h"
-#include "sequence/finishing.h"
-#include "sequence/residuals.h"
+#include "sequence/steps/finishing.h"
+#include "sequence/steps/residuals.h"
+#include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {

@@ -1,6 +1,6 @@
 #include "sequence/holder/tool_areas.h"
 
-#include "access/collision.h"
+#include "stepmill/access/collision.h"
 
 namespace stepmill {
 

@@ -6,21 +6,22 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "access/collision.h"
 #include "sequence/dag/edge_work.h"
+#include "stepmill/access/collision.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/sequence/machine_limits.h"
 
 namespace stepmill {
 namespace {
 
-/// A way in over an open edge starts up to 1 mm beside the material; nothing of a lump's path goes farther
-/// from it than the cutter's diameter and this [mm].
+/// A way in over an open edge starts up to 1 mm beside the material; nothing of a lump's path goes
+/// farther from it than the cutter's diameter and this [mm].
 constexpr double kBesideMm = 2;
 
-/// Where no tool reaches all of a lump: how many are asked to do it together, how many such sets are looked
-/// at, and how many of those that can get their paths.
+/// Where no tool reaches all of a lump: how many are asked to do it together, how many such sets are
+/// looked at, and how many of those that can get their paths.
 constexpr std::size_t kMostTogether = 3;
 constexpr int kMostSetsSeen = 400;
 constexpr std::size_t kMostSetsWeighed = 12;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "stepmill/core/units.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "toolpath/script/engagement.h"
 #include "toolpath/script/visit_order.h"
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "access/slivers.h"
 #include "random_grounds.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/planar/region_text.h"
 
 namespace stepmill {

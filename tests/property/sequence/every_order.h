@@ -7,22 +7,24 @@
 #include "sequence/dag/candidate.h"
 #include "sequence/holder/tool_areas.h"
 #include "stepmill/access/swept.h"
+#include "stepmill/sequence/machine_limits.h"
 #include "support/clearing_tasks.h"
 #include "unit/sequence/sample_feature.h"
 
 namespace stepmill::test {
 
-/// The cheapest way to clear a feature with its tools in any order: the oracle for the tool DAG's rule that
-/// diameters fall.
+/// The cheapest way to clear a feature with its tools in any order: the oracle for the tool DAG's rule
+/// that diameters fall.
 ///
-/// Each tool sweeps all it can reach itself, less what the tools before it have swept, on a real path. What
-/// is still material depends on the set of tools used, not on their order, so the cheapest order over all
-/// ordered subsets is a cheapest path over the 2^n sets. A step may also take what one wider tool of the set
-/// has swept for all that is gone, as an edge of the DAG does: so every path through a DAG without surrogates
-/// is among those looked at, at the same cost.
+/// Each tool sweeps all it can reach itself, less what the tools before it have swept, on a real path.
+/// What is still material depends on the set of tools used, not on their order, so the cheapest order
+/// over all ordered subsets is a cheapest path over the 2^n sets. A step may also take what one wider
+/// tool of the set has swept for all that is gone, as an edge of the DAG does: so every path through a
+/// DAG without surrogates is among those looked at, at the same cost.
 class EveryOrder {
   public:
-    /// The tools as the DAG's areas have them, or where their holder is in the way the part that it allows.
+    /// The tools as the DAG's areas have them, or where their holder is in the way the part that it
+    /// allows.
     EveryOrder(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                const SequenceOptions& options)
         : machine_(machine), options_(options), ground_(feature, tol_) {
@@ -44,8 +46,8 @@ class EveryOrder {
     /// What all tools reach together [mm2].
     double reach_mm2() const { return cleared_.back().coverable_area_mm2; }
 
-    /// The least seconds or money, as the objective asks, to clear that much; infinite if that is too much.
-    /// \param falling  only orders in which no tool is wider than one before it
+    /// The least seconds or money, as the objective asks, to clear that much; infinite if that is too
+    /// much. \param falling  only orders in which no tool is wider than one before it
     double cheapest(double enough_mm2, bool falling = false) {
         std::vector<double> best(cleared_.size(), kInfinite);
         best[0] = 0;

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "access/collision.h"
 #include "grounds.h"
+#include "stepmill/access/collision.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {

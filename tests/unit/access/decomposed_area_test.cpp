@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "access/slivers.h"
 #include "grounds.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 

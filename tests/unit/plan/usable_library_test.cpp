@@ -3,7 +3,7 @@
 #include "plan/plan_steps.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {

@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "sequence/dag/candidate.h"
+#include "stepmill/sequence/machine_limits.h"
 #include "stepmill/sequence/sequence.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {

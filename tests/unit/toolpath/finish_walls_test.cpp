@@ -1,6 +1,6 @@
 // The pass along the walls after roughing with an allowance.
 
-#include "toolpath/finish_walls.h"
+#include "stepmill/toolpath/finish_walls.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "toolpath/swept_region.h"
+#include "stepmill/toolpath/swept_region.h"
 
 #include <random>
 

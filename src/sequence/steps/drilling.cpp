@@ -1,4 +1,4 @@
-#include "sequence/drilling.h"
+#include "stepmill/sequence/drilling.h"
 
 #include <fmt/format.h>
 

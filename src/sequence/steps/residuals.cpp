@@ -1,15 +1,15 @@
-#include "sequence/residuals.h"
+#include "sequence/steps/residuals.h"
 
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "sequence/drilling.h"
 #include "stepmill/access/swept.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
-#include "toolpath/swept_region.h"
+#include "stepmill/sequence/drilling.h"
+#include "stepmill/toolpath/swept_region.h"
 
 namespace stepmill {
 namespace {

@@ -1,15 +1,15 @@
 // Roughing that leaves an allowance, and the steps that take it off.
 
-#include "sequence/finishing.h"
+#include "sequence/steps/finishing.h"
 
 #include <fmt/format.h>
 
-#include "access/collision.h"
-#include "access/slivers.h"
 #include "sequence/holder/holder_limits.h"
+#include "stepmill/access/collision.h"
+#include "stepmill/access/slivers.h"
 #include "stepmill/planar/boolean.h"
-#include "toolpath/finish_walls.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/finish_walls.h"
+#include "stepmill/toolpath/step_over.h"
 
 namespace stepmill {
 namespace {
