@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "feature/region_compare.h"
+#include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::feature {

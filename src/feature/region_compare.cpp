@@ -1,4 +1,4 @@
-#include "feature/region_compare.h"
+#include "stepmill/feature/region_compare.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "feature/region_compare.h"
+#include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::feature {

@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "feature/region_compare.h"
+#include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::feature {

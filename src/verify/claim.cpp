@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "feature/region_compare.h"
 #include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
+#include "stepmill/feature/region_compare.h"
 
 namespace stepmill {
 namespace {

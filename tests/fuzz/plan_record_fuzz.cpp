@@ -7,7 +7,7 @@
 #include <fmt/core.h>
 
 #include "stepmill/core/error.h"
-#include "stepmill/verify/plan_record.h"
+#include "stepmill/record/plan_record.h"
 
 namespace stepmill {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "stepmill/verify/plan_record.h"
+#include "stepmill/record/plan_files.h"
 
 namespace stepmill {
 

@@ -1,5 +1,5 @@
-#include "report/page/json_values.h"
 #include "stepmill/catalog/json_schema.h"
+#include "stepmill/catalog/json_values.h"
 #include "stepmill/core/error.h"
 #include "stepmill/report/inspection.h"
 
@@ -7,11 +7,11 @@ namespace stepmill {
 
 namespace {
 
-using report::Json;
-using report::listOf;
-using report::number;
-using report::point;
-using report::textOrNull;
+using json::Json;
+using json::listOf;
+using json::number;
+using json::point;
+using json::textOrNull;
 
 Json wallJson(const std::optional<WallThickness>& wall) {
     if (!wall) return nullptr;

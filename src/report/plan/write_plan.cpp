@@ -3,12 +3,6 @@
 
 namespace stepmill {
 
-bool ProvenPlan::mayRun() const {
-    const bool books_close = std::none_of(plan.warnings.begin(), plan.warnings.end(),
-                                          [](const Warning& warning) { return warning.code == "books"; });
-    return verification.proven() && books_close;
-}
-
 void writePlan(const ProvenPlan& proven, JobFolder& folder, const Tolerances& tol) {
     NewJob job;
     job.by = JobWriter::Plan;

@@ -1,16 +1,16 @@
-#include "report/page/json_values.h"
 #include "stepmill/catalog/json_schema.h"
+#include "stepmill/catalog/json_values.h"
 #include "stepmill/core/error.h"
 #include "stepmill/report/rank.h"
 
 namespace stepmill {
 namespace {
 
-using report::Json;
-using report::listOf;
-using report::number;
-using report::numberOrNull;
-using report::textOrNull;
+using json::Json;
+using json::listOf;
+using json::number;
+using json::numberOrNull;
+using json::textOrNull;
 
 constexpr double kPercent = 100;
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "stepmill/verify/plan_record.h"
+#include "stepmill/record/plan_files.h"
 #include "support/second_reader.h"
 
 namespace stepmill::test {

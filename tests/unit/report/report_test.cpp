@@ -12,6 +12,7 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/record/plan_json.h"
 #include "stepmill/report/part_views.h"
 #include "stepmill/report/report.h"
 #include "support/run_program.h"
@@ -35,11 +36,7 @@ const Plan& shoulderPlan() {
 }
 
 ProvenPlan provenShoulder() {
-    PlanFiles files;
-    files.plan_json = planJson(shoulderPlan());
-    for (const PlannedSetup& setup : shoulderPlan().setups)
-        files.programs[setup.setup.id] = post(jobOf(shoulderPlan(), setup), {files.dialect});
-    return {shoulderPlan(), files, {}};
+    return {shoulderPlan(), postedFiles(shoulderPlan()), {}};
 }
 
 int countOf(const std::string& text, const std::string& word) {

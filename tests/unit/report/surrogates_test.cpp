@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stepmill/catalog/read_catalog.h"
+#include "stepmill/record/plan_json.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {

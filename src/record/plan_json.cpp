@@ -1,19 +1,19 @@
-#include "report/page/json_values.h"
+#include "stepmill/record/plan_json.h"
 #include "stepmill/catalog/json_schema.h"
+#include "stepmill/catalog/json_values.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/region_json.h"
 #include "stepmill/post/post.h"
-#include "stepmill/report/report.h"
 
 namespace stepmill {
 
 namespace {
 
-using report::Json;
-using report::listOf;
-using report::number;
-using report::numberOrNull;
-using report::point;
+using json::Json;
+using json::listOf;
+using json::number;
+using json::numberOrNull;
+using json::point;
 
 Json box(const Box3& b) {
     return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "stepmill/core/file.h"
-#include "stepmill/post/post.h"
-#include "stepmill/post/read_program.h"
+#include "stepmill/plan/plan.h"
 
 namespace stepmill {
 
@@ -86,29 +84,5 @@ struct PlanRecord {
 /// Reads a plan.json. \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject when it breaks
 /// its schema or names an operation, feature or tool it does not have.
 PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol);
-
-/// A plan.json and programs that belong to it.
-struct PlanFiles {
-    std::string plan_json;
-    Dialect dialect = Dialect::LinuxCnc;
-    /// Of each setup, by its id: one, or one for every visit of a tool in their order.
-    std::map<std::string, std::vector<PostedProgram>> programs;
-};
-
-/// The files `stepmill plan` wrote, or those `stepmill post` wrote beside them.
-/// \param dialect    whose programs; none: those plan.json names, or those for every visit of a tool that
-/// post
-///                   put in their place
-/// \param max_bytes  larger files are not read
-/// \throws Error(FileUnreadable) naming the file that is missing; what planRecordFromText throws.
-PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
-                        const Tolerances& tol, std::uintmax_t max_bytes = kMaxFileBytes);
-
-/// Reads a setup's programs back. \throws what readProgram does; Error(FileUnreadable) when there is none.
-std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup);
-
-/// Programs of a setup with what the plan knows of it, ready for a post.
-/// \throws Error(InvalidCatalog) when they have an operation the plan does not know.
-Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vector<ReadProgram>& programs);
 
 }  // namespace stepmill

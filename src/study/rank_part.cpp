@@ -5,7 +5,7 @@
 #include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
 #include "stepmill/plan/stages.h"
-#include "stepmill/report/rank.h"
+#include "stepmill/study/rank.h"
 
 namespace stepmill {
 namespace {

@@ -1,13 +1,14 @@
-#include "stepmill/verify/plan_record.h"
+#include "stepmill/record/plan_record.h"
 
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
 
+#include "record/plan_rules.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/region_json.h"
-#include "verify/plan_rules.h"
+#include "stepmill/post/post.h"
 
 namespace stepmill {
 namespace {
@@ -16,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kPlanFile = "plan.json";
 
-using verify::failAt;
+using record::failAt;
 
 /// The loops as written, checked: a region that crosses itself or runs the wrong way proves anything.
 Region region(const Json& json, const std::string& pointer) {
@@ -97,7 +98,7 @@ PlannedFeature feature(const Json& json, const std::string& pointer) {
         residual.reason = from["reason"];
         planned.sequence.residual.push_back(std::move(residual));
     }
-    verify::checkFeature(planned, pointer);
+    record::checkFeature(planned, pointer);
     return planned;
 }
 
@@ -199,8 +200,8 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
         failAt(errors.front().substr(0, colon), errors.front().substr(colon + 2));
     }
     const Json plan = Json::parse(text);
-    verify::checkPlanRules(plan);
-    verify::checkBooks(plan, tol);
+    record::checkPlanRules(plan);
+    record::checkBooks(plan, tol);
     PlanRecord record;
     record.part_file = plan["part"]["file"];
     record.part_sha256 = plan["part"]["sha256"];

@@ -1,6 +1,6 @@
 // A plan.json that keeps its schema may still contradict itself.
 
-#include "verify/plan_rules.h"
+#include "record/plan_rules.h"
 
 #include <cmath>
 #include <map>
@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/post/post.h"
 
-namespace stepmill::verify {
+namespace stepmill::record {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -238,4 +239,4 @@ void checkBooks(const Json& plan, const Tolerances& tol) {
     }
 }
 
-}  // namespace stepmill::verify
+}  // namespace stepmill::record

@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "stepmill/catalog/read_catalog.h"
-#include "stepmill/report/report.h"
+#include "stepmill/proven/proven_plan.h"
+#include "stepmill/record/plan_json.h"
 
 namespace stepmill {
 namespace {

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "stepmill/core/tolerances.h"
-#include "stepmill/verify/plan_record.h"
+#include "stepmill/record/plan_record.h"
 
-namespace stepmill::verify {
+namespace stepmill::record {
 
 /// What a schema cannot say of a plan.json: ids that name one thing each, features and operations that stand
 /// in their setup's lists once, parents before children, tools whose type and corner agree, a program's name
@@ -23,4 +23,4 @@ void checkBooks(const nlohmann::ordered_json& plan, const Tolerances& tol);
 /// \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject
 [[noreturn]] void failAt(const std::string& pointer, const std::string& what);
 
-}  // namespace stepmill::verify
+}  // namespace stepmill::record

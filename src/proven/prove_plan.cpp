@@ -4,7 +4,7 @@
 
 #include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
-#include "stepmill/report/report.h"
+#include "stepmill/proven/proven_plan.h"
 
 namespace stepmill {
 namespace {
@@ -13,15 +13,6 @@ namespace {
 constexpr std::size_t kMostToolsWithheld = 3;
 /// So often what stays is named before the feature is dropped.
 constexpr std::size_t kMostLeftNamed = 3;
-
-PlanFiles postedFiles(const Plan& plan) {
-    PlanFiles files;
-    files.plan_json = planJson(plan);
-    files.dialect = dialectOf(plan.machine);
-    for (const PlannedSetup& setup : plan.setups)
-        files.programs[setup.setup.id] = post(jobOf(plan, setup), {files.dialect});
-    return files;
-}
 
 /// What our own reader cannot take is a proof that fails.
 Verification verified(const PlanFiles& files, const Tolerances& tol, const Prover& prover) {
@@ -163,6 +154,12 @@ bool addCautions(const ProvenPlan& proven, Cautions& cautions) {
 }
 
 }  // namespace
+
+bool ProvenPlan::mayRun() const {
+    const bool books_close = std::none_of(plan.warnings.begin(), plan.warnings.end(),
+                                          [](const Warning& warning) { return warning.code == "books"; });
+    return verification.proven() && books_close;
+}
 
 ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLibrary& library,
                       const Machine& machine, const Tolerances& tol, const Progress& progress,

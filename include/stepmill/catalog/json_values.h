@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
-namespace stepmill::report {
+namespace stepmill::json {
 
 using Json = nlohmann::ordered_json;
 
@@ -41,4 +42,4 @@ inline Json textOrNull(const std::string& text) {
     return text.empty() ? Json(nullptr) : Json(text);
 }
 
-}  // namespace stepmill::report
+}  // namespace stepmill::json

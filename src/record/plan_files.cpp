@@ -1,10 +1,12 @@
 // A plan.json with the programs that belong to it.
 
+#include "stepmill/record/plan_files.h"
+
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
-#include "stepmill/verify/plan_record.h"
+#include "stepmill/record/plan_json.h"
 
 namespace stepmill {
 namespace {
@@ -37,6 +39,15 @@ std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const st
 }
 
 }  // namespace
+
+PlanFiles postedFiles(const Plan& plan) {
+    PlanFiles files;
+    files.plan_json = planJson(plan);
+    files.dialect = dialectOf(plan.machine);
+    for (const PlannedSetup& setup : plan.setups)
+        files.programs[setup.setup.id] = post(jobOf(plan, setup), {files.dialect});
+    return files;
+}
 
 PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
                         const Tolerances& tol, std::uintmax_t max_bytes) {

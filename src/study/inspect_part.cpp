@@ -6,7 +6,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/feature/face_owner.h"
 #include "stepmill/plan/plan.h"
-#include "stepmill/report/inspection.h"
+#include "stepmill/study/inspection.h"
 
 namespace stepmill {
 
