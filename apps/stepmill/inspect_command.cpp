@@ -62,7 +62,7 @@ int exitCodeOf(const Inspection& inspection, const Tolerances& tol) {
         return kBug;
     }
     double left_mm3 = 0;
-    for (const LeftOver& left : books.left)
+    for (const ReasonVolume& left : books.left)
         left_mm3 += left.volume_mm3;
     const bool doubtful = std::any_of(
         inspection.part.remarks.begin(), inspection.part.remarks.end(),

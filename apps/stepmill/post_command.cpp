@@ -24,18 +24,20 @@ struct PostCommandOptions {
     RunLimits limits;
 };
 
-/// Proves the programs of `files`; says on stderr what fails.
-bool isProven(const PlanFiles& files, const Tolerances& tol) {
-    const Verification verification = verifyPlan(files, tol);
+/// Proves the plan's programs; says on stderr what fails.
+bool isProven(const RecordedPlan& plan, const Tolerances& tol) {
+    const Verification verification = verifyRecorded(plan, tol);
     for (const ProofFailure& failure : verification.failures)
         tell("{}, line {}: {}: {}", failure.file, failure.line, failure.operation, failure.text);
     return verification.proven();
 }
 
-PlanFiles postAll(const PlanFiles& planned, const PlanRecord& record, const PostOptions& request) {
-    PlanFiles posted{planned.plan_json, request.dialect, {}};
-    for (const RecordedSetup& setup : record.setups)
-        posted.programs[setup.id] = post(jobOf(record, setup, readPrograms(planned, setup)), request);
+/// The same plan with programs in another dialect.
+RecordedPlan postAll(const RecordedPlan& planned, const PostOptions& request) {
+    RecordedPlan posted{{planned.files.plan_json, request.dialect, {}}, planned.record};
+    for (const RecordedSetup& setup : planned.record.setups)
+        posted.files.programs[setup.id] =
+            post(jobOf(planned.record, setup, readPrograms(planned.files, setup)), request);
     return posted;
 }
 
@@ -48,13 +50,14 @@ void requireUnchangedPlan(const fs::path& dir, const std::string& plan_json) {
                     "has been changed since it was written; plan again before posting");
 }
 
-void writePrograms(const PlanFiles& posted, const PlanRecord& record, const fs::path& shown_folder,
-                   JobFolder& folder) {
-    NewJob job{JobWriter::Post, record.part_file, record.part_sha256, sha256(posted.plan_json), {}, {}};
+void writePrograms(const RecordedPlan& posted, const fs::path& shown_folder, JobFolder& folder) {
+    const PlanRecord& record = posted.record;
+    const PlanFiles& files = posted.files;
+    NewJob job{JobWriter::Post, record.part_file, record.part_sha256, sha256(files.plan_json), {}, {}};
     std::string names;
-    for (const auto& [setup, programs] : posted.programs) {
+    for (const auto& [setup, programs] : files.programs) {
         for (const PostedProgram& program : programs) {
-            job.files.push_back({program.file, toString(posted.dialect), program.text});
+            job.files.push_back({program.file, toString(files.dialect), program.text});
             names += (shown_folder / program.file).string() + "\n";
         }
     }
@@ -72,17 +75,16 @@ fs::path folderOf(const PostCommandOptions& options) {
 int postPlan(const PostCommandOptions& options, Workplace& place) {
     const Tolerances tol;
     place.progress.show("reading the files", 0);
-    const PlanFiles planned = readPlanFiles(options.dir, std::nullopt, tol, options.limits.maxFileBytes());
-    requireUnchangedPlan(options.dir, planned.plan_json);
+    const RecordedPlan planned = readPlan(options.dir, std::nullopt, tol, options.limits.maxFileBytes());
+    requireUnchangedPlan(options.dir, planned.files.plan_json);
     place.progress.show("proving the plan's programs", 0.1);
     if (!isProven(planned, tol)) return kUnproven;
-    const PlanRecord record = planRecordFromText(planned.plan_json, tol);
     const PostOptions request{*dialectFrom(options.dialect), options.units == "inch", options.per == "tool"};
-    const PlanFiles posted = postAll(planned, record, request);
+    const RecordedPlan posted = postAll(planned, request);
     place.progress.show("proving the new programs", 0.5);
     if (!isProven(posted, tol)) return kBug;
     place.progress.show("writing the programs", 1);
-    writePrograms(posted, record, folderOf(options), *place.folder);
+    writePrograms(posted, folderOf(options), *place.folder);
     return kComplete;
 }
 

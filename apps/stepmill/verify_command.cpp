@@ -61,13 +61,12 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
     const Tolerances tol;
     place.progress.show("reading the files", 0);
     const JobCheck check = checkJob(options.dir);
-    const PlanFiles files =
-        readPlanFiles(options.dir, dialectFrom(options.dialect), tol, options.limits.maxFileBytes());
+    const RecordedPlan plan =
+        readPlan(options.dir, dialectFrom(options.dialect), tol, options.limits.maxFileBytes());
     place.progress.show("proving the programs", 0.1);
-    Verification verification = verifyPlan(files, tol);
-    verifyClaim(options.claim, planRecordFromText(files.plan_json, tol), options.limits.maxFileBytes(), tol,
-                verification);
-    addFolder(check, readManifest(options.dir).value_or(Manifest{}).files, files, verification);
+    Verification verification = verifyRecorded(plan, tol);
+    verifyClaim(options.claim, plan.record, options.limits.maxFileBytes(), tol, verification);
+    addFolder(check, readManifest(options.dir).value_or(Manifest{}).files, plan.files, verification);
     if (options.json)
         printData(verificationJson(verification));
     else

@@ -35,4 +35,15 @@ bool isHole(FeatureClass feature_class) {
     return feature_class == FeatureClass::HoleBlind || feature_class == FeatureClass::HoleThrough;
 }
 
+bool hasFloor(FeatureClass feature_class) {
+    return feature_class != FeatureClass::HoleThrough && feature_class != FeatureClass::ThroughPocket &&
+           feature_class != FeatureClass::OpenProfile;
+}
+
+std::optional<FeatureClass> featureClassFrom(std::string_view word) {
+    for (int i = 0; i <= static_cast<int>(FeatureClass::Engraving); ++i)
+        if (toString(static_cast<FeatureClass>(i)) == word) return static_cast<FeatureClass>(i);
+    return std::nullopt;
+}
+
 }  // namespace stepmill

@@ -1,17 +1,12 @@
 #include "feature/unplanned.h"
 
 #include <map>
-#include <string>
 
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::feature {
 namespace {
-
-constexpr const char* kUndercut = "undercut";
-constexpr const char* kSliver = "sliver";
-constexpr const char* kLeft = "left by earlier setups, no face to finish from here";
 
 /// Volumes below this are rounding [mm3].
 constexpr double kNoVolumeMm3 = 1e-9;
@@ -25,7 +20,7 @@ Region undercut(const Layer& layer, const Tolerances& tol) {
 /// Entries of one reason, from above to below.
 class Tally {
   public:
-    Tally(std::string reason, const Tolerances& tol) : reason_(std::move(reason)), tol_(tol) {}
+    Tally(Reason reason, const Tolerances& tol) : reason_(reason), tol_(tol) {}
 
     void add(const Layer& layer, double volume_mm3, Region region) {
         if (volume_mm3 <= kNoVolumeMm3) return;
@@ -35,12 +30,12 @@ class Tally {
             entries_.back().volume_mm3 += volume_mm3;
             return;
         }
-        entries_.push_back({reason_, volume_mm3, layer.top_z_mm, layer.bottom_z_mm, std::move(region)});
+        entries_.push_back({{reason_, {}}, volume_mm3, layer.top_z_mm, layer.bottom_z_mm, std::move(region)});
     }
     const std::vector<Unplanned>& entries() const { return entries_; }
 
   private:
-    std::string reason_;
+    Reason reason_;
     const Tolerances& tol_;
     std::vector<Unplanned> entries_;
 };
@@ -53,30 +48,32 @@ class SlopeTallies {
     void add(const Layer& layer) {
         double named_mm3 = 0;
         for (const HiddenVolume& hidden : layer.hidden) {
-            tally(toString(hidden.cause)).add(layer, hidden.volume_mm3, {});
+            tally(hidden.cause).add(layer, hidden.volume_mm3, {});
             named_mm3 += hidden.volume_mm3;
         }
-        tally(toString(SlopeCause::Draft)).add(layer, layer.sloped_volume_mm3 - named_mm3, {});
+        tally(SlopeCause::Draft).add(layer, layer.sloped_volume_mm3 - named_mm3, {});
     }
-    const std::map<std::string, Tally>& tallies() const { return tallies_; }
+    /// In the order of their words.
+    const std::map<StayReason, Tally, InOrderOfWords>& tallies() const { return tallies_; }
 
   private:
-    Tally& tally(const std::string& reason) {
-        return tallies_.try_emplace(reason, reason, tol_).first->second;
+    Tally& tally(SlopeCause cause) {
+        const Reason reason = reasonOf(cause);
+        return tallies_.try_emplace({reason, {}}, reason, tol_).first->second;
     }
 
     const Tolerances& tol_;
-    std::map<std::string, Tally> tallies_;
+    std::map<StayReason, Tally, InOrderOfWords> tallies_;
 };
 
 }  // namespace
 
 std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalForest& forest,
                                      const Tolerances& tol) {
-    Tally undercuts(kUndercut, tol);
+    Tally undercuts(Reason::Undercut, tol);
     SlopeTallies slopes(tol);
-    Tally slivers(kSliver, tol);
-    Tally leftovers(kLeft, tol);
+    Tally slivers(Reason::Sliver, tol);
+    Tally leftovers(Reason::LeftByEarlierSetups, tol);
     for (std::size_t i = 0; i < layers.layers.size(); ++i) {
         const Layer& layer = layers.layers[i];
         Region hidden = undercut(layer, tol);

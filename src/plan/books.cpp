@@ -5,6 +5,8 @@
 namespace stepmill {
 namespace {
 
+using VolumeByReason = std::map<StayReason, double, InOrderOfWords>;
+
 double sumOf(const std::vector<ReasonVolume>& list) {
     double sum = 0;
     for (const ReasonVolume& entry : list)
@@ -13,7 +15,7 @@ double sumOf(const std::vector<ReasonVolume>& list) {
 }
 
 /// One entry a reason, in the order of the names; what is nothing falls away.
-std::vector<ReasonVolume> listOf(const std::map<std::string, double>& by_reason) {
+std::vector<ReasonVolume> listOf(const VolumeByReason& by_reason) {
     std::vector<ReasonVolume> list;
     for (const auto& [reason, volume_mm3] : by_reason)
         if (volume_mm3 > 0) list.push_back({reason, volume_mm3});
@@ -21,7 +23,7 @@ std::vector<ReasonVolume> listOf(const std::map<std::string, double>& by_reason)
 }
 
 /// Takes a volume off all entries, in proportion.
-void lessen(std::map<std::string, double>& by_reason, double by_mm3) {
+void lessen(VolumeByReason& by_reason, double by_mm3) {
     double sum = 0;
     for (const auto& [reason, volume_mm3] : by_reason)
         sum += volume_mm3;
@@ -53,8 +55,7 @@ double slabGap(const Layer& layer, const PlannedSetup& setup) {
 }
 
 /// What of an early setup's residuals is still there at the end and not in a later setup's own list.
-void addEarlierResiduals(const std::vector<SetupAccount>& accounts,
-                         std::map<std::string, double>& by_reason) {
+void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReason& by_reason) {
     std::vector<SetupPrism> gone;
     for (std::size_t i = accounts.size(); i-- > 0;) {
         const SetupAccount& account = accounts[i];
@@ -84,13 +85,13 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     const PlannedSetup& planned = *account.planned;
     books.stock_minus_part_mm3 = planned.setup.stock.volume_mm3 - planned.setup.part.volume_mm3;
     double features_mm3 = 0;
-    std::map<std::string, double> residual;
+    VolumeByReason residual;
     for (const PlannedFeature& feature : planned.features) {
         features_mm3 += feature.feature.volume_mm3;
         for (const Residual& left : feature.sequence.residual)
             residual[left.reason] += left.volume_mm3;
     }
-    std::map<std::string, double> unreachable;
+    VolumeByReason unreachable;
     for (const Unplanned& unplanned : planned.unplanned)
         unreachable[unplanned.reason] += unplanned.volume_mm3;
     const double residual_mm3 = sumOf(listOf(residual));
@@ -106,7 +107,7 @@ VolumeBalance setupBooks(const SetupAccount& account) {
         books.planned_mm3 += air_left_mm3;
         lessen(residual, air_left_mm3);
     }
-    unreachable[kLeaningWall] += air.back_mm3;
+    unreachable[{Reason::LeaningWall, {}}] += air.back_mm3;
     lessen(residual, air.left_mm3);
     lessen(unreachable, air.left_mm3 - residual_mm3);
     books.residual_by_reason = listOf(residual);
@@ -127,8 +128,8 @@ VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, double stock_
         books.planned_mm3 += account.planned->balance.planned_mm3;
     // What is left is what the last setup sees and does not cut; earlier residuals are unreachable to it.
     const VolumeBalance& last = accounts.back().planned->balance;
-    std::map<std::string, double> residual;
-    std::map<std::string, double> unreachable;
+    VolumeByReason residual;
+    VolumeByReason unreachable;
     for (const ReasonVolume& entry : last.unreachable_by_reason)
         unreachable[entry.reason] += entry.volume_mm3;
     addEarlierResiduals(accounts, residual);

@@ -46,6 +46,7 @@ std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLib
         const int count =
             whole ? 1 : static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostBands)));
         for (int i = 0; i < count && !whole; ++i) {
+            band.band = Band{feature.id, i + 1, count};
             band.id = fmt::format("{}.{}", feature.id, i + 1);
             band.top_z_mm = feature.top_z_mm - feature.depth_mm() * i / count;
             band.floor_z_mm =

@@ -85,7 +85,7 @@ void requireMachinableSize(const Part& part, const std::vector<Setup>& setups, c
     }
 }
 
-Residual wholeAsResidual(const Feature& feature, std::string reason, std::string advice) {
+Residual wholeAsResidual(const Feature& feature, StayReason reason, std::string advice) {
     Residual residual;
     residual.region = feature.target;
     residual.area_mm2 = feature.area_mm2;
@@ -110,7 +110,7 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
     ToolSequence sequence;
     sequence.feature_id = feature.id;
     sequence.residual.push_back(
-        wholeAsResidual(feature, "planning failed: " + failure, "a report of this part"));
+        wholeAsResidual(feature, {Reason::PlanningFailed, failure}, "a report of this part"));
     return sequence;
 }
 
@@ -189,7 +189,8 @@ class FeaturePlanner {
         sequence.floor_z_mm = feature.floor_z_mm;
         if (free.target.empty()) return sequence;
         if (caution.dropped) {
-            sequence.residual.push_back(wholeAsResidual(free, kNotProven, "a report of this part"));
+            sequence.residual.push_back(
+                wholeAsResidual(free, {Reason::NotProven, {}}, "a report of this part"));
             return sequence;
         }
         sequence = sequenceTools(free, request_.libraryOf(feature.id), request_.machine,
@@ -198,18 +199,9 @@ class FeaturePlanner {
         return sequence;
     }
 
-    /// Does the same target go on below? Then its floor is no face of the part.
-    bool isUpperBand(const Feature& feature) const {
-        return std::any_of(planned_.begin(), planned_.end(), [&](const PlannedFeature& other) {
-            const Feature& below = other.feature;
-            return below.top_z_mm == feature.floor_z_mm && below.area_mm2 == feature.area_mm2 &&
-                   std::count(below.parents.begin(), below.parents.end(), feature.id) > 0;
-        });
-    }
-
     SequenceOptions sequenceOptions(const Feature& feature) const {
         SequenceOptions options = asPlanned(request_.options.sequence);
-        if (isUpperBand(feature)) options.finish.floors_mm = 0;
+        if (feature.band && feature.band->isUpper()) options.finish.floors_mm = 0;
         if (request_.cautionOf(feature.id).plain_ways) options.pattern = Pattern::ContourInsideOut;
         const double fixture_mm = highestFixtureMm(setup_.fixtures);
         if (fixture_mm > 0) options.retract_mm = fixture_mm + request_.machine.safe_height_mm;

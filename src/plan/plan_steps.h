@@ -10,10 +10,6 @@
 
 namespace stepmill {
 
-/// Reason of what the passes leave of a feature's target that its tools reach.
-inline constexpr const char* kLeftBetweenPasses = "left between passes";
-/// Reason of what stays because no program that cuts it was proven.
-inline constexpr const char* kNotProven = "proof";
 /// What passes leave of so little area is named, however small the feature; more than a small share of it is
 /// a fault of its path [mm2].
 inline constexpr double kCrumbMm2 = 0.01;
@@ -142,7 +138,7 @@ struct SetupAccount {
 
 /// A residual as it stands.
 struct ResidualPrism {
-    std::string reason;
+    StayReason reason;
     double volume_mm3 = 0;
     Prism prism;
 };

@@ -18,7 +18,7 @@ void warnOfResiduals(Plan& plan, const PlannedFeature& planned) {
         const bool nothing_done = planned.sequence.steps.empty();
         plan.warnings.push_back({nothing_done ? "no-tool" : "residual", planned.feature.id,
                                  fmt::format("{:.4g} mm3 stay: {}; needs {}", residual.volume_mm3,
-                                             residual.reason, residual.advice)});
+                                             toString(residual.reason), residual.advice)});
     }
 }
 
@@ -91,9 +91,9 @@ void warnOfInput(Plan& plan, const LayerStack& layers) {
 void warnOfUnreachable(Plan& plan) {
     for (const ReasonVolume& entry : plan.balance.unreachable_by_reason) {
         if (entry.volume_mm3 < kWorthAWarningMm3) continue;
-        plan.warnings.push_back(
-            {"unreachable", plan.part.file,
-             fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3, entry.reason)});
+        plan.warnings.push_back({"unreachable", plan.part.file,
+                                 fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3,
+                                             toString(entry.reason))});
     }
 }
 
@@ -148,7 +148,7 @@ void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
 void warnOfCautions(Plan& plan, const Cautions& cautions) {
     for (const auto& [feature, caution] : cautions)
         plan.warnings.push_back(
-            {kNotProven, feature,
+            {"proof", feature,
              fmt::format("a first program was not proven ({}); now {}", caution.why, measuresOf(caution))});
 }
 

@@ -7,9 +7,6 @@
 namespace stepmill {
 namespace {
 
-/// How the reason of what lies below standing material begins.
-constexpr const char* kBelow = "below material that stays in ";
-
 /// Material left by features above, seen from above, and how high it may stand.
 struct Standing {
     Region region;
@@ -21,9 +18,9 @@ std::vector<Standing> standingOf(const std::vector<const PlannedFeature*>& plann
     for (const PlannedFeature* feature : planned) {
         for (const Residual& residual : feature->sequence.residual) {
             // What an ancestor could not take below others lies below what those left, and they are here too.
-            if (residual.reason.starts_with(kBelow)) continue;
+            if (residual.reason == Reason::BelowStanding) continue;
             // A crumb in the mouth of the next feature is cut with that.
-            if (residual.reason == kLeftBetweenPasses && residual.area_mm2 <= kCrumbMm2) continue;
+            if (residual.reason == Reason::LeftBetweenPasses && residual.area_mm2 <= kCrumbMm2) continue;
             if (!residual.region.empty()) found.push_back({residual.region, feature->feature.top_z_mm});
         }
     }
@@ -106,7 +103,7 @@ void stopAboveFixtures(Feature& feature, const std::vector<Fixture>& fixtures, c
 }
 
 /// Adds what stands to what the feature's tools keep clear of, and takes it off the target as a residual.
-void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, const std::string& reason,
+void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, const StayReason& reason,
                const std::string& advice, const Tolerances& tol) {
     if (standing.empty()) return;
     Feature& free = reduced.feature;
@@ -158,9 +155,9 @@ ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFe
     ReducedFeature found{feature, {}};
     stopAboveFixtures(found.feature, fixtures, tol);
     const InTheWay held = inTheWay(fixtures, feature);
-    keepClear(found, held.standing, "fixture", "another clamping than " + held.names, tol);
+    keepClear(found, held.standing, {Reason::Fixture, {}}, "another clamping than " + held.names, tol);
     const std::string names = namesOf(parents);
-    keepClear(found, standingOf(ancestors), kBelow + names, "what " + names + " needs", tol);
+    keepClear(found, standingOf(ancestors), {Reason::BelowStanding, names}, "what " + names + " needs", tol);
     return found;
 }
 

@@ -24,7 +24,7 @@ std::vector<bool> uprightSlabs(const LayerStack& layers) {
 }
 
 bool isUndercut(const Unplanned& unplanned) {
-    return unplanned.reason == "undercut";
+    return unplanned.reason == Reason::Undercut;
 }
 
 /// Takes air off the unplanned volumes that span a slab; returns what of it is left.

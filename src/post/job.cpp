@@ -12,29 +12,6 @@ std::vector<FedMove> fedMoves(const Toolpath& path) {
     return moves;
 }
 
-namespace {
-
-JobOperation operationOf(const Plan& plan, const Operation& operation) {
-    JobOperation job;
-    job.id = operation.id;
-    job.feature_id = operation.feature_id;
-    job.role = toString(operation.role);
-    job.pattern = operation.path.pattern;
-    job.tool = plan.library.tool(operation.tool_id);
-    job.layers = operation.path.layers;
-    job.step_down_mm = operation.path.step_down_mm;
-    job.z_floor_mm = operation.z_floor_mm;
-    job.leaves = operation.leaves;
-    job.speed_rpm = operation.speed_rpm;
-    job.coolant = operation.coolant;
-    job.dwell_s = operation.dwell_s;
-    job.start = operation.path.start;
-    job.moves = fedMoves(operation.path);
-    return job;
-}
-
-}  // namespace
-
 Job jobOf(const Plan& plan, const PlannedSetup& setup) {
     Job job;
     job.part_name = plan.part.name;
@@ -46,7 +23,8 @@ Job jobOf(const Plan& plan, const PlannedSetup& setup) {
     job.stock_size_mm = setup.setup.stock_bbox_mm.sizes();
     job.time_s = setup.time_s;
     for (const Operation& operation : setup.operations)
-        job.operations.push_back(operationOf(plan, operation));
+        job.operations.push_back(
+            {sheetOf(operation, plan.library), operation.path.start, fedMoves(operation.path)});
     return job;
 }
 

@@ -31,27 +31,28 @@ void moveToResidual(VolumeBalance& books, double volume_mm3) {
     books.planned_mm3 -= volume_mm3;
     books.residual_mm3 += volume_mm3;
     for (ReasonVolume& entry : books.residual_by_reason) {
-        if (entry.reason != kLeftBetweenPasses) continue;
+        if (!(entry.reason == Reason::LeftBetweenPasses)) continue;
         entry.volume_mm3 += volume_mm3;
         return;
     }
-    books.residual_by_reason.push_back({kLeftBetweenPasses, volume_mm3});
-    std::sort(books.residual_by_reason.begin(), books.residual_by_reason.end(),
-              [](const ReasonVolume& a, const ReasonVolume& b) { return a.reason < b.reason; });
+    books.residual_by_reason.push_back({{Reason::LeftBetweenPasses, {}}, volume_mm3});
+    std::sort(
+        books.residual_by_reason.begin(), books.residual_by_reason.end(),
+        [](const ReasonVolume& a, const ReasonVolume& b) { return InOrderOfWords()(a.reason, b.reason); });
 }
 
-Residual residualOf(const Leftover& leftover, const char* reason) {
+Residual residualOf(const Leftover& leftover, Reason reason) {
     Residual residual;
     residual.region = leftover.region;
     residual.area_mm2 = leftover.area_mm2;
     residual.volume_mm3 = leftover.area_mm2 * leftover.height_mm;
-    residual.reason = reason;
+    residual.reason = {reason, {}};
     residual.advice = "a finishing pass, or a smaller step-over in the cutting data";
     return residual;
 }
 
 void nameLeftover(Plan& plan, const Leftover& leftover) {
-    const Residual residual = residualOf(leftover, kLeftBetweenPasses);
+    const Residual residual = residualOf(leftover, Reason::LeftBetweenPasses);
     for (PlannedSetup& setup : plan.setups) {
         for (PlannedFeature& planned : setup.features) {
             if (planned.feature.id != leftover.feature) continue;
@@ -60,7 +61,7 @@ void nameLeftover(Plan& plan, const Leftover& leftover) {
             plan.warnings.push_back(
                 {"residual", leftover.feature,
                  fmt::format("{:.4g} mm2, {:.4g} mm3 stay: {}; needs {}", residual.area_mm2,
-                             residual.volume_mm3, residual.reason, residual.advice)});
+                             residual.volume_mm3, toString(residual.reason), residual.advice)});
             planned.sequence.residual.push_back(residual);
         }
     }
@@ -114,7 +115,7 @@ FailedFeatures failedIn(const PlannedSetup& setup, const Verification& verificat
     }
     for (const Leftover& leftover : verification.leftovers)
         if (const auto found = failed.find(leftover.feature); found != failed.end())
-            found->second.left.push_back(residualOf(leftover, kNotProven));
+            found->second.left.push_back(residualOf(leftover, Reason::NotProven));
     return failed;
 }
 

@@ -49,16 +49,17 @@ PlanFiles postedFiles(const Plan& plan) {
     return files;
 }
 
-PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
-                        const Tolerances& tol, std::uintmax_t max_bytes) {
-    PlanFiles files;
-    files.plan_json = readFile(dir / kPlanFile, max_bytes);
-    const PlanRecord record = planRecordFromText(files.plan_json, tol);
-    files.dialect = dialect.value_or(dialectOf(record.machine));
-    for (const RecordedSetup& setup : record.setups)
-        files.programs[setup.id] = programsIn(dir, dialect ? programName(setup.id, *dialect) : setup.program,
-                                              setup, files.dialect, max_bytes);
-    return files;
+RecordedPlan readPlan(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
+                      const Tolerances& tol, std::uintmax_t max_bytes) {
+    RecordedPlan plan;
+    plan.files.plan_json = readFile(dir / kPlanFile, max_bytes);
+    plan.record = planRecordFromText(plan.files.plan_json, tol);
+    plan.files.dialect = dialect.value_or(dialectOf(plan.record.machine));
+    for (const RecordedSetup& setup : plan.record.setups)
+        plan.files.programs[setup.id] =
+            programsIn(dir, dialect ? programName(setup.id, *dialect) : setup.program, setup,
+                       plan.files.dialect, max_bytes);
+    return plan;
 }
 
 std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup) {
@@ -74,20 +75,7 @@ std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetu
 namespace {
 
 JobOperation jobOperation(const RecordedOperation& planned, const ReadOperation& read) {
-    JobOperation operation;
-    operation.id = planned.id;
-    operation.feature_id = planned.feature_id;
-    operation.role = planned.role;
-    operation.pattern = planned.pattern;
-    operation.tool = planned.tool;
-    operation.layers = planned.layers;
-    operation.step_down_mm = planned.step_down_mm;
-    operation.z_floor_mm = planned.z_floor_mm;
-    operation.leaves = planned.leaves;
-    operation.speed_rpm = planned.speed_rpm;
-    operation.coolant = planned.coolant;
-    operation.dwell_s = planned.dwell_s;
-    operation.start = read.start;
+    JobOperation operation{planned, read.start, {}};
     for (const ReadMove& move : read.moves)
         operation.moves.push_back(move.fed);
     return operation;

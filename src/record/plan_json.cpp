@@ -132,7 +132,7 @@ Json residualJson(const Residual& residual) {
     return {{"region", regionToJson(residual.region)},
             {"area_mm2", number(residual.area_mm2)},
             {"volume_mm3", number(residual.volume_mm3)},
-            {"reason", residual.reason},
+            {"reason", toString(residual.reason)},
             {"advice", residual.advice}};
 }
 
@@ -256,7 +256,7 @@ Json operationJson(const Operation& operation) {
 }
 
 Json reasonJson(const ReasonVolume& entry) {
-    return {{"reason", entry.reason}, {"volume_mm3", number(entry.volume_mm3)}};
+    return {{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}};
 }
 
 Json balanceJson(const VolumeBalance& balance) {

@@ -55,17 +55,12 @@ ToolAssembly tool(const Json& json) {
     return tool;
 }
 
-/// \pre the schema allows the word
-FeatureClass featureClass(const std::string& word) {
-    for (int i = 0; i <= static_cast<int>(FeatureClass::Engraving); ++i)
-        if (toString(static_cast<FeatureClass>(i)) == word) return static_cast<FeatureClass>(i);
-    throw Error(ErrorCode::Internal, word,
-                "a class of features the schema allows and the reader does not know");
-}
-
-bool hasNoFloor(FeatureClass feature_class) {
-    return feature_class == FeatureClass::HoleThrough || feature_class == FeatureClass::ThroughPocket ||
-           feature_class == FeatureClass::OpenProfile;
+/// The schema allows the words that a reader knows; another is a bug.
+template <typename Enum>
+Enum known(const std::optional<Enum>& value, const std::string& word) {
+    if (!value)
+        throw Error(ErrorCode::Internal, word, "a word the schema allows and the reader does not know");
+    return *value;
 }
 
 PlannedFeature feature(const Json& json, const std::string& pointer) {
@@ -76,8 +71,8 @@ PlannedFeature feature(const Json& json, const std::string& pointer) {
     feature.parents = json["parents"].get<std::vector<std::string>>();
     feature.top_z_mm = json["top_z_mm"];
     feature.floor_z_mm = json["floor_z_mm"];
-    feature.feature_class = featureClass(json["class"]);
-    feature.through = hasNoFloor(feature.feature_class);
+    feature.feature_class = known(featureClassFrom(json["class"].get<std::string>()), json["class"]);
+    feature.through = !hasFloor(feature.feature_class);
     feature.area_mm2 = json["area_mm2"];
     feature.volume_mm3 = json["volume_mm3"];
     feature.target = region(json["target"], pointer + "/target");
@@ -95,7 +90,7 @@ PlannedFeature feature(const Json& json, const std::string& pointer) {
         residual.region = region(from["region"], fmt::format("{}/residual/{}/region", pointer, i));
         residual.area_mm2 = from["area_mm2"];
         residual.volume_mm3 = from["volume_mm3"];
-        residual.reason = from["reason"];
+        residual.reason = stayReasonFrom(from["reason"].get<std::string>());
         planned.sequence.residual.push_back(std::move(residual));
     }
     record::checkFeature(planned, pointer);
@@ -108,7 +103,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.setup_id = json["setup"];
     operation.feature_id = json["feature"];
     operation.tool = tools.at(json["tool"]);
-    operation.role = json["role"];
+    operation.role = known(roleFrom(json["role"].get<std::string>()), json["role"]);
     operation.pattern = json["pattern"];
     operation.layers = json["layers"];
     operation.z_floor_mm = json["z_floor_mm"];
@@ -187,7 +182,8 @@ void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
     for (const char* list : {"residual_by_reason", "unreachable_by_reason"})
         if (books.contains(list))
             for (const Json& entry : books[list])
-                record.left.push_back({entry["reason"], entry["volume_mm3"]});
+                record.left.push_back(
+                    {stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
 }
 
 }  // namespace

@@ -161,7 +161,7 @@ void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::v
         lessen(setup.unplanned, air.left_mm3);
         if (air.back_mm3 > 0)
             setup.unplanned.push_back(
-                {kLeaningWall, air.back_mm3, 0, setup.setup.stock_bbox_mm.min().z(), {}});
+                {{Reason::LeaningWall, {}}, air.back_mm3, 0, setup.setup.stock_bbox_mm.min().z(), {}});
         // What the features took of the stock itself: where an earlier setup left the stock's walls leaning
         // their prisms hold air too.
         books.features_mm3 += setup.stock.removed_mm3;
@@ -170,7 +170,7 @@ void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::v
             setup.gap_mm3 -= unplanned.volume_mm3;
     }
     for (const Unplanned& unplanned : inspection.setups.back().unplanned) {
-        const auto known = std::find_if(books.left.begin(), books.left.end(), [&](const LeftOver& left) {
+        const auto known = std::find_if(books.left.begin(), books.left.end(), [&](const ReasonVolume& left) {
             return left.reason == unplanned.reason;
         });
         if (known == books.left.end())
@@ -185,7 +185,7 @@ void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::v
 double InspectedBooks::gapShare() const {
     if (stock_minus_part_mm3 <= kVolumeRoundingMm3) return 0;
     double gap = stock_minus_part_mm3 - features_mm3;
-    for (const LeftOver& entry : left)
+    for (const ReasonVolume& entry : left)
         gap -= entry.volume_mm3;
     return std::abs(gap) / stock_minus_part_mm3;
 }

@@ -60,7 +60,7 @@ PlannedFeature asPlanned(const PlanRecord& record, const Feature& derived, bool 
     if (isDone(record, derived.id)) planned.sequence.steps.emplace_back();
     const double depth_mm = derived.top_z_mm - planned.sequence.floor_z_mm;
     for (const Residual& recorded : record.features.at(derived.id).sequence.residual) {
-        if (!all && recorded.reason == kLeftBetweenPasses) continue;
+        if (!all && recorded.reason == Reason::LeftBetweenPasses) continue;
         Residual residual = recorded;
         if (!residual.region.empty()) residual.area_mm2 = area(residual.region);
         residual.volume_mm3 = unrounded(residual, depth_mm, derived.depth_mm() - depth_mm);

@@ -89,7 +89,7 @@ void compareCutting(const RecordedOperation& operation, const CuttingData& data,
     compare.atMost("the feed down", operation.plunge_feed_mm_per_min, plunge);
     compare.atMost("the speed", operation.speed_rpm, data.speed_rpm);
     // A finishing pass takes little off a wall and goes deeper for it.
-    if (operation.role != toString(Role::Finish))
+    if (operation.role != Role::Finish)
         compare.atMost("the step-down", operation.step_down_mm, data.step_down_mm);
     compare.sameWord("the coolant", toString(operation.coolant), toString(data.coolant));
 }

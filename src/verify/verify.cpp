@@ -199,16 +199,20 @@ void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
     SetupProver(record, setup, tol, into).prove(programs);
 }
 
-Verification verifyPlan(const PlanFiles& files, const Tolerances& tol) {
-    const PlanRecord record = planRecordFromText(files.plan_json, tol);
+Verification verifyRecorded(const RecordedPlan& plan, const Tolerances& tol) {
+    const PlanRecord& record = plan.record;
     Verification verification;
     for (const RecordedSetup& setup : record.setups)
-        verifySetup(record, setup, readPrograms(files, setup), tol, verification);
+        verifySetup(record, setup, readPrograms(plan.files, setup), tol, verification);
     double left_mm3 = 0;
     for (const ReasonVolume& entry : record.left)
         left_mm3 += entry.volume_mm3;
     if (left_mm3 > record.rounding_mm3) verification.left = record.left;
     return verification;
+}
+
+Verification verifyPlan(const PlanFiles& files, const Tolerances& tol) {
+    return verifyRecorded({files, planRecordFromText(files.plan_json, tol)}, tol);
 }
 
 }  // namespace stepmill

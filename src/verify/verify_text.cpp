@@ -71,7 +71,8 @@ std::string verificationText(const Verification& verification) {
     for (const FileRemark& remark : verification.remarks)
         text += fmt::format("{}: {}\n", remark.file, sentence(remark.kind));
     for (const ReasonVolume& entry : verification.left)
-        text += fmt::format("stays as the plan says: {:.2f} mm3 ({})\n", entry.volume_mm3, entry.reason);
+        text += fmt::format("stays as the plan says: {:.2f} mm3 ({})\n", entry.volume_mm3,
+                            toString(entry.reason));
     text += verification.proven()
                 ? fmt::format("All {} operations are proven.\n", verification.operations.size())
                 : fmt::format("{} proofs fail.\n", verification.failures.size());
@@ -100,7 +101,7 @@ std::string verificationJson(const Verification& verification) {
                             {"text", failure.text}});
     Json left = Json::array();
     for (const ReasonVolume& entry : verification.left)
-        left.push_back({{"reason", entry.reason}, {"volume_mm3", number(entry.volume_mm3)}});
+        left.push_back({{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}});
     Json remarks = Json::array();
     for (const FileRemark& remark : verification.remarks)
         remarks.push_back({{"file", remark.file}, {"is", wordOf(remark.kind)}});

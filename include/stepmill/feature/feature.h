@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/core/tolerances.h"
+#include "stepmill/feature/reason.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/planar/region.h"
 
@@ -24,8 +26,12 @@ enum class FeatureClass {
     Engraving       ///< floor, narrower than the smallest cutter of the shop
 };
 std::string toString(FeatureClass feature_class);
+/// The reverse; nothing for another word.
+std::optional<FeatureClass> featureClassFrom(std::string_view word);
 /// One full circle, with a floor or without.
 bool isHole(FeatureClass feature_class);
+/// False for what goes through.
+bool hasFloor(FeatureClass feature_class);
 
 /// A piece of a target's boundary. The cutter may cross an open piece; a closed one is a wall.
 struct BoundaryPiece {
@@ -41,11 +47,22 @@ struct Obstacle {
     Region section;  ///< part or stock that stands anywhere at or above bottom_z_mm (the shadow)
 };
 
+/// Which of the bands it is that a deep feature is parted into, one below the other.
+struct Band {
+    std::string of;  ///< id of the whole feature
+    int number = 1;  ///< from above, from 1 on
+    int count = 1;
+
+    /// Does the same target go on below? Then the band's floor is no face of the part.
+    bool isUpper() const { return number < count; }
+};
+
 /// A removal volume f(p, h) with the floor region p and the depth h [DSouza2006], in setup coordinates. Outer
 /// loops of its regions run counter-clockwise, holes clockwise.
 struct Feature {
     std::string id;  ///< "S1.F2"
     std::string setup_id;
+    std::optional<Band> band;  ///< nothing: the feature is whole
     FeatureClass feature_class = FeatureClass::ClosedPocket;
     std::vector<std::string> parents;  ///< ids that must be machined before this one
     double top_z_mm = 0;
@@ -70,7 +87,7 @@ struct Feature {
 
 /// A part of stock - part that no feature of the setup owns.
 struct Unplanned {
-    std::string reason;  ///< "undercut", "wall not vertical"
+    StayReason reason;
     double volume_mm3 = 0;
     double top_z_mm = 0;
     double bottom_z_mm = 0;

@@ -12,6 +12,7 @@
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/part/part.h"
+#include "stepmill/plan/operation.h"
 #include "stepmill/sequence/sequence.h"
 #include "stepmill/setup/clamping.h"
 #include "stepmill/setup/setup.h"
@@ -23,26 +24,6 @@ struct Warning {
     std::string code;     ///< "unit-doubt", "input-doubt", "not-2.5d", "residual", "no-tool", ...
     std::string subject;  ///< "S1.F2", "part.step"
     std::string text;
-};
-
-/// One visit of one tool to one feature.
-struct Operation {
-    std::string id;  ///< "S1.O3", numbered in machining order
-    std::string setup_id;
-    std::string feature_id;
-    std::string tool_id;
-    Role role = Role::Rough;
-    Toolpath path;
-    PathProof proof;
-    double z_top_mm = 0;
-    double z_floor_mm = 0;   ///< of this operation: with an allowance on the floor, as much over it
-    FinishAllowance leaves;  ///< for a finishing operation of the same feature
-    double speed_rpm = 0;
-    Coolant coolant = Coolant::Flood;
-    double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
-    /// Area cleared / step-over x layers: how long the path would be if all its passes lay evenly side by
-    /// side and nothing else had to be cut; 0 for drills [mm].
-    double even_length_mm = 0;
 };
 
 struct PlannedFeature {
@@ -63,12 +44,6 @@ struct PlanTotals {
 
 /// Solids' volumes are sums over their faces; a difference below this is rounding, nothing to machine [mm3].
 inline constexpr double kVolumeRoundingMm3 = 1e-2;
-
-/// Volume under one reason.
-struct ReasonVolume {
-    std::string reason;
-    double volume_mm3 = 0;
-};
 
 /// The books of a setup or of the part: stock minus part, and where each part of it went.
 ///

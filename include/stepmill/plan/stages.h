@@ -43,9 +43,6 @@ struct SettledAir {
 };
 SettledAir settleAir(const StageAir& air, double prisms_mm3, double removed_mm3);
 
-/// Reason under which volumes stay that leaning walls hide.
-inline constexpr const char* kLeaningWall = "wall not vertical";
-
 /// A setup's stock account: what came, what went, what is left, measured on the solids [mm3].
 struct StockStep {
     std::string setup_id;

@@ -30,19 +30,7 @@ struct FedMove {
 std::vector<FedMove> fedMoves(const Toolpath& path);
 
 /// What a post has to know of one operation.
-struct JobOperation {
-    std::string id;
-    std::string feature_id;
-    std::string role;
-    std::string pattern;
-    ToolAssembly tool;
-    int layers = 1;
-    double step_down_mm = 0;
-    double z_floor_mm = 0;
-    FinishAllowance leaves;  ///< for a finishing operation
-    double speed_rpm = 0;
-    Coolant coolant = Coolant::Flood;
-    double dwell_s = 0;  ///< at the bottom of a drilled hole
+struct JobOperation : OperationSheet {
     Vec3 start = Vec3::Zero();
     std::vector<FedMove> moves;  ///< in setup coordinates [mm]
 };

@@ -25,14 +25,19 @@ struct PlanFiles {
 /// \throws Error(Usage) if there is no post for that dialect; what planJson() and post() throw
 PlanFiles postedFiles(const Plan& plan);
 
+/// A plan's files with what its plan.json says, read once.
+struct RecordedPlan {
+    PlanFiles files;
+    PlanRecord record;
+};
+
 /// The files `stepmill plan` wrote, or those `stepmill post` wrote beside them.
 /// \param dialect    whose programs; none: those plan.json names, or those for every visit of a tool that
-/// post
-///                   put in their place
+///                   post put in their place
 /// \param max_bytes  larger files are not read
 /// \throws Error(FileUnreadable) naming the file that is missing; what planRecordFromText throws.
-PlanFiles readPlanFiles(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
-                        const Tolerances& tol, std::uintmax_t max_bytes = kMaxFileBytes);
+RecordedPlan readPlan(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
+                      const Tolerances& tol, std::uintmax_t max_bytes = kMaxFileBytes);
 
 /// Reads a setup's programs back. \throws what readProgram does; Error(FileUnreadable) when there is none.
 std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup);

@@ -11,23 +11,7 @@
 namespace stepmill {
 
 /// An operation as plan.json has it: all but its moves, which stand in the program.
-struct RecordedOperation {
-    std::string id;
-    std::string setup_id;
-    std::string feature_id;
-    ToolAssembly tool;  ///< without cutting data
-    std::string role;
-    std::string pattern;
-    int layers = 1;
-    double z_floor_mm = 0;
-    FinishAllowance leaves;  ///< for a finishing operation
-    double step_down_mm = 0;
-    double feed_mm_per_min = 0;
-    double plunge_feed_mm_per_min = 0;
-    double speed_rpm = 0;
-    Coolant coolant = Coolant::Flood;
-    double dwell_s = 0;
-};
+using RecordedOperation = OperationSheet;
 
 struct RecordedSetup {
     std::string id;

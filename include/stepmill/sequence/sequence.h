@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/access/access.h"
@@ -83,12 +84,14 @@ struct Residual {
     Region region;
     double area_mm2 = 0;
     double volume_mm3 = 0;
-    std::string reason;  ///< "corner radius", "no tool fits", "holder collision", "too deep", ...
+    StayReason reason;
     std::string advice;  ///< what would machine it ("an end mill of 2.4 mm or less")
 };
 
 enum class Role { Face, Rough, Rest, Surrogate, Drill, Finish };
 std::string toString(Role role);
+/// The reverse; nothing for another word.
+std::optional<Role> roleFrom(std::string_view word);
 
 /// One tool's part in a feature.
 struct SequenceStep {

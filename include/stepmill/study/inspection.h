@@ -44,17 +44,11 @@ struct FaceRow {
     std::optional<std::string> mfcad_class;
 };
 
-/// Volume that stays after all setups, by reason.
-struct LeftOver {
-    std::string reason;
-    double volume_mm3 = 0;
-};
-
 /// stock - part = what the features take + what stays, by name.
 struct InspectedBooks {
     double stock_minus_part_mm3 = 0;
     double features_mm3 = 0;
-    std::vector<LeftOver> left;
+    std::vector<ReasonVolume> left;  ///< after all setups
     /// Of stock - part, what no entry accounts for; 0 where that is rounding.
     double gapShare() const;
 };

@@ -79,6 +79,9 @@ struct Verification {
 /// Nothing of how paths were made is used. Skins thinner than two `tol.sliver_mm` count as cut.
 /// \throws Error(InvalidCatalog) for a plan.json or a program that cannot be read.
 /// \see docs/adr/0006-proof-from-the-files.md for what the regions themselves rest on
+Verification verifyRecorded(const RecordedPlan& plan, const Tolerances& tol);
+
+/// The same of a plan.json that is not read yet.
 Verification verifyPlan(const PlanFiles& files, const Tolerances& tol);
 
 /// The same for the programs of one setup; adds to `into`.

@@ -119,8 +119,8 @@ std::string booksSection(const InspectedBooks& books) {
     };
     line("stock minus part", books.stock_minus_part_mm3);
     line("features", books.features_mm3);
-    for (const LeftOver& left : books.left)
-        line("stays: " + left.reason, left.volume_mm3);
+    for (const ReasonVolume& left : books.left)
+        line("stays: " + toString(left.reason), left.volume_mm3);
     return html +
            fmt::format("</table>\n<p class=\"soft\">Not accounted for: {:.1e} of stock minus part.</p>\n",
                        books.gapShare());

@@ -56,7 +56,7 @@ Json featureJson(const InspectedFeature& inspected) {
 }
 
 Json unplannedJson(const Unplanned& unplanned) {
-    return {{"reason", unplanned.reason},
+    return {{"reason", toString(unplanned.reason)},
             {"volume_mm3", number(unplanned.volume_mm3)},
             {"top_z_mm", number(unplanned.top_z_mm)},
             {"bottom_z_mm", number(unplanned.bottom_z_mm)}};
@@ -132,13 +132,15 @@ Json faceJson(const FaceRow& row) {
 }
 
 Json booksJson(const InspectedBooks& books) {
-    return {{"stock_minus_part_mm3", number(books.stock_minus_part_mm3)},
-            {"features_mm3", number(books.features_mm3)},
-            {"left", listOf(books.left,
-                            [](const LeftOver& left) {
-                                return Json{{"reason", left.reason}, {"volume_mm3", number(left.volume_mm3)}};
-                            })},
-            {"gap_share", books.gapShare()}};
+    return {
+        {"stock_minus_part_mm3", number(books.stock_minus_part_mm3)},
+        {"features_mm3", number(books.features_mm3)},
+        {"left",
+         listOf(books.left,
+                [](const ReasonVolume& left) {
+                    return Json{{"reason", toString(left.reason)}, {"volume_mm3", number(left.volume_mm3)}};
+                })},
+        {"gap_share", books.gapShare()}};
 }
 
 }  // namespace

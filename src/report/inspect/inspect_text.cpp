@@ -62,8 +62,8 @@ std::string holesBlock(const Inspection& inspection) {
 std::string booksBlock(const InspectedBooks& books) {
     std::string text = fmt::format("\nBooks: stock - part {:.4f} cm3 = features {:.4f}",
                                    books.stock_minus_part_mm3 / 1000, books.features_mm3 / 1000);
-    for (const LeftOver& left : books.left)
-        text += fmt::format(" + {} {:.4f}", left.reason, left.volume_mm3 / 1000);
+    for (const ReasonVolume& left : books.left)
+        text += fmt::format(" + {} {:.4f}", toString(left.reason), left.volume_mm3 / 1000);
     return text + fmt::format(" (gap {:.1e})\n", books.gapShare());
 }
 

@@ -144,10 +144,10 @@ std::vector<std::string> notesOn(const Inspection& inspection) {
     for (const auto& [words, ids] : driversOf(inspection))
         notes.push_back(fmt::format("{}: {}", fmt::join(ids, ", "), words));
     const InspectedBooks& books = inspection.books;
-    for (const LeftOver& left : books.left)
+    for (const ReasonVolume& left : books.left)
         if (left.volume_mm3 > std::max(kVolumeRoundingMm3, kWorthANote * books.stock_minus_part_mm3))
             notes.push_back(
-                fmt::format("{:.4g} mm3 stay after all setups: {}", left.volume_mm3, left.reason));
+                fmt::format("{:.4g} mm3 stay after all setups: {}", left.volume_mm3, toString(left.reason)));
     return notes;
 }
 

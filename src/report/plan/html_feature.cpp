@@ -78,9 +78,9 @@ std::string choiceTables(const PlannedFeature& planned) {
 std::string residualList(const PlannedFeature& planned) {
     std::string html;
     for (const Residual& residual : planned.sequence.residual)
-        html +=
-            fmt::format("<p class=\"bad\">Stays: {:.3f} mm², {:.2f} mm³ ({}). {}</p>\n", residual.area_mm2,
-                        residual.volume_mm3, escapeHtml(residual.reason), escapeHtml(residual.advice));
+        html += fmt::format("<p class=\"bad\">Stays: {:.3f} mm², {:.2f} mm³ ({}). {}</p>\n",
+                            residual.area_mm2, residual.volume_mm3, escapeHtml(toString(residual.reason)),
+                            escapeHtml(residual.advice));
     return html;
 }
 

@@ -69,9 +69,9 @@ std::string booksSection(const Plan& plan) {
     };
     html += row("stock - part", "", books.stock_minus_part_mm3) + row("planned", "", books.planned_mm3);
     for (const ReasonVolume& entry : books.residual_by_reason)
-        html += row("stays", entry.reason, entry.volume_mm3);
+        html += row("stays", toString(entry.reason), entry.volume_mm3);
     for (const ReasonVolume& entry : books.unreachable_by_reason)
-        html += row("in no setup's reach", entry.reason, entry.volume_mm3);
+        html += row("in no setup's reach", toString(entry.reason), entry.volume_mm3);
     if (plan.setups.size() > 1) {
         for (const PlannedSetup& setup : plan.setups)
             html +=
@@ -81,7 +81,7 @@ std::string booksSection(const Plan& plan) {
     for (const PlannedSetup& setup : plan.setups)
         for (const PlannedFeature& planned : setup.features)
             for (const Residual& residual : planned.sequence.residual)
-                html += row("left by " + planned.feature.id, residual.reason, residual.volume_mm3);
+                html += row("left by " + planned.feature.id, toString(residual.reason), residual.volume_mm3);
     return html + fmt::format("</table>\n<p class=\"soft\">Unaccounted: {:.2e} of stock - part.</p>\n",
                               books.gapShare());
 }

@@ -4,24 +4,6 @@
 
 namespace stepmill {
 
-std::string toString(Role role) {
-    switch (role) {
-        case Role::Face:
-            return "face";
-        case Role::Rough:
-            return "rough";
-        case Role::Rest:
-            return "rest";
-        case Role::Surrogate:
-            return "surrogate";
-        case Role::Drill:
-            return "drill";
-        case Role::Finish:
-            return "finish";
-    }
-    return "rough";
-}
-
 double weightOf(const EdgeCost& cost, Objective objective) {
     return objective == Objective::Time ? cost.motion_s : cost.motion_cost;
 }

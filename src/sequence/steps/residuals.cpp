@@ -39,7 +39,7 @@ std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& dri
     rim.area_mm2 = feature.area_mm2;
     // Cylinder of the point's length less the cone (a third of it).
     rim.volume_mm3 = feature.area_mm2 * std::min(pointLengthMm(drill), feature.depth_mm()) * 2 / 3;
-    rim.reason = "drill point";
+    rim.reason = {Reason::DrillPoint, {}};
     rim.advice = fmt::format("an end mill of {:.4g} mm or less that reaches {:.4g} mm deep",
                              drill.diameter_mm, feature.depth_mm());
     return {rim};
@@ -81,21 +81,21 @@ bool isNarrowEnough(const AccessibleArea& area, double widest_mm) {
     return 2 * area.radius_mm <= widest_mm;
 }
 
-std::string reasonFor(ExclusionReason reason) {
+Reason reasonFor(ExclusionReason reason) {
     switch (reason) {
         case ExclusionReason::HolderCollision:
-            return "holder collision";
+            return Reason::HolderCollision;
         case ExclusionReason::TooShort:
-            return "too deep";
+            return Reason::TooDeep;
         case ExclusionReason::NoEntry:
-            return "no way in";
+            return Reason::NoWayIn;
         case ExclusionReason::NoCuttingData:
-            return "no cutting data";
+            return Reason::NoCuttingData;
         case ExclusionReason::TooWide:
         case ExclusionReason::WrongType:
             break;
     }
-    return "no cutter narrow enough";
+    return Reason::NoNarrowCutter;
 }
 
 std::string adviceFor(ExclusionReason reason, double widest_mm, double depth_mm) {
@@ -137,7 +137,7 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
     if (!missed.empty()) rest = unite(rest, missed, tol);
     Residual held_off;
     if (withheld) {
-        held_off.reason = "holder collision";
+        held_off.reason = {Reason::HolderCollision, {}};
         held_off.advice = whatWouldClear(*withheld);
         for (const Region& piece : components(intersect(rest, withheld->coverable, tol)))
             if (area(piece) > tol.area_mm2) add(held_off, piece, feature.depth_mm());
@@ -147,10 +147,10 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
     // neck or in a slot the cutter does not fit.
     const double cusp_mm2 = last.tool->radius_mm() * last.tool->radius_mm();
     Residual corners;
-    corners.reason = "corner radius";
+    corners.reason = {Reason::CornerRadius, {}};
     corners.advice = cornerAdvice(feature);
     Residual narrows;
-    narrows.reason = "no cutter narrow enough";
+    narrows.reason = {Reason::NoNarrowCutter, {}};
     double narrowest_mm = std::numeric_limits<double>::infinity();
     for (const Region& piece : components(rest)) {
         const double piece_mm2 = area(piece);
@@ -180,8 +180,8 @@ Residual belowReach(const Feature& feature, const Shallower& reached) {
     below.region = feature.target;
     below.area_mm2 = feature.area_mm2;
     below.volume_mm3 = feature.area_mm2 * (reached.floor_z_mm - feature.floor_z_mm);
-    below.reason = fmt::format("too deep (the tools reach {:.4g} of {:.4g} mm)",
-                               feature.top_z_mm - reached.floor_z_mm, feature.depth_mm());
+    below.reason = {Reason::TooDeep, fmt::format("the tools reach {:.4g} of {:.4g} mm",
+                                                 feature.top_z_mm - reached.floor_z_mm, feature.depth_mm())};
     below.advice = longerTool(reached.diameter_mm, reached.stick_out_mm);
     return below;
 }
@@ -206,8 +206,7 @@ Residual wholeFeature(const FeatureGround& ground, const std::vector<AccessibleA
     whole.region = feature.target;
     whole.area_mm2 = feature.area_mm2;
     whole.volume_mm3 = feature.volume_mm3;
-    whole.reason = reasonFor(reason);
-    if (most != votes.end()) whole.reason += " (" + most->second.text + ")";
+    whole.reason = {reasonFor(reason), most != votes.end() ? most->second.text : std::string()};
     whole.advice = adviceFor(reason, widest_mm, feature.depth_mm());
     return whole;
 }

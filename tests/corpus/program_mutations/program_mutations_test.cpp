@@ -141,10 +141,10 @@ std::optional<PlannedProgram> planned(const std::string& part) {
     const ProgramRun run = runProgram(
         {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
     if (run.exit_code > 1) return std::nullopt;
-    const PlanFiles files = readPlanFiles(out, std::nullopt, kTol);
+    const auto [files, record] = readPlan(out, std::nullopt, kTol);
     PlannedProgram program;
     program.name = fs::path(part).stem().string();
-    program.record = planRecordFromText(files.plan_json, kTol);
+    program.record = record;
     if (program.record.setups.empty() || program.record.setups.front().operation_ids.empty())
         return std::nullopt;
     std::istringstream text(files.programs.at(program.record.setups.front().id).front().text);

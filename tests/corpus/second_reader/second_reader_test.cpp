@@ -171,8 +171,7 @@ void readAll(const std::vector<std::string>& parts, const std::vector<std::strin
         const ProgramRun run = runProgram(words);
         if (run.exit_code == 2) continue;  // refused with a reason: no program
         ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
-        const PlanFiles files = readPlanFiles(out, std::nullopt, kTol);
-        const PlanRecord record = planRecordFromText(files.plan_json, kTol);
+        const auto [files, record] = readPlan(out, std::nullopt, kTol);
         for (const RecordedSetup& setup : record.setups)
             compare(files, record, setup, fs::path(part).filename().string(), count);
     }

@@ -164,7 +164,7 @@ TEST(RecogniseFeatures, ReportsUndercutsThatTheToolCannotSee) {
     const LayerStack stack = makeStack(kBlock, {{-5, table}, {-10, column}, {-20, column}, {-30, kBlock}});
     const FeatureSet set = recogniseFeatures(stack, kTol);
     ASSERT_EQ(set.unplanned.size(), 1U);
-    EXPECT_EQ(set.unplanned[0].reason, "undercut");
+    EXPECT_EQ(set.unplanned[0].reason, Reason::Undercut);
     EXPECT_NEAR(set.unplanned[0].volume_mm3, (60 * 40 - 20 * 20) * 15, 1e-3);
     EXPECT_DOUBLE_EQ(set.unplanned[0].top_z_mm, -5);
     EXPECT_DOUBLE_EQ(set.unplanned[0].bottom_z_mm, -20);
@@ -178,7 +178,7 @@ TEST(RecogniseFeatures, AccountsForVolumeBehindSlopedWalls) {
     stack.part_volume_mm3 -= 125;
     const FeatureSet set = recogniseFeatures(stack, kTol);
     ASSERT_EQ(set.unplanned.size(), 1U);
-    EXPECT_EQ(set.unplanned[0].reason, "wall not vertical");
+    EXPECT_EQ(set.unplanned[0].reason, Reason::LeaningWall);
     expectBooksClose(stack, set);
 }
 
@@ -187,7 +187,7 @@ TEST(RecogniseFeatures, DropsSliversButKeepsTheirVolume) {
     const FeatureSet set = recogniseFeatures(stack, kTol);
     EXPECT_TRUE(set.features.empty());
     ASSERT_EQ(set.unplanned.size(), 1U);
-    EXPECT_EQ(set.unplanned[0].reason, "sliver");
+    EXPECT_EQ(set.unplanned[0].reason, Reason::Sliver);
     expectBooksClose(stack, set);
 }
 
@@ -240,7 +240,7 @@ TEST(RecogniseFeatures, LeavesStepsOfEarlierSetupsOnWallsThatLean) {
     const FeatureSet left = recogniseFeatures(stack, kTol);
     EXPECT_TRUE(left.features.empty());
     ASSERT_EQ(left.unplanned.size(), 1U);
-    EXPECT_EQ(left.unplanned.front().reason, "left by earlier setups, no face to finish from here");
+    EXPECT_EQ(left.unplanned.front().reason, Reason::LeftByEarlierSetups);
     expectBooksClose(stack, left);
 
     stack.removable_mm3 = 7e4;  // a lump worth its pass

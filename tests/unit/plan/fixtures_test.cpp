@@ -21,7 +21,7 @@ Plan planWith(const std::string& sample, const std::vector<Fixture>& fixtures) {
     return planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
 }
 
-double residualMm3(const Plan& plan, const std::string& reason) {
+double residualMm3(const Plan& plan, Reason reason) {
     double sum_mm3 = 0;
     for (const PlannedFeature& planned : plan.setups.front().features)
         for (const Residual& residual : planned.sequence.residual)
@@ -46,7 +46,7 @@ TEST(Fixtures, AClampOverAPocketLeavesWhatIsUnderIt) {
     const Plan plan = planWith("rounded_pocket.step", {clamp});
     // 20 mm of the pocket's length; the clamp is planned with half of 5 % of its 20 mm larger on each side,
     // round at its corners.
-    EXPECT_NEAR(residualMm3(plan, "fixture"), (20.5 * 21 - 0.5 * 0.25 * (4 - kPi)) * 12, 1e-3);
+    EXPECT_NEAR(residualMm3(plan, Reason::Fixture), (20.5 * 21 - 0.5 * 0.25 * (4 - kPi)) * 12, 1e-3);
     EXPECT_FALSE(plan.complete(kTol));
     EXPECT_LT(plan.balance.gapShare(), 1e-3);
     EXPECT_GE(closestMm(plan, clamp.section, 25), 0.5 - 1e-3);
@@ -59,7 +59,7 @@ TEST(Fixtures, AClampOverAPocketLeavesWhatIsUnderIt) {
 TEST(Fixtures, BesideTheStockTheyCostNothing) {
     const Plan plan =
         planWith("rounded_pocket.step", {{"stop", makeRectangle(Vec2(-30, 0), Vec2(0, 80)), -30, -5}});
-    EXPECT_EQ(residualMm3(plan, "fixture"), 0);
+    EXPECT_EQ(residualMm3(plan, Reason::Fixture), 0);
     EXPECT_TRUE(plan.complete(kTol));
 }
 
@@ -86,7 +86,7 @@ TEST(Fixtures, NothingGoesIntoAPlateUnderThePart) {
     // 10 mm thick with through holes, on a plate that touches it. Touching it does not grow into it.
     const Plan plan = planWith("plate_with_holes.step",
                                {{"plate", makeRectangle(Vec2(-50, -50), Vec2(400, 400)), -60, -10}});
-    EXPECT_EQ(residualMm3(plan, "fixture"), 0);
+    EXPECT_EQ(residualMm3(plan, Reason::Fixture), 0);
     for (const Operation& operation : plan.setups.front().operations)
         for (const Move& move : operation.path.moves)
             EXPECT_GE(move.to.z(), -10) << operation.id;

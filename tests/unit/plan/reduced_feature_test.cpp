@@ -73,7 +73,7 @@ TEST(Reduced, WhatAFixtureCoversStaysWithItsReason) {
     const Fixture clamp{"clamp", makeRectangle(Vec2(20, 20), Vec2(40, 80)), 0, 15};
     const ReducedFeature free = reduced(child(), {}, {}, {clamp}, kTol);
     ASSERT_EQ(free.blocked.size(), 1U);
-    EXPECT_EQ(free.blocked.front().reason, "fixture");
+    EXPECT_EQ(free.blocked.front().reason, Reason::Fixture);
     EXPECT_NE(free.blocked.front().advice.find("clamp"), std::string::npos);
     EXPECT_NEAR(free.blocked.front().volume_mm3, 10 * 40 * 10, 1e-6);
     EXPECT_NEAR(free.feature.area_mm2, 1600 - 400, 1e-6);
@@ -98,9 +98,9 @@ TEST(Reduced, JawsThatEndWhereACutBeginsAreInNobodysWayWhateverTheRounding) {
 
 TEST(Reduced, CrumbsOfParentsAreCutWithTheFeature) {
     PlannedFeature parent = parentLeaving(makeRectangle(Vec2(50, 50), Vec2(50.09, 50.09)));
-    parent.sequence.residual.front().reason = kLeftBetweenPasses;
+    parent.sequence.residual.front().reason = {Reason::LeftBetweenPasses, {}};
     EXPECT_TRUE(reduced(child(), {&parent}, {&parent}, {}, kTol).blocked.empty());
-    parent.sequence.residual.front().reason = "corner radius";
+    parent.sequence.residual.front().reason = {Reason::CornerRadius, {}};
     EXPECT_FALSE(reduced(child(), {&parent}, {&parent}, {}, kTol).blocked.empty());
 }
 

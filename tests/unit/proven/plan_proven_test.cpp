@@ -115,7 +115,7 @@ TEST(PlanProven, DropsAFeatureThatNoToolIsProvenIn) {
     EXPECT_TRUE(operationsOf(proven.files, kParent).empty());
     const PlannedFeature& dropped = featureOf(proven, kParent);
     ASSERT_EQ(dropped.sequence.residual.size(), 1u);
-    EXPECT_EQ(dropped.sequence.residual.front().reason, "proof");
+    EXPECT_EQ(dropped.sequence.residual.front().reason, Reason::NotProven);
     EXPECT_DOUBLE_EQ(dropped.sequence.residual.front().volume_mm3, dropped.feature.volume_mm3);
     EXPECT_FALSE(proven.plan.complete(Tolerances()));
     EXPECT_LE(proven.plan.balance.gapShare(), Tolerances().volume_share);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include "stepmill/catalog/tool.h"
+#include "stepmill/sequence/sequence.h"
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill {
+
+/// What a plan, its plan.json and a program all say of one visit of one tool to one feature.
+struct OperationData {
+    std::string id;  ///< "S1.O3", numbered in machining order
+    std::string setup_id;
+    std::string feature_id;
+    Role role = Role::Rough;
+    double z_floor_mm = 0;   ///< of this operation: with an allowance on the floor, as much over it
+    FinishAllowance leaves;  ///< for a finishing operation of the same feature
+    double speed_rpm = 0;
+    Coolant coolant = Coolant::Flood;
+    double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
+};
+
+/// A planned one, with its path.
+struct Operation : OperationData {
+    std::string tool_id;
+    Toolpath path;
+    PathProof proof;
+    double z_top_mm = 0;
+    /// Area cleared / step-over x layers: how long the path would be if all its passes lay evenly side by
+    /// side and nothing else had to be cut; 0 for drills [mm].
+    double even_length_mm = 0;
+};
+
+/// One as it is told without its moves: with its tool, and of its path what it was made by.
+struct OperationSheet : OperationData {
+    ToolAssembly tool;  ///< from plan.json without cutting data
+    std::string pattern;
+    int layers = 1;
+    double step_down_mm = 0;
+    double feed_mm_per_min = 0;
+    double plunge_feed_mm_per_min = 0;
+};
+OperationSheet sheetOf(const Operation& operation, const ToolLibrary& library);
+
+}  // namespace stepmill
