@@ -1,6 +1,8 @@
+#include "stepmill/plan/books.h"
+
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
+#include "plan/residual_prisms.h"
 
 namespace stepmill {
 namespace {
@@ -72,14 +74,7 @@ void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReas
     }
 }
 
-}  // namespace
-
-double VolumeBalance::gapShare() const {
-    if (stock_minus_part_mm3 <= kVolumeRoundingMm3) return 0;
-    const double gap = stock_minus_part_mm3 - planned_mm3 - residual_mm3 - unreachable_mm3;
-    return std::abs(gap) / stock_minus_part_mm3;
-}
-
+/// The books of one setup.
 VolumeBalance setupBooks(const SetupAccount& account) {
     VolumeBalance books;
     const PlannedSetup& planned = *account.planned;
@@ -117,17 +112,19 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     return books;
 }
 
-VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3) {
+/// The books of the part, from those of the setups.
+VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, const std::vector<VolumeBalance>& setups,
+                        double stock_minus_part_mm3) {
     VolumeBalance books;
     books.stock_minus_part_mm3 = stock_minus_part_mm3;
     if (accounts.empty()) {
         books.unreachable_mm3 = std::max(0.0, stock_minus_part_mm3);
         return books;
     }
-    for (const SetupAccount& account : accounts)
-        books.planned_mm3 += account.planned->balance.planned_mm3;
+    for (const VolumeBalance& setup : setups)
+        books.planned_mm3 += setup.planned_mm3;
     // What is left is what the last setup sees and does not cut; earlier residuals are unreachable to it.
-    const VolumeBalance& last = accounts.back().planned->balance;
+    const VolumeBalance& last = setups.back();
     VolumeByReason residual;
     VolumeByReason unreachable;
     for (const ReasonVolume& entry : last.unreachable_by_reason)
@@ -145,6 +142,7 @@ VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, double stock_
     return books;
 }
 
+/// The setup and slab with the largest difference, in words.
 std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3,
                        const Tolerances& tol) {
     std::string where;
@@ -159,6 +157,25 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
         }
     }
     return where;
+}
+
+}  // namespace
+
+double VolumeBalance::gapShare() const {
+    if (stock_minus_part_mm3 <= kVolumeRoundingMm3) return 0;
+    const double gap = stock_minus_part_mm3 - planned_mm3 - residual_mm3 - unreachable_mm3;
+    return std::abs(gap) / stock_minus_part_mm3;
+}
+
+PlanBooks booksOf(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3,
+                  const Tolerances& tol) {
+    PlanBooks books;
+    for (const SetupAccount& account : accounts)
+        books.setups.push_back(setupBooks(account));
+    books.part = partBooks(accounts, books.setups, stock_minus_part_mm3);
+    if (books.part.gapShare() > tol.volume_share)
+        books.largest_gap = largestGap(accounts, stock_minus_part_mm3, tol);
+    return books;
 }
 
 }  // namespace stepmill

@@ -1,5 +1,7 @@
 // What a plan makes of features and options before it sequences them.
 
+#include "stepmill/plan/deep_bands.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "plan/plan_steps.h"
+#include "plan/make_operations.h"
 
 namespace stepmill {
 namespace {

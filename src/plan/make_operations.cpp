@@ -1,6 +1,8 @@
+#include "plan/make_operations.h"
+
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
+#include "plan/order_operations.h"
 
 namespace stepmill {
 namespace {
@@ -23,16 +25,15 @@ bool getsPlainRapids(const Operation& operation, const Cautions& cautions) {
 }
 
 /// The step's path moves to the operation.
-Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& plan,
-                      const Cautions& cautions) {
+Operation operationOf(PlannedFeature& planned, SequenceStep& step, const OperationSettings& settings) {
     Operation operation;
     operation.setup_id = planned.feature.setup_id;
     operation.feature_id = planned.feature.id;
     operation.tool_id = step.tool_id;
     operation.role = step.role;
     operation.path = std::move(step.path);
-    if (getsPlainRapids(operation, cautions))
-        operation.path = withPlainRapids(operation.path, kStockTopZMm, plan.machine);
+    if (getsPlainRapids(operation, settings.cautions))
+        operation.path = withPlainRapids(operation.path, kStockTopZMm, settings.machine);
     operation.proof = step.proof;
     operation.leaves = step.leaves;
     operation.z_floor_mm = planned.sequence.floor_z_mm + step.leaves.floors_mm;
@@ -40,7 +41,7 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& p
                              ? operation.z_floor_mm + operation.path.layers * operation.path.step_down_mm
                              : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
-    takeShopData(operation, plan.library, plan.material);
+    takeShopData(operation, settings.library, settings.material);
     if (operation.path.step_over_mm > 0)
         operation.even_length_mm =
             step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.layers;
@@ -50,24 +51,26 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Plan& p
 
 }  // namespace
 
-void makeOperations(Plan& plan, const Cautions& cautions) {
+std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
+                                         const OperationSettings& settings) {
     std::vector<Operation> operations;
     std::vector<std::size_t> setup_of;
-    for (std::size_t s = 0; s < plan.setups.size(); ++s) {
-        for (PlannedFeature& planned : plan.setups[s].features) {
+    for (std::size_t s = 0; s < setups.size(); ++s) {
+        for (PlannedFeature& planned : setups[s].features) {
             for (SequenceStep& step : planned.sequence.steps) {
-                operations.push_back(operationOf(planned, step, plan, cautions));
+                operations.push_back(operationOf(planned, step, settings));
                 setup_of.push_back(s);
             }
         }
     }
-    for (const int index : orderOperations(operations, inSetupOrder(plan.setups))) {
-        PlannedSetup& setup = plan.setups[setup_of[index]];
+    for (const int index : orderOperations(operations, inSetupOrder(setups))) {
+        PlannedSetup& setup = setups[setup_of[index]];
         setup.operations.push_back(std::move(operations[index]));
         setup.operations.back().id = fmt::format("{}.O{}", setup.setup.id, setup.operations.size());
     }
-    for (PlannedSetup& setup : plan.setups)
-        linkOperations(setup.operations, plan.machine);
+    for (PlannedSetup& setup : setups)
+        linkOperations(setup.operations, settings.machine);
+    return setups;
 }
 
 }  // namespace stepmill

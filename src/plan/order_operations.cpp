@@ -1,7 +1,8 @@
+#include "plan/order_operations.h"
+
 #include <map>
 #include <set>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {

@@ -1,31 +1,32 @@
+#include "plan/plan_warnings.h"
+
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "plan/plan_steps.h"
-
 namespace stepmill {
 namespace {
+
+using Warnings = std::vector<Warning>;
 
 /// Residuals smaller than this are listed, but not worth a warning [mm3].
 constexpr double kWorthAWarningMm3 = 1;
 
-void warnOfResiduals(Plan& plan, const PlannedFeature& planned) {
+void warnOfResiduals(const PlannedFeature& planned, Warnings& into) {
     for (const Residual& residual : planned.sequence.residual) {
         if (residual.volume_mm3 < kWorthAWarningMm3) continue;
         const bool nothing_done = planned.sequence.steps.empty();
-        plan.warnings.push_back({nothing_done ? "no-tool" : "residual", planned.feature.id,
-                                 fmt::format("{:.4g} mm3 stay: {}; needs {}", residual.volume_mm3,
-                                             toString(residual.reason), residual.advice)});
+        into.push_back({nothing_done ? "no-tool" : "residual", planned.feature.id,
+                        fmt::format("{:.4g} mm3 stay: {}; needs {}", residual.volume_mm3,
+                                    toString(residual.reason), residual.advice)});
     }
 }
 
-void warnOfAllowance(Plan& plan, const PlannedFeature& planned) {
+void warnOfAllowance(const PlannedFeature& planned, Warnings& into) {
     const std::string& why = planned.sequence.no_allowance;
-    if (!why.empty())
-        plan.warnings.push_back({"no-allowance", planned.feature.id, "finishing allowance: " + why});
+    if (!why.empty()) into.push_back({"no-allowance", planned.feature.id, "finishing allowance: " + why});
 }
 
 /// A part is called not 2.5D when more than this share of stock minus part is out of reach from above, ...
@@ -43,7 +44,7 @@ int curvedFaces(const Part& part) {
     return count;
 }
 
-void warnOfTravel(Plan& plan, const PlannedSetup& setup) {
+void warnOfTravel(const Machine& machine, const PlannedSetup& setup, Warnings& into) {
     Box3 box;
     for (const Operation& operation : setup.operations) {
         if (operation.path.moves.empty()) continue;
@@ -62,13 +63,12 @@ void warnOfTravel(Plan& plan, const PlannedSetup& setup) {
     if (box.isEmpty()) return;
     const char* const axes = "XYZ";
     for (int axis = 0; axis < 3; ++axis) {
-        const double travel = plan.machine.travel_mm[axis];
+        const double travel = machine.travel_mm[axis];
         const double needed = box.sizes()[axis];
         if (travel <= 0 || needed <= travel) continue;
-        plan.warnings.push_back(
-            {"travel", setup.setup.id,
-             fmt::format("the program moves {:.4g} mm along {}, the machine travels {:.4g} mm", needed,
-                         axes[axis], travel)});
+        into.push_back({"travel", setup.setup.id,
+                        fmt::format("the program moves {:.4g} mm along {}, the machine travels {:.4g} mm",
+                                    needed, axes[axis], travel)});
     }
 }
 
@@ -81,28 +81,20 @@ std::string measuresOf(const FeatureCaution& caution) {
     return "planned with plain rapids";
 }
 
-}  // namespace
-
-void warnOfInput(Plan& plan, const LayerStack& layers) {
-    for (const std::string& remark : layers.remarks)
-        plan.warnings.push_back({"section", layers.setup_id, remark});
-}
-
-void warnOfUnreachable(Plan& plan) {
+void warnOfUnreachable(const Plan& plan, Warnings& into) {
     for (const ReasonVolume& entry : plan.balance.unreachable_by_reason) {
         if (entry.volume_mm3 < kWorthAWarningMm3) continue;
-        plan.warnings.push_back({"unreachable", plan.part.file,
-                                 fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3,
-                                             toString(entry.reason))});
+        into.push_back({"unreachable", plan.part.file,
+                        fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3,
+                                    toString(entry.reason))});
     }
 }
 
-void warnOfBooks(Plan& plan, const std::vector<SetupAccount>& accounts, const Tolerances& tol) {
+void warnOfBooks(const Plan& plan, const std::string& largest_gap, const Tolerances& tol, Warnings& into) {
     if (plan.balance.gapShare() > tol.volume_share)
-        plan.warnings.push_back({"books", plan.part.file,
-                                 fmt::format("the volume books miss {:.3g} % of stock minus part; {}",
-                                             100 * plan.balance.gapShare(),
-                                             largestGap(accounts, plan.balance.stock_minus_part_mm3, tol))});
+        into.push_back({"books", plan.part.file,
+                        fmt::format("the volume books miss {:.3g} % of stock minus part; {}",
+                                    100 * plan.balance.gapShare(), largest_gap)});
     for (const PlannedSetup& setup : plan.setups) {
         const VolumeBalance& books = setup.balance;
         const double gap_mm3 =
@@ -110,12 +102,12 @@ void warnOfBooks(Plan& plan, const std::vector<SetupAccount>& accounts, const To
         if (std::abs(gap_mm3) <= tol.volume_share * plan.balance.stock_minus_part_mm3 ||
             std::abs(gap_mm3) <= kVolumeRoundingMm3)
             continue;
-        plan.warnings.push_back({"books", setup.setup.id,
-                                 fmt::format("the volume books of the setup miss {:+.4g} mm3", gap_mm3)});
+        into.push_back({"books", setup.setup.id,
+                        fmt::format("the volume books of the setup miss {:+.4g} mm3", gap_mm3)});
     }
 }
 
-void warnOfShape(Plan& plan) {
+void warnOfShape(const Plan& plan, Warnings& into) {
     const VolumeBalance& books = plan.balance;
     if (books.stock_minus_part_mm3 <= kVolumeRoundingMm3) return;
     const double unreachable = books.unreachable_mm3 / books.stock_minus_part_mm3;
@@ -128,7 +120,7 @@ void warnOfShape(Plan& plan) {
     std::string axes;
     for (const PlannedSetup& setup : plan.setups)
         axes += (axes.empty() ? "" : ", ") + axisName(setup.setup.axis);
-    plan.warnings.push_back(
+    into.push_back(
         {"not-2.5d", plan.part.file,
          fmt::format("not a 2.5D part from {}: {:.4g} mm3 ({:.3g} % of what is to be removed) lie under "
                      "overhangs or behind walls that are not vertical, and {} of {} faces are neither flat "
@@ -136,28 +128,72 @@ void warnOfShape(Plan& plan) {
                      axes, books.unreachable_mm3, 100 * unreachable, curved, faces)});
 }
 
-void warnOfSetup(Plan& plan, const PlannedSetup& setup) {
+void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     for (const PlannedFeature& planned : setup.features) {
-        warnOfResiduals(plan, planned);
-        warnOfAllowance(plan, planned);
+        warnOfResiduals(planned, into);
+        warnOfAllowance(planned, into);
     }
-    warnOfSlowSteps(plan, setup);
-    warnOfTravel(plan, setup);
+    append(into, slowSteps(setup));
+    warnOfTravel(plan.machine, setup, into);
 }
 
-void warnOfCautions(Plan& plan, const Cautions& cautions) {
+void warnOfCautions(const Cautions& cautions, Warnings& into) {
     for (const auto& [feature, caution] : cautions)
-        plan.warnings.push_back(
+        into.push_back(
             {"proof", feature,
              fmt::format("a first program was not proven ({}); now {}", caution.why, measuresOf(caution))});
 }
 
-void warnOfMagazine(Plan& plan) {
+void warnOfMagazine(const Plan& plan, Warnings& into) {
     const int magazine = plan.machine.magazine_size;
     if (magazine <= 0 || plan.sharing.tools <= magazine) return;
-    plan.warnings.push_back(
-        {"magazine", plan.machine.name,
-         fmt::format("{} tools are needed, the magazine holds {}", plan.sharing.tools, magazine)});
+    into.push_back({"magazine", plan.machine.name,
+                    fmt::format("{} tools are needed, the magazine holds {}", plan.sharing.tools, magazine)});
+}
+
+}  // namespace
+
+void append(std::vector<Warning>& warnings, const std::vector<Warning>& more) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+std::vector<Warning> remarksOf(const Part& part) {
+    Warnings warnings;
+    for (const Remark& remark : part.remarks)
+        warnings.push_back({remark.code, part.file, remark.text});
+    return warnings;
+}
+
+std::vector<Warning> remarksOf(const LayerStack& layers) {
+    Warnings warnings;
+    for (const std::string& remark : layers.remarks)
+        warnings.push_back({"section", layers.setup_id, remark});
+    return warnings;
+}
+
+std::vector<Warning> unusedFixtures(const FixtureFile& given, const std::vector<PlannedSetup>& setups) {
+    Warnings warnings;
+    for (const auto& [id, fixtures] : given.setups) {
+        const bool used = std::any_of(setups.begin(), setups.end(),
+                                      [&](const PlannedSetup& setup) { return setup.setup.id == id; });
+        if (!used)
+            warnings.push_back(
+                {"fixtures-unused", id,
+                 fmt::format("{} has fixtures for it; the plan has no such setup", given.file)});
+    }
+    return warnings;
+}
+
+std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap, const Tolerances& tol) {
+    Warnings warnings;
+    warnOfUnreachable(plan, warnings);
+    for (const PlannedSetup& setup : plan.setups)
+        warnOfSetup(plan, setup, warnings);
+    warnOfCautions(plan.request.cautions, warnings);
+    warnOfMagazine(plan, warnings);
+    warnOfShape(plan, warnings);
+    warnOfBooks(plan, largest_gap, tol, warnings);
+    return warnings;
 }
 
 }  // namespace stepmill

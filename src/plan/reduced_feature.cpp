@@ -1,6 +1,7 @@
+#include "stepmill/plan/reduced_feature.h"
+
 #include <algorithm>
 
-#include "plan/plan_steps.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 

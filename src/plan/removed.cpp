@@ -1,4 +1,5 @@
-#include "plan/plan_steps.h"
+#include "stepmill/plan/removed.h"
+
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {

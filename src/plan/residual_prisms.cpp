@@ -1,6 +1,8 @@
 // Where residuals stand in the part, and whether later setups take them away.
 
-#include "plan/plan_steps.h"
+#include "plan/residual_prisms.h"
+
+#include "stepmill/plan/removed.h"
 
 namespace stepmill {
 namespace {

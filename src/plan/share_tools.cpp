@@ -1,6 +1,7 @@
+#include "plan/share_tools.h"
+
 #include <set>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -196,28 +197,27 @@ SharedChoice shareTools(const std::vector<Precedence>& features,
     return Sharing(features, choices, change_weight, magazine).best();
 }
 
-void shareTools(Plan& plan) {
-    std::vector<PlannedFeature*> planned;
+SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const Machine& machine, Objective objective) {
     std::vector<std::vector<SequenceChoice>> choices;
-    for (PlannedSetup& setup : plan.setups) {
-        for (PlannedFeature& one : setup.features) {
-            planned.push_back(&one);
-            choices.push_back(choicesOf(one.sequence));
-        }
-    }
-    const Machine& machine = plan.machine;
+    for (const PlannedSetup& setup : setups)
+        for (const PlannedFeature& planned : setup.features)
+            choices.push_back(choicesOf(planned.sequence));
     const double hours = machine.tool_change_s / (60 * kSecondsPerMinute);
     const double change_weight =
-        plan.objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
+        objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
     const SharedChoice shared =
-        shareTools(inSetupOrder(plan.setups), choices, change_weight, machine.magazine_size);
-    for (std::size_t i = 0; i < planned.size(); ++i) {
-        ToolSequence& sequence = planned[i]->sequence;
-        if (shared.choice[i] > 0) sequence = withChoice(sequence, shared.choice[i]);
-        // The DAG and all it was made from are not needed any more.
-        sequence.choices.reset();
+        shareTools(inSetupOrder(setups), choices, change_weight, machine.magazine_size);
+    std::size_t feature = 0;
+    for (PlannedSetup& setup : setups) {
+        for (PlannedFeature& planned : setup.features) {
+            ToolSequence& sequence = planned.sequence;
+            const std::size_t choice = shared.choice[feature++];
+            if (choice > 0) sequence = withChoice(sequence, choice);
+            // The DAG and all it was made from are not needed any more.
+            sequence.choices.reset();
+        }
     }
-    plan.sharing = shared.gain;
+    return {std::move(setups), shared.gain};
 }
 
 }  // namespace stepmill

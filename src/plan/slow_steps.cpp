@@ -1,6 +1,7 @@
+#include "plan/plan_warnings.h"
+
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -27,7 +28,8 @@ std::string durationWords(double seconds) {
 
 }  // namespace
 
-void warnOfSlowSteps(Plan& plan, const PlannedSetup& setup) {
+std::vector<Warning> slowSteps(const PlannedSetup& setup) {
+    std::vector<Warning> warnings;
     for (const PlannedFeature& planned : setup.features) {
         std::map<std::string, Share> shares;
         for (const SequenceStep& step : planned.sequence.steps) {
@@ -48,7 +50,7 @@ void warnOfSlowSteps(Plan& plan, const PlannedSetup& setup) {
                               share.area_mm2 < kLittleVolumeShare * planned.feature.area_mm2;
             if (!slow) continue;
             const double depth_mm = planned.feature.top_z_mm - planned.sequence.floor_z_mm;
-            plan.warnings.push_back(
+            warnings.push_back(
                 {"slow", planned.feature.id,
                  fmt::format("{} takes {} of {} for {:.2f} of {:.2f} cm3, where no other tool of the library "
                              "is worth calling; {} would save most of it",
@@ -58,6 +60,7 @@ void warnOfSlowSteps(Plan& plan, const PlannedSetup& setup) {
                                               : "a larger corner radius in the design")});
         }
     }
+    return warnings;
 }
 
 }  // namespace stepmill

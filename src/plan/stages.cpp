@@ -99,24 +99,29 @@ std::vector<Prism> featurePrisms(const FeatureSet& found) {
     return prisms;
 }
 
-WalkedSetups walkSetups(const std::vector<Setup>& setups, const SliceOptions& slicing, const Tolerances& tol,
-                        const StageVisitor& visit) {
-    WalkedSetups walked;
-    if (!setups.empty()) walked.left = setups.front().stock;
-    for (const Setup& planned : setups) {
-        const bool first = walked.steps.empty();
-        Setup setup = first ? planned : onStock(planned, walked.left);
-        setup.id = fmt::format("S{}", walked.steps.size() + 1);
-        const Stage stage = makeStage(std::move(setup), slicing, tol);
-        if (!first && planned.chosen && stage.found.features.empty()) continue;
-        const std::optional<std::vector<Prism>> removed = visit(stage);
-        if (!removed) continue;
-        StockAfter after = stockAfter(stage.setup, stage.layers, *removed, tol);
-        walked.steps.push_back({stage.setup.id, stage.setup.stock.volume_mm3, after.removed_mm3,
-                                after.prisms_mm3, after.stock.volume_mm3});
-        walked.left = std::move(after.stock);
+SetupWalk::SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol)
+    : setups_(std::move(setups)), slicing_(slicing), tol_(tol) {
+    if (!setups_.empty()) left_ = setups_.front().stock;
+}
+
+std::optional<Stage> SetupWalk::next() {
+    while (next_ < setups_.size()) {
+        const Setup& planned = setups_[next_++];
+        const bool first = cut_ == 0;
+        Setup setup = first ? planned : onStock(planned, left_);
+        setup.id = fmt::format("S{}", cut_ + 1);
+        Stage stage = makeStage(std::move(setup), slicing_, tol_);
+        if (first || !planned.chosen || !stage.found.features.empty()) return stage;
     }
-    return walked;
+    return std::nullopt;
+}
+
+StockStep SetupWalk::cut(const Stage& stage, const std::vector<Prism>& removed) {
+    StockAfter after = stockAfter(stage.setup, stage.layers, removed, tol_);
+    ++cut_;
+    left_ = std::move(after.stock);
+    return {stage.setup.id, stage.setup.stock.volume_mm3, after.removed_mm3, after.prisms_mm3,
+            left_.volume_mm3};
 }
 
 }  // namespace stepmill

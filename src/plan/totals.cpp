@@ -1,6 +1,7 @@
+#include "plan/totals.h"
+
 #include <set>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -31,15 +32,16 @@ int unavoidableTools(const PlannedSetup& setup) {
 }
 
 /// \param in_spindle  the tool that the setup before ended with; becomes this one's last
-void addSetup(const Plan& plan, PlannedSetup& setup, std::string& in_spindle, PlanTotals& totals) {
+void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& setup,
+              std::string& in_spindle, PlanTotals& totals) {
     double change_s = 0;
     double cutting_s = 0;
     double air_s = 0;
     double motion_s = 0;
     for (const Operation& operation : setup.operations) {
-        const ToolAssembly& tool = plan.library.tool(operation.tool_id);
+        const ToolAssembly& tool = library.tool(operation.tool_id);
         if (operation.tool_id != in_spindle) {
-            change_s += plan.machine.tool_change_s;
+            change_s += machine.tool_change_s;
             ++totals.tool_changes;
             in_spindle = operation.tool_id;
         }
@@ -56,7 +58,7 @@ void addSetup(const Plan& plan, PlannedSetup& setup, std::string& in_spindle, Pl
     totals.air_s += air_s;
     totals.tool_change_s += change_s;
     totals.time_s += setup.time_s;
-    totals.cost += setup.time_s / (60 * kSecondsPerMinute) * plan.machine.hourly_rate;
+    totals.cost += setup.time_s / (60 * kSecondsPerMinute) * machine.hourly_rate;
     for (const PlannedFeature& planned : setup.features) {
         if (!planned.sequence.steps.empty()) totals.lower_bound_s += planned.sequence.cutting_bound_s;
     }
@@ -64,9 +66,9 @@ void addSetup(const Plan& plan, PlannedSetup& setup, std::string& in_spindle, Pl
 
 /// Changes no plan does without: those of every setup, of which each setup's first may be the last tool of
 /// the setup before.
-int unavoidableChanges(const Plan& plan) {
+int unavoidableChanges(const std::vector<PlannedSetup>& setups) {
     int changes = 0;
-    for (const PlannedSetup& setup : plan.setups) {
+    for (const PlannedSetup& setup : setups) {
         const int own = unavoidableTools(setup);
         changes += changes > 0 && own > 0 ? own - 1 : own;
     }
@@ -75,13 +77,13 @@ int unavoidableChanges(const Plan& plan) {
 
 }  // namespace
 
-void addUpTotals(Plan& plan) {
+TimedSetups withTimes(std::vector<PlannedSetup> setups, const ToolLibrary& library, const Machine& machine) {
     PlanTotals totals;
     std::string in_spindle;
-    for (PlannedSetup& setup : plan.setups)
-        addSetup(plan, setup, in_spindle, totals);
-    totals.lower_bound_s += unavoidableChanges(plan) * plan.machine.tool_change_s;
-    plan.totals = totals;
+    for (PlannedSetup& setup : setups)
+        addSetup(library, machine, setup, in_spindle, totals);
+    totals.lower_bound_s += unavoidableChanges(setups) * machine.tool_change_s;
+    return {std::move(setups), totals};
 }
 
 }  // namespace stepmill

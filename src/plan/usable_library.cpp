@@ -1,10 +1,12 @@
 // Cutting data no program can be made with on a machine.
 
+#include "stepmill/plan/usable_library.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
+#include "sequence/dag/candidate.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/path_frame.h"
 
@@ -43,15 +45,16 @@ std::string troubleWith(const CuttingData& cutting, const Machine& machine, cons
 
 }  // namespace
 
-ToolLibrary usableLibrary(const ToolLibrary& library, const SequenceOptions& options, const Machine& machine,
-                          double deepest_mm, std::vector<Warning>& warnings) {
-    ToolLibrary usable = library;
-    for (ToolAssembly& tool : usable.tools) {
+UsableLibrary usableLibrary(const ToolLibrary& library, const SequenceOptions& options,
+                            const Machine& machine, double deepest_mm) {
+    UsableLibrary usable{library, {}};
+    for (ToolAssembly& tool : usable.library.tools) {
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr) continue;
         const std::string trouble = troubleWith(*cutting, machine, options.finish, deepest_mm);
         if (trouble.empty()) continue;
-        warnings.push_back({"tool-unusable", tool.id, "not used in " + options.material + ": " + trouble});
+        usable.warnings.push_back(
+            {"tool-unusable", tool.id, "not used in " + options.material + ": " + trouble});
         std::erase_if(tool.cutting,
                       [&](const CuttingData& data) { return data.material == options.material; });
     }

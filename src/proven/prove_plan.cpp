@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
+#include "stepmill/plan/reduced_feature.h"
 #include "stepmill/proven/proven_plan.h"
 
 namespace stepmill {

@@ -6,6 +6,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/feature/face_owner.h"
 #include "stepmill/plan/plan.h"
+#include "stepmill/plan/stages.h"
 #include "stepmill/study/inspection.h"
 
 namespace stepmill {
@@ -151,12 +152,11 @@ void lessen(std::vector<Unplanned>& unplanned, double by_mm3) {
 }
 
 /// What the last setup's stock still has over the part, by reason.
-void closeBooks(Inspection& inspection, const WalkedSetups& walked, const std::vector<StageAir>& airs) {
+void closeBooks(Inspection& inspection, const std::vector<StageAir>& airs) {
     InspectedBooks& books = inspection.books;
     books.stock_minus_part_mm3 = inspection.stock.volume_mm3 - inspection.part.volume_mm3;
     for (std::size_t i = 0; i < inspection.setups.size(); ++i) {
         InspectedSetup& setup = inspection.setups[i];
-        setup.stock = walked.steps.at(i);
         const SettledAir air = settleAir(airs.at(i), setup.stock.prisms_mm3, setup.stock.removed_mm3);
         lessen(setup.unplanned, air.left_mm3);
         if (air.back_mm3 > 0)
@@ -205,12 +205,14 @@ Inspection inspectPart(const Part& part, const InspectRequest& request, const To
     const std::vector<Setup> setups = chooseSetups(part, request.setup);
     STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
     inspection.stock = setups.front().stock;
-    const WalkedSetups walked = walkSetups(setups, request.slicing, tol, [&](const Stage& stage) {
-        report("features of " + stage.setup.id, 0.5);
-        return inspector.visit(stage);
-    });
+    SetupWalk walk(setups, request.slicing, tol);
+    while (const std::optional<Stage> stage = walk.next()) {
+        report("features of " + stage->setup.id, 0.5);
+        const std::vector<Prism> removed = inspector.visit(*stage);
+        inspection.setups.back().stock = walk.cut(*stage, removed);
+    }
     inspector.finish();
-    closeBooks(inspection, walked, inspector.airs());
+    closeBooks(inspection, inspector.airs());
     return inspection;
 }
 

@@ -2,9 +2,10 @@
 #include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
+#include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/stages.h"
+#include "stepmill/plan/usable_library.h"
 #include "stepmill/study/rank.h"
 
 namespace stepmill {
@@ -14,11 +15,12 @@ namespace {
 std::vector<Feature> allFeatures(const Part& part, const RankRequest& request, const ToolLibrary& library,
                                  const Tolerances& tol) {
     std::vector<Feature> features;
-    walkSetups(chooseSetups(part, request.setup), request.slicing, tol, [&](const Stage& stage) {
-        for (Feature& feature : inBands(stage.found.features, library, request.sequence.material))
+    SetupWalk walk(chooseSetups(part, request.setup), request.slicing, tol);
+    while (const std::optional<Stage> stage = walk.next()) {
+        for (Feature& feature : inBands(stage->found.features, library, request.sequence.material))
             features.push_back(std::move(feature));
-        return featurePrisms(stage.found);
-    });
+        walk.cut(*stage, featurePrisms(stage->found));
+    }
     return features;
 }
 
@@ -96,9 +98,8 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
     const auto tell = [&](const std::string& stage, double share) {
         if (progress) progress(stage, share);
     };
-    std::vector<Warning> unusable;
     const ToolLibrary library =
-        usableLibrary(all_tools, request.sequence, machine, part.bbox_mm.sizes().maxCoeff(), unusable);
+        usableLibrary(all_tools, request.sequence, machine, part.bbox_mm.sizes().maxCoeff()).library;
     RankReport report;
     report.is_part = true;
     report.file = part.file;

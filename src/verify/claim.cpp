@@ -8,9 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
 #include "stepmill/feature/region_compare.h"
+#include "stepmill/plan/books.h"
+#include "stepmill/plan/deep_bands.h"
+#include "stepmill/plan/removed.h"
+#include "stepmill/plan/setup_fixtures.h"
+#include "stepmill/plan/stages.h"
+#include "stepmill/plan/usable_library.h"
 
 namespace stepmill {
 namespace {
@@ -184,8 +189,7 @@ ToolLibrary usedLibrary(const PlanRecord& record, const ToolLibrary& library,
     SequenceOptions options;
     options.material = record.material;
     options.finish = record.request->finish;
-    std::vector<Warning> told;
-    return usableLibrary(library, options, record.machine, tallestStockMm(setups), told);
+    return usableLibrary(library, options, record.machine, tallestStockMm(setups)).library;
 }
 
 /// A setup as derived, for the books.
@@ -194,6 +198,7 @@ struct DerivedSetup {
     LayerStack layers;
     StageAir air;
     std::vector<Prism> removed;
+    StockStep stock;
 };
 
 /// Derives setup after setup on the stock that the record's operations leave.
@@ -206,22 +211,22 @@ class ClaimWalk {
     void run() {
         const std::vector<Setup> setups = chooseSetups(sources_.part, setupRequest(record_, sources_));
         library_ = usedLibrary(record_, sources_.library, setups);
-        const WalkedSetups walked = walkSetups(
-            setups, SliceOptions{}, tol_,
-            [this](const Stage& found) -> std::optional<std::vector<Prism>> { return visit(found); });
-        if (failures_.empty())
-            compareBooks(walked, setups.front().stock.volume_mm3 - sources_.part.volume_mm3);
+        SetupWalk walk(setups, SliceOptions{}, tol_);
+        while (std::optional<Stage> stage = walk.next()) {
+            derive(std::move(*stage), walk);
+            if (!failures_.empty()) return;
+        }
+        compareBooks(setups.front().stock.volume_mm3 - sources_.part.volume_mm3);
     }
 
   private:
-    std::vector<Prism> visit(const Stage& found) {
-        if (!failures_.empty()) return {};
-        Stage stage = found;
+    /// One setup, if it is as the record says.
+    void derive(Stage stage, SetupWalk& walk) {
         setFixtures(stage, sources_.fixtures, tol_);
         const std::vector<Feature> features = inBands(stage.found.features, library_, record_.material);
         const RecordedSetup& recorded = record_.setups[derived_.size()];
         SetupComparison(record_, recorded, tol_, failures_).compare(stage, features);
-        if (!failures_.empty()) return {};
+        if (!failures_.empty()) return;
         DerivedSetup& derived = derived_.emplace_back();
         std::vector<PlannedFeature> planned;
         for (const Feature& feature : features) {
@@ -229,24 +234,20 @@ class ClaimWalk {
             derived.planned.features.push_back(asPlanned(record_, feature, true));
         }
         derived.removed = removedBy(planned, tol_);
+        derived.stock = walk.cut(stage, derived.removed);
         derived.air = airOf(stage);
         derived.planned.setup = stage.setup;
         derived.planned.unplanned = stage.found.unplanned;
         derived.layers = std::move(stage.layers);
-        return derived.removed;
     }
 
     /// What the plan says of the whole follows from its features and what stays of them.
-    void compareBooks(const WalkedSetups& walked, double stock_minus_part_mm3) {
+    void compareBooks(double stock_minus_part_mm3) {
         std::vector<SetupAccount> accounts;
-        for (std::size_t i = 0; i < derived_.size(); ++i) {
-            DerivedSetup& derived = derived_[i];
-            SetupAccount account{&derived.planned, &derived.layers, walked.steps[i], derived.air,
-                                 derived.removed};
-            derived.planned.balance = setupBooks(account);
-            accounts.push_back(std::move(account));
-        }
-        const VolumeBalance books = partBooks(accounts, stock_minus_part_mm3);
+        for (const DerivedSetup& derived : derived_)
+            accounts.push_back(
+                {&derived.planned, &derived.layers, derived.stock, derived.air, derived.removed});
+        const VolumeBalance books = booksOf(accounts, stock_minus_part_mm3, tol_).part;
         const double rounding_mm3 = std::max(kVolumeRoundingMm3, tol_.volume_share * stock_minus_part_mm3);
         const auto compare = [&](const char* what, double recorded, double derived) {
             if (std::abs(recorded - derived) > rounding_mm3)

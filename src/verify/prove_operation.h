@@ -16,7 +16,7 @@ struct StandingAbove {
 
 /// A feature while the program runs: what of it is still there.
 struct FeatureState {
-    Feature feature;  ///< below what its ancestors left, beside the fixtures [plan/plan_steps.h]
+    Feature feature;  ///< below what its ancestors left, beside the fixtures [plan/reduced_feature.h]
     /// At every height that operations of the feature go down to, from below; the first is what stands over
     /// the floor. Each holds the ones above it.
     std::vector<StandingAbove> standing;

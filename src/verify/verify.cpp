@@ -7,8 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
+#include "stepmill/plan/reduced_feature.h"
+#include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"

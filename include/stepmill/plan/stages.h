@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,12 +7,10 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/setup/clamping.h"
+#include "stepmill/setup/prism.h"
 #include "stepmill/setup/setup.h"
 
 namespace stepmill {
-
-struct SequenceOptions;
-struct ToolLibrary;
 
 /// A setup with the stock as it arrives, its layers and features.
 struct Stage {
@@ -52,38 +49,39 @@ struct StockStep {
     double leaves_mm3 = 0;
 };
 
-/// All setups done.
-struct WalkedSetups {
-    std::vector<StockStep> steps;  ///< one for each setup visited
-    Stock left;                    ///< what the last setup leaves, in part coordinates
-};
-
-/// Called with each stage; returns what the setup really takes away, in setup coordinates, or nothing to
-/// leave the setup out after all (the next one then gets its id).
-using StageVisitor = std::function<std::optional<std::vector<Prism>>(const Stage& stage)>;
-
-/// Goes through the setups in order: slice the stock as it arrives, recognise features, let `visit` say what
-/// is removed, cut that from the stock for the next.
+/// The setups in turn, each on the stock that those before it leave: slices it, recognises features, suggests
+/// a clamping.
 ///
-/// A setup that was chosen, not asked for, and has no feature left to cut is left out and those after it
-/// are numbered without it; the first is always visited. Features found from two sides are the first
-/// setup's: they are gone from the stock when the second arrives. What `visit` does not return stays in
-/// the stock.
-/// \param setups  from chooseSetups
-/// A stock that cannot be made stays as it arrived, with a remark.
-/// \throws what slice and recogniseFeatures do.
-WalkedSetups walkSetups(const std::vector<Setup>& setups, const SliceOptions& slicing, const Tolerances& tol,
-                        const StageVisitor& visit);
+///     while (std::optional<Stage> stage = walk.next())
+///         walk.cut(*stage, featurePrisms(stage->found));
+///
+/// A setup that was chosen, not asked for, and has no feature left to cut is left out; so is one that is not
+/// cut before the next is asked for. Those after it are numbered without it. The first setup is always
+/// there. Features found from two sides are the first setup's: they are gone from the stock when the second
+/// arrives. What is not cut stays in the stock.
+class SetupWalk {
+  public:
+    /// \param setups  from chooseSetups
+    SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol);
 
-/// Features deeper than the widest mill reaches, parted into bands of equal depth one below the other, each a
-/// feature of its own ("S1.F3.1" and so on) that waits for the one above: a tool then cuts no deeper beside
-/// its own work than shank and holder stay above it, and each band takes the tools that reach it. Holes stay
-/// whole, for drills. Features keep their order.
-std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
-                             const std::string& material);
+    /// The next setup; nothing after the last. \throws what slice and recogniseFeatures do
+    std::optional<Stage> next();
 
-/// The options as a plan sequences features with them, whatever they say: no tool meets its own leftovers.
-SequenceOptions asPlanned(SequenceOptions options);
+    /// Cuts from the stock what the stage really takes away. A stock that cannot be made stays as it arrived,
+    /// with a remark. \param removed  in setup coordinates
+    StockStep cut(const Stage& stage, const std::vector<Prism>& removed);
+
+    /// What is left of the stock so far, in part coordinates.
+    const Stock& left() const { return left_; }
+
+  private:
+    std::vector<Setup> setups_;
+    SliceOptions slicing_;
+    Tolerances tol_;
+    std::size_t next_ = 0;
+    int cut_ = 0;  ///< stages
+    Stock left_;
+};
 
 /// The prisms of all features, whole: what a stage removes before tools are known.
 std::vector<Prism> featurePrisms(const FeatureSet& found);

@@ -56,7 +56,7 @@ struct Setup {
     Vec3 axis = Vec3::UnitZ();  ///< in part coordinates
     Eigen::Isometry3d part_to_setup = Eigen::Isometry3d::Identity();
     Part part;
-    /// As it arrives, in part coordinates. From chooseSetups: the raw stock in every setup; walkSetups
+    /// As it arrives, in part coordinates. From chooseSetups: the raw stock in every setup; SetupWalk
     /// (plan/stages.h) replaces it by what the setups before left.
     Stock stock;
     Box3 stock_bbox_mm;        ///< in setup coordinates: min.z = -height, max.z = 0
@@ -66,7 +66,7 @@ struct Setup {
     /// Share of (raw stock - part) that of all setups only this one reaches, from samples [0..1]. 1 where
     /// the setup was asked for.
     double alone_share = 1;
-    /// What holds the part, grown by kFixtureGrowth or as the shop's file says; set by walkSetups.
+    /// What holds the part, grown by kFixtureGrowth or as the shop's file says; set by SetupWalk.
     std::vector<Fixture> fixtures;
     bool indexed = false;  ///< the axis is no direction of the part's box: needs a sine vise or a rotary axis
     bool chosen = false;  ///< found by chooseSetups, not asked for: may fall away when nothing is left for it

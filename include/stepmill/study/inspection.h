@@ -74,7 +74,7 @@ struct InspectRequest {
 
 /// Setups, features, forms, holes, faces and books of a part.
 /// \param progress  told of each stage
-/// \throws what chooseSetups and walkSetups do
+/// \throws what chooseSetups and SetupWalk::next do
 Inspection inspectPart(const Part& part, const InspectRequest& request, const Tolerances& tol,
                        const std::function<void(const std::string& stage, double share)>& progress = {});
 

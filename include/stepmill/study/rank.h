@@ -64,7 +64,8 @@ struct RankReport {
 /// stock the ones before it leave when all their features are cut whole. A feature that cannot be sequenced
 /// does not end the run: its entry says why.
 /// \param progress  told of each stage
-/// \throws Error(Usage) if there is no such feature, naming those there are; what chooseSetups and walkSetups
+/// \throws Error(Usage) if there is no such feature, naming those there are; what chooseSetups and
+/// SetupWalk::next
 ///         throw
 RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibrary& library,
                     const Machine& machine, const Tolerances& tol,

@@ -22,7 +22,7 @@ struct ClaimSources {
 ///
 /// What tools leave is taken from the record: programs are proven to leave no more, and the stock of later
 /// setups follows from it. After the first setup that differs no later one is compared.
-/// \throws Error(InvalidCatalog) for a record without a request; what chooseSetups and walkSetups do
+/// \throws Error(InvalidCatalog) for a record without a request; what chooseSetups and SetupWalk::next do
 std::vector<ProofFailure> compareWithPart(const PlanRecord& record, const ClaimSources& sources,
                                           const Tolerances& tol);
 

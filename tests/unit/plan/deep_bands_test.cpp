@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "plan/plan_steps.h"
+#include "stepmill/plan/deep_bands.h"
 
 namespace stepmill {
 namespace {
@@ -47,6 +47,10 @@ TEST(DeepBands, AFeatureDeeperThanTheWidestMillReachesIsParted) {
     EXPECT_DOUBLE_EQ(bands[0].top_z_mm, 0);
     EXPECT_FALSE(bands[0].through);
     EXPECT_TRUE(bands[0].parents.empty());
+    EXPECT_EQ(bands[0].band->of, "S1.F1");
+    EXPECT_TRUE(bands[0].band->isUpper());
+    EXPECT_FALSE(bands[2].band->isUpper());
+    EXPECT_FALSE(bands[3].band.has_value());
     for (int i = 1; i < 3; ++i) {
         EXPECT_DOUBLE_EQ(bands[i].top_z_mm, bands[i - 1].floor_z_mm);
         EXPECT_EQ(bands[i].parents, std::vector<std::string>{bands[i - 1].id});

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/plan_steps.h"
+#include "plan/order_operations.h"
 
 namespace stepmill {
 namespace {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "plan/plan_steps.h"
+#include "plan/plan_warnings.h"
+#include "stepmill/plan/reduced_feature.h"
 #include "stepmill/planar/boolean.h"
 #include "unit/sequence/sample_feature.h"
 
@@ -111,18 +112,19 @@ TEST(VolumeBalance, HasNoGapWhereThereIsNothingToRemove) {
     EXPECT_TRUE(plan.complete(kTol));
 }
 
-TEST(WarnOfShape, CallsAPartThatHidesMuchNot25D) {
+TEST(PlanWarnings, CallAPartThatHidesMuchNot25D) {
     Plan plan;
     plan.balance.stock_minus_part_mm3 = 1000;
+    plan.balance.planned_mm3 = 950;
     plan.balance.unreachable_mm3 = 50;
     plan.part.surfaces = {{"plane", 10}, {"cylinder", 4}};
-    warnOfShape(plan);
-    EXPECT_TRUE(plan.warnings.empty());
+    EXPECT_TRUE(warningsOf(plan, "", kTol).empty());
+    plan.balance.planned_mm3 = 800;
     plan.balance.unreachable_mm3 = 200;
-    warnOfShape(plan);
-    ASSERT_EQ(plan.warnings.size(), 1U);
-    EXPECT_EQ(plan.warnings[0].code, "not-2.5d");
-    EXPECT_NE(plan.warnings[0].text.find("20 %"), std::string::npos) << plan.warnings[0].text;
+    const std::vector<Warning> warnings = warningsOf(plan, "", kTol);
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings[0].code, "not-2.5d");
+    EXPECT_NE(warnings[0].text.find("20 %"), std::string::npos) << warnings[0].text;
 }
 
 }  // namespace

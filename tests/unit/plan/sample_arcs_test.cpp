@@ -36,8 +36,9 @@ TEST(SampleParts, EveryArcOfAFeatureComesOutAsAnArcOfTheSameCircle) {
                              "open_slots", "plate_with_holes", "four_setups"}) {
         SCOPED_TRACE(name);
         const Part part = readStep(std::string(STEPMILL_SOURCE_DIR "/step_parts/") + name + ".step").front();
-        walkSetups(chooseSetups(part, {}), {}, kTol, [&](const Stage& stage) {
-            for (const Feature& feature : stage.found.features) {
+        SetupWalk walk(chooseSetups(part, {}), {}, kTol);
+        while (const std::optional<Stage> stage = walk.next()) {
+            for (const Feature& feature : stage->found.features) {
                 SCOPED_TRACE(feature.id);
                 const ClearanceDiagram diagram(feature.target, kTol);
                 const Circles in = circlesAfter(feature.target, kOffsetMm);
@@ -49,8 +50,8 @@ TEST(SampleParts, EveryArcOfAFeatureComesOutAsAnArcOfTheSameCircle) {
                 }
                 arcs += static_cast<int>(in.size());
             }
-            return std::optional(featurePrisms(stage.found));
-        });
+            walk.cut(*stage, featurePrisms(stage->found));
+        }
     }
     EXPECT_GT(arcs, 50);
 }

@@ -1,8 +1,10 @@
 #include "stepmill/plan/stages.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
-#include "plan/plan_steps.h"
+#include "stepmill/plan/removed.h"
 
 namespace stepmill {
 namespace {
@@ -17,50 +19,50 @@ double removable(const stepmill::Setup& setup) {
     return setup.stock.volume_mm3 - setup.part.volume_mm3;
 }
 
-TEST(WalkSetups, LeavesThePartWhereEveryFeatureIsCut) {
-    const Part part = samplePart("four_setups.step");
-    const std::vector<stepmill::Setup> setups = chooseSetups(part, {});
-    const WalkedSetups walked = walkSetups(setups, {}, kTol, [&](const Stage& stage) {
-        double sum = -stage.air_mm3;
-        for (const Feature& feature : stage.found.features)
-            sum += feature.volume_mm3;
-        for (const Unplanned& unplanned : stage.found.unplanned)
-            sum += unplanned.volume_mm3;
-        EXPECT_NEAR(sum, removable(stage.setup), kTol.volume_share * removable(setups.front()))
-            << stage.setup.id;
-        return std::optional(featurePrisms(stage.found));
-    });
-    EXPECT_EQ(walked.steps.size(), 4U);
-    EXPECT_NEAR(walked.left.volume_mm3, part.volume_mm3, 1e-5 * part.volume_mm3);
+/// Of all stages, each cut whole but those left out, counted from 1.
+std::vector<std::string> idsOf(SetupWalk walk, const std::set<std::size_t>& left_out) {
+    std::vector<std::string> ids;
+    while (const std::optional<Stage> stage = walk.next()) {
+        ids.push_back(stage->setup.id);
+        if (left_out.count(ids.size()) == 0) walk.cut(*stage, featurePrisms(stage->found));
+    }
+    return ids;
 }
 
-TEST(WalkSetups, LeavesOutAChosenSetupWithNothingToCut) {
+TEST(SetupWalk, LeavesThePartWhereEveryFeatureIsCut) {
+    const Part part = samplePart("four_setups.step");
+    const std::vector<stepmill::Setup> setups = chooseSetups(part, {});
+    SetupWalk walk(setups, {}, kTol);
+    int count = 0;
+    while (const std::optional<Stage> stage = walk.next()) {
+        ++count;
+        double sum = -stage->air_mm3;
+        for (const Feature& feature : stage->found.features)
+            sum += feature.volume_mm3;
+        for (const Unplanned& unplanned : stage->found.unplanned)
+            sum += unplanned.volume_mm3;
+        EXPECT_NEAR(sum, removable(stage->setup), kTol.volume_share * removable(setups.front()))
+            << stage->setup.id;
+        walk.cut(*stage, featurePrisms(stage->found));
+    }
+    EXPECT_EQ(count, 4);
+    EXPECT_NEAR(walk.left().volume_mm3, part.volume_mm3, 1e-5 * part.volume_mm3);
+}
+
+TEST(SetupWalk, LeavesOutAChosenSetupWithNothingToCut) {
     std::vector<stepmill::Setup> setups = chooseSetups(samplePart("plate_with_holes.step"), {});
     ASSERT_EQ(setups.size(), 1U);
     SetupRequest below;
     below.axes = {-Vec3::UnitZ()};
     setups.push_back(chooseSetups(setups.front().part, below).front());
-    int visits = 0;
-    const StageVisitor count = [&](const Stage& stage) {
-        ++visits;
-        return std::optional(featurePrisms(stage.found));
-    };
-    walkSetups(setups, {}, kTol, count);
-    EXPECT_EQ(visits, 2);
+    EXPECT_EQ(idsOf(SetupWalk(setups, {}, kTol), {}).size(), 2U);
     setups.back().chosen = true;
-    visits = 0;
-    walkSetups(setups, {}, kTol, count);
-    EXPECT_EQ(visits, 1);
+    EXPECT_EQ(idsOf(SetupWalk(setups, {}, kTol), {}).size(), 1U);
 }
 
-TEST(WalkSetups, GivesTheIdOfASetupLeftOutToTheNext) {
-    std::vector<std::string> ids;
-    walkSetups(chooseSetups(samplePart("four_setups.step"), {}), {}, kTol,
-               [&](const Stage& stage) -> std::optional<std::vector<Prism>> {
-                   ids.push_back(stage.setup.id);
-                   if (ids.size() == 2) return std::nullopt;
-                   return featurePrisms(stage.found);
-               });
+TEST(SetupWalk, GivesTheIdOfASetupLeftOutToTheNext) {
+    const std::vector<std::string> ids =
+        idsOf(SetupWalk(chooseSetups(samplePart("four_setups.step"), {}), {}, kTol), {2});
     EXPECT_EQ(ids, (std::vector<std::string>{"S1", "S2", "S2", "S3"}));
 }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "plan/plan_steps.h"
+#include "plan/plan_warnings.h"
+#include "plan/stick_outs.h"
 #include "stepmill/catalog/read_catalog.h"
 
 namespace stepmill {
@@ -26,17 +27,17 @@ SequenceStep step(const std::string& tool_id, double least_stick_out_mm) {
 }
 
 TEST(StickOuts, AToolIsSetAsFarOutAsItsNeediestStepAsks) {
-    Plan plan;
-    plan.library.tools = {ranged("A"), ranged("B")};
-    plan.setups.resize(2);
-    plan.setups[0].features.resize(1);
-    plan.setups[0].features[0].sequence.steps = {step("A", 14), step("A", 12)};
-    plan.setups[1].features.resize(1);
-    plan.setups[1].features[0].sequence.steps = {step("A", 18)};
-    setStickOuts(plan);
-    EXPECT_DOUBLE_EQ(plan.library.tool("A").stick_out_mm, 18);
-    EXPECT_DOUBLE_EQ(plan.library.tool("A").holder[0].bottom_mm, 18);
-    EXPECT_DOUBLE_EQ(plan.library.tool("B").stick_out_mm, 30) << "no step asks for it";
+    ToolLibrary library;
+    library.tools = {ranged("A"), ranged("B")};
+    std::vector<PlannedSetup> setups(2);
+    setups[0].features.resize(1);
+    setups[0].features[0].sequence.steps = {step("A", 14), step("A", 12)};
+    setups[1].features.resize(1);
+    setups[1].features[0].sequence.steps = {step("A", 18)};
+    library = withStickOuts(library, setups);
+    EXPECT_DOUBLE_EQ(library.tool("A").stick_out_mm, 18);
+    EXPECT_DOUBLE_EQ(library.tool("A").holder[0].bottom_mm, 18);
+    EXPECT_DOUBLE_EQ(library.tool("B").stick_out_mm, 30) << "no step asks for it";
 }
 
 /// A plan with tools set as it says takes no longer.
@@ -65,9 +66,8 @@ TEST(StickOuts, AreLongEnoughForThePlanTheyWereChosenFor) {
 }
 
 /// One feature of 1000 mm2, 10 mm deep: a large tool does most, a small one `area_mm2` in `time_s`.
-Plan planWithSmallTool(double area_mm2, double time_s, Role role) {
-    Plan plan;
-    plan.setups.resize(1);
+PlannedSetup setupWithSmallTool(double area_mm2, double time_s, Role role) {
+    PlannedSetup setup;
     PlannedFeature planned;
     planned.feature.id = "S1.F1";
     planned.feature.top_z_mm = 0;
@@ -78,34 +78,30 @@ Plan planWithSmallTool(double area_mm2, double time_s, Role role) {
     planned.sequence.steps[0].area.new_area_mm2 = 1000 - area_mm2;
     planned.sequence.steps[1].area.new_area_mm2 = area_mm2;
     planned.sequence.steps[1].role = role;
-    plan.setups[0].features.push_back(planned);
+    setup.features.push_back(planned);
     for (const auto& [tool, seconds] : {std::pair("large", 500.0), std::pair("small", time_s)}) {
         Operation operation;
         operation.feature_id = "S1.F1";
         operation.tool_id = tool;
         operation.path.totals.feed_time_s = seconds;
-        plan.setups[0].operations.push_back(operation);
+        setup.operations.push_back(operation);
     }
-    return plan;
+    return setup;
 }
 
 TEST(SlowSteps, AreNamedWithWhatTheyBuy) {
-    Plan plan = planWithSmallTool(10, 1500, Role::Surrogate);
-    warnOfSlowSteps(plan, plan.setups[0]);
-    ASSERT_EQ(plan.warnings.size(), 1U);
-    EXPECT_EQ(plan.warnings[0].code, "slow");
-    EXPECT_EQ(plan.warnings[0].subject, "S1.F1");
-    EXPECT_NE(plan.warnings[0].text.find("small takes 25 min of 33 min for 0.10 of 10.00 cm3"),
-              std::string::npos)
-        << plan.warnings[0].text;
-    EXPECT_NE(plan.warnings[0].text.find("slimmer holder"), std::string::npos);
+    const std::vector<Warning> warnings = slowSteps(setupWithSmallTool(10, 1500, Role::Surrogate));
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_EQ(warnings[0].code, "slow");
+    EXPECT_EQ(warnings[0].subject, "S1.F1");
+    EXPECT_NE(warnings[0].text.find("small takes 25 min of 33 min for 0.10 of 10.00 cm3"), std::string::npos)
+        << warnings[0].text;
+    EXPECT_NE(warnings[0].text.find("slimmer holder"), std::string::npos);
 }
 
 TEST(SlowSteps, AreNotNamedWhereTheyClearMuchOrTakeLittle) {
-    for (Plan plan : {planWithSmallTool(100, 1500, Role::Rest), planWithSmallTool(10, 200, Role::Rest)}) {
-        warnOfSlowSteps(plan, plan.setups[0]);
-        EXPECT_TRUE(plan.warnings.empty());
-    }
+    EXPECT_TRUE(slowSteps(setupWithSmallTool(100, 1500, Role::Rest)).empty());
+    EXPECT_TRUE(slowSteps(setupWithSmallTool(10, 200, Role::Rest)).empty());
 }
 
 }  // namespace

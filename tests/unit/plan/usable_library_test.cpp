@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
+#include "stepmill/plan/usable_library.h"
 #include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
@@ -17,8 +17,10 @@ SequenceOptions inAluminium() {
 /// How many tools keep their cutting data, over that height of stock.
 std::size_t usable(const ToolLibrary& library, const SequenceOptions& options, const Machine& machine,
                    double deepest_mm, std::vector<Warning>& warnings) {
+    const UsableLibrary found = usableLibrary(library, options, machine, deepest_mm);
+    warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
     std::size_t count = 0;
-    for (const ToolAssembly& tool : usableLibrary(library, options, machine, deepest_mm, warnings).tools)
+    for (const ToolAssembly& tool : found.library.tools)
         count += tool.cuttingFor(options.material) != nullptr ? 1 : 0;
     return count;
 }

@@ -1,11 +1,12 @@
 // What holds the part in a setup, as the plan keeps clear of it.
 
+#include "stepmill/plan/setup_fixtures.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "plan/plan_steps.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"

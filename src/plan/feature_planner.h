@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// The libraries of the features that do without some tools, by feature id.
+using SmallerLibraries = std::map<std::string, ToolLibrary>;
+SmallerLibraries smallerLibraries(const Cautions& cautions, const ToolLibrary& library);
+
+/// What all features of a plan are planned with.
+struct PlanningShop {
+    const PlanRequest& request;
+    const ToolLibrary& library;
+    const SmallerLibraries& smaller;
+    const Machine& machine;
+    const Tolerances& tol;
+
+    const ToolLibrary& libraryOf(const std::string& feature) const;
+    /// Of the feature; one that asks for nothing where there is none.
+    const FeatureCaution& cautionOf(const std::string& feature) const;
+};
+
+/// The features of a setup with their sequences.
+struct PlannedFeatures {
+    std::vector<PlannedFeature> features;
+    std::vector<Warning> warnings;  ///< of features whose planning failed: they are residuals
+};
+
+/// Plans features generation by generation, each below what those above it leave.
+/// \param progress  told of each feature, with the share of them that is begun
+PlannedFeatures planFeatures(std::vector<Feature> features, const Setup& setup, const PlanningShop& shop,
+                             const Progress& progress);
+
+}  // namespace stepmill

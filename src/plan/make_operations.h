@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// What makes steps operations, beside the steps.
+struct OperationSettings {
+    const ToolLibrary& library;
+    const Machine& machine;
+    const std::string& material;
+    const Cautions& cautions;  ///< features whose mills get plain rapids
+};
+
+/// The setups with the steps of all features as operations, in machining order and numbered in it. The steps'
+/// paths move there.
+std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups, const OperationSettings& settings);
+
+/// Joins operations in their order: each begins with the rapid from where the one before it ended, so that
+/// an operation's lengths and times are those of its part of the program.
+void linkOperations(std::vector<Operation>& operations, const Machine& machine);
+
+}  // namespace stepmill
