@@ -1,16 +1,13 @@
 #include <filesystem>
 
 #include <fmt/core.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "commands.h"
 #include "options.h"
 #include "output.h"
 #include "run.h"
-#include "stepmill/access/access_curve.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
-#include "stepmill/layers/layer_stack.h"
 #include "stepmill/report/curves.h"
 #include "stepmill/report/inspection.h"
 
@@ -25,9 +22,6 @@ struct InspectOptions {
     bool curves = false;
     double to_mm = 0;  ///< 0: a little beyond the widest cutter that any feature holds
 };
-
-/// Beyond this cutters are not end mills any more; open features would draw the axis out for ever [mm].
-constexpr double kLargestCutterMm = 80;
 
 /// Writes pages of one of several parts, or of the only one.
 void writePages(JobWriter by, const Part& part, std::size_t parts, std::vector<NewFile> files,
@@ -102,40 +96,13 @@ int inspectParts(const InspectOptions& options, Workplace& place) {
     return exit_code;
 }
 
-std::vector<Feature> allFeatures(const Part& part, const PlanOptions& options, const Tolerances& tol,
-                                 ProgressLine& progress) {
-    std::vector<Feature> features;
-    for (const Setup& setup : chooseSetups(part, setupRequest(options))) {
-        progress.show("slicing " + setup.id, 0.1);
-        for (Feature& feature : recogniseFeatures(slice(setup, tol), tol).features)
-            features.push_back(std::move(feature));
-    }
-    return features;
-}
-
-double rangeEnd(const std::vector<FeatureGround>& grounds) {
-    constexpr double kBeyond = 1.15;
-    double widest_mm = 0;
-    for (const FeatureGround& ground : grounds) {
-        const double fits_mm = ground.widestCutterMm();
-        if (std::isfinite(fits_mm)) widest_mm = std::max(widest_mm, kBeyond * fits_mm);
-    }
-    return widest_mm > 0 ? std::min(widest_mm, kLargestCutterMm) : kLargestCutterMm;
-}
-
-PartCurves findCurves(const Part& part, const InspectOptions& options, const Tolerances& tol,
-                      ProgressLine& progress) {
-    const std::vector<Feature> features = allFeatures(part, options.part, tol, progress);
-    std::vector<FeatureGround> grounds;
-    for (const Feature& feature : features)
-        grounds.emplace_back(feature, tol);
-    PartCurves curves{part.name, part.file, options.to_mm > 0 ? options.to_mm : rangeEnd(grounds), {}};
-    curves.features.resize(features.size());
-    progress.show("access curves", 0.4);
-    tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
-        curves.features[i] = {features[i], accessCurve(grounds[i], 0, curves.to_mm)};
-    });
-    return curves;
+PartCurves curvesOf(const Part& part, const InspectOptions& options, const Tolerances& tol,
+                    ProgressLine& progress) {
+    CurvesRequest request;
+    request.setup = setupRequest(options.part);
+    request.to_mm = options.to_mm;
+    return findCurves(part, request, tol,
+                      [&](const std::string& stage, double share) { progress.show(stage, share); });
 }
 
 int inspectAll(const InspectOptions& options, const fs::path& out_folder, Workplace& place) {
@@ -144,7 +111,7 @@ int inspectAll(const InspectOptions& options, const fs::path& out_folder, Workpl
     const std::vector<Part> parts = chooseParts(options.part);
     reportImport(parts, options.part);
     for (const Part& part : parts) {
-        const PartCurves curves = findCurves(part, options, tol, place.progress);
+        const PartCurves curves = curvesOf(part, options, tol, place.progress);
         place.progress.show("writing the curves", 1);
         writePages(JobWriter::Curves, part, parts.size(),
                    {{"curves.csv", "", curvesCsv(curves)}, {"curves.html", "", curvesHtml(curves)}},
