@@ -6,29 +6,9 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/toolpath/toolpath.h"
+#include "support/tool_makers.h"
 
 namespace stepmill::test {
-
-/// A flat end mill of that diameter.
-inline ToolAssembly flatEndMill(double diameter_mm) {
-    ToolAssembly tool;
-    tool.id = "flat";
-    tool.diameter_mm = diameter_mm;
-    tool.flute_length_mm = 50;
-    tool.centre_cutting = true;
-    return tool;
-}
-
-inline CuttingData cuttingData(double step_over_mm, double step_down_mm) {
-    CuttingData cutting;
-    cutting.material = "aluminium";
-    cutting.step_over_mm = step_over_mm;
-    cutting.step_down_mm = step_down_mm;
-    cutting.feed_mm_per_min = 1000;
-    cutting.plunge_feed_mm_per_min = 300;
-    cutting.ramp_angle_deg = 3;
-    return cutting;
-}
 
 inline Machine machineWithRapid(double rapid_mm_per_min) {
     Machine machine;

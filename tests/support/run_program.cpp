@@ -1,4 +1,5 @@
 #include "support/run_program.h"
+#include "support/text_file.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -18,11 +19,6 @@ namespace stepmill::test {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string slurp(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void redirect(int stream, const fs::path& path) {
     const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

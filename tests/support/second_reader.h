@@ -10,6 +10,7 @@
 #include "stepmill/part/part.h"
 #include "stepmill/planar/region.h"
 #include "support/run_program.h"
+#include "support/text_file.h"
 
 namespace stepmill::test {
 
@@ -80,12 +81,6 @@ class SecondReader {
     std::vector<CanonOperation> operations;
 
   private:
-    static std::string slurp(const std::filesystem::path& path) {
-        std::ostringstream text;
-        text << std::ifstream(path).rdbuf();
-        return text.str();
-    }
-
     void parse() {
         std::istringstream lines(output);
         double feed = 0;

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "support/run_program.h"
+#include "support/text_file.h"
 
 namespace stepmill::test {
 namespace {
@@ -15,11 +16,6 @@ namespace fs = std::filesystem;
 
 const std::string kSource = STEPMILL_SOURCE_DIR;
 const std::string kPart = kSource + "/step_parts/shoulder_block.step";
-
-std::string slurp(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void write(const fs::path& path, const std::string& text) {
     std::ofstream(path) << text;

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/run_program.h"
+#include "support/text_file.h"
 
 namespace stepmill::test {
 namespace {
@@ -27,12 +28,6 @@ const std::string kSource = STEPMILL_SOURCE_DIR;
 const std::string kShoulder = kSource + "/step_parts/shoulder_block.step";
 const std::string kPocket = kSource + "/step_parts/rounded_pocket.step";
 const std::string kSlow = kSource + "/step_parts/bossed_pocket.step";
-
-std::string slurp(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
 
 std::set<std::string> namesIn(const fs::path& folder) {
     std::set<std::string> names;

@@ -6,17 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "support/drilled_plan.h"
 #include "support/second_reader.h"
-#include "unit/post/drilled_plan.h"
+#include "support/text_file.h"
 
 namespace stepmill::test {
 namespace {
-
-std::string slurp(const std::filesystem::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-}
 
 void expectGolden(const std::string& name, const PostOptions& options) {
     const Plan plan = drilledPlan();

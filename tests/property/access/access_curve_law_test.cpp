@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "random_grounds.h"
 #include "stepmill/access/access_curve.h"
+#include "support/random_grounds.h"
 
 namespace stepmill {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "random_grounds.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/planar/region_text.h"
+#include "support/random_grounds.h"
 
 namespace stepmill {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "layers/mesh/solid_mesh.h"
+#include "support/occt_solids.h"
 #include "support/run_program.h"
-#include "unit/layers/solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
-#include "unit/layers/solids.h"
+#include "support/occt_solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

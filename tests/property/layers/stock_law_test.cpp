@@ -12,7 +12,7 @@
 
 #include "stepmill/layers/stock_after.h"
 #include "stepmill/planar/boolean.h"
-#include "unit/layers/solids.h"
+#include "support/occt_solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

@@ -4,13 +4,12 @@
 
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/sequence/advice/ranking.h"
+#include "support/random_numbers.h"
 
 namespace stepmill {
 namespace {
 
-double uniform(std::mt19937& random, double from, double to) {
-    return std::uniform_real_distribution(from, to)(random);
-}
+using test::uniform;
 
 /// Volumes mostly fall with the diameter, with plateaus; now and then a cutter is short and reaches less than
 /// a wider one.
@@ -33,7 +32,7 @@ std::vector<AccessRow> randomTable(std::mt19937& random) {
     return rows;
 }
 
-std::vector<AreaModelTool> randomTools(std::mt19937& random) {
+std::vector<AreaModelTool> randomModelTools(std::mt19937& random) {
     std::vector<AreaModelTool> tools;
     double area_mm2 = uniform(random, 1, 100);
     double radius_mm = 25;
@@ -107,7 +106,7 @@ TEST(RankingLaw, RanksAreWiderAndFasterOneAfterTheOther) {
 TEST(AreaModelLaw, ALongerToolChangeNeverTakesMoreTools) {
     for (unsigned seed = 0; seed < 500; ++seed) {
         std::mt19937 random(seed);
-        const std::vector<AreaModelTool> tools = randomTools(random);
+        const std::vector<AreaModelTool> tools = randomModelTools(random);
         std::size_t yao = tools.size();
         std::size_t lim = tools.size();
         for (const double change_s : {0.0, 0.1, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 100.0, 1e4}) {

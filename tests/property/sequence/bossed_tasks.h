@@ -3,13 +3,10 @@
 #include <random>
 #include <set>
 
-#include "unit/sequence/sample_feature.h"
+#include "support/random_numbers.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
-
-inline double uniform(std::mt19937& random, double from, double to) {
-    return std::uniform_real_distribution(from, to)(random);
-}
 
 /// A closed pocket, some with an island, with one to three bosses beside it higher than its top.
 inline Feature randomBossedPocket(std::mt19937& random) {

@@ -9,7 +9,7 @@
 #include "stepmill/access/swept.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "support/clearing_tasks.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 

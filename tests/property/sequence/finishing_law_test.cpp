@@ -8,7 +8,7 @@
 
 #include "support/height_map.h"
 #include "support/random_pockets.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {

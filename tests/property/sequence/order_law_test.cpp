@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "../access/random_grounds.h"
 #include "bossed_tasks.h"
 #include "every_order.h"
 #include "sequence/dag/sequence_choices.h"
+#include "support/random_grounds.h"
 
 namespace stepmill::test {
 namespace {

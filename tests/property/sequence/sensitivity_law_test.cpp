@@ -3,16 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/sequence/advice/sensitivity.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/random_numbers.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {
 
 constexpr int kSamples = 400;
-
-double uniform(std::mt19937& random, double from, double to) {
-    return std::uniform_real_distribution(from, to)(random);
-}
 
 struct RandomCase {
     ToolLibrary library;

@@ -4,16 +4,13 @@
 
 #include "sequence/dag/sequence_choices.h"
 #include "support/clearing_tasks.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/random_numbers.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {
 
 const Tolerances kTol;
-
-double uniform(std::mt19937& random, double from, double to) {
-    return std::uniform_real_distribution(from, to)(random);
-}
 
 Feature randomPocket(std::mt19937& random) {
     const double width = uniform(random, 30, 100);

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "grounds.h"
 #include "stepmill/access/access_curve.h"
 #include "stepmill/core/units.h"
+#include "support/grounds.h"
 
 namespace stepmill {
 namespace {

@@ -2,15 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include "grounds.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/core/units.h"
+#include "support/grounds.h"
 
 namespace stepmill {
 namespace {
 
 using test::closedPocket;
 using test::endMill;
+using test::inHolder;
 using test::kMaterial;
 using test::makeFeature;
 
@@ -231,9 +232,7 @@ TEST(Exclusion, RulesOutDrillsButInThroughHolesOfTheirSize) {
 
 ToolAssembly withHolder(ToolAssembly tool, double diameter_mm, double bottom_mm) {
     tool.flute_length_mm = bottom_mm;
-    tool.stick_out_mm = bottom_mm;
-    tool.holder = {{diameter_mm, bottom_mm, bottom_mm + 50}};
-    return tool;
+    return inHolder(tool, bottom_mm, diameter_mm, 50);
 }
 
 TEST(HolderCollision, DoesNotMatterWhereTheHolderStaysOverTheMaterial) {

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "grounds.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "support/grounds.h"
 
 namespace stepmill {
 namespace {

@@ -6,7 +6,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "stepmill/core/units.h"
-#include "unit/layers/solids.h"
+#include "support/occt_solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

@@ -6,7 +6,7 @@
 #include "layers/section/hull_section.h"
 #include "layers/section/section.h"
 #include "layers/slab/slab.h"
-#include "unit/layers/solids.h"
+#include "support/occt_solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

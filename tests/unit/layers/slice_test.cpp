@@ -4,7 +4,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/layers/stock_after.h"
 #include "stepmill/planar/region_text.h"
-#include "unit/layers/solids.h"
+#include "support/occt_solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

@@ -1,22 +1,17 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/plan/deep_bands.h"
+#include "support/tool_makers.h"
 
 namespace stepmill {
 namespace {
 
-constexpr const char* kMaterial = "aluminium";
+using test::kMaterial;
 
 ToolAssembly mill(const std::string& id, double diameter_mm, double holder_from_mm) {
-    ToolAssembly tool;
-    tool.id = id;
-    tool.diameter_mm = diameter_mm;
-    tool.stick_out_mm = holder_from_mm;
-    tool.holder = {{diameter_mm + 20, holder_from_mm, holder_from_mm + 40}};
-    CuttingData data;
-    data.material = kMaterial;
-    tool.cutting.push_back(data);
-    return tool;
+    ToolAssembly tool = test::bareTool(id, ToolType::Flat, diameter_mm);
+    tool.cutting.push_back(test::cuttingData(diameter_mm / 2, 2));
+    return test::inHolder(tool, holder_from_mm, diameter_mm + 20);
 }
 
 Feature feature(const std::string& id, FeatureClass feature_class, double depth_mm,

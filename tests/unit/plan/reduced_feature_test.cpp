@@ -3,7 +3,7 @@
 #include "plan/plan_warnings.h"
 #include "stepmill/plan/reduced_feature.h"
 #include "stepmill/planar/boolean.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill {
 namespace {

@@ -3,6 +3,7 @@
 #include "plan/plan_warnings.h"
 #include "plan/stick_outs.h"
 #include "stepmill/catalog/read_catalog.h"
+#include "support/tool_makers.h"
 
 namespace stepmill {
 namespace {
@@ -10,12 +11,8 @@ namespace {
 const Tolerances kTol;
 
 ToolAssembly ranged(const std::string& id) {
-    ToolAssembly tool;
-    tool.id = id;
-    tool.diameter_mm = 10;
-    tool.stick_out_mm = 30;
+    ToolAssembly tool = test::inHolder(test::bareTool(id, ToolType::Flat, 10), 30, 40, 30);
     tool.stick_out_range = StickOutRange{10, 30};
-    tool.holder = {{40, 30, 60}};
     return tool;
 }
 

@@ -4,8 +4,8 @@
 
 #include "post/motion_writer.h"
 #include "stepmill/core/error.h"
+#include "support/sample_plan.h"
 #include "unit/post/gcode_reader.h"
-#include "unit/post/sample_plan.h"
 
 namespace stepmill::test {
 namespace {

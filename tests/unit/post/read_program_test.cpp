@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/core/error.h"
-#include "unit/post/drilled_plan.h"
+#include "support/drilled_plan.h"
 
 namespace stepmill::test {
 namespace {

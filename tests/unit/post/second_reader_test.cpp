@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "support/sample_plan.h"
 #include "support/second_reader.h"
 #include "unit/post/gcode_reader.h"
-#include "unit/post/sample_plan.h"
 
 namespace stepmill::test {
 namespace {

@@ -1,19 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "sequence/dag/candidate.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {
 
 const Tolerances kTol;
-
-std::vector<std::string> toolsOf(const ToolSequence& sequence) {
-    std::vector<std::string> ids;
-    for (const SequenceStep& step : sequence.steps)
-        ids.push_back(step.tool_id);
-    return ids;
-}
 
 ToolLibrary fiveMills() {
     return makeLibrary({makeMill(25, 2200, 6), makeMill(16, 2000, 5), makeMill(10, 1500, 4),

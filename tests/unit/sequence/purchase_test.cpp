@@ -3,18 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "sequence/advice/trial_tools.h"
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {
 
 const Tolerances kTol;
 
-ToolAssembly inHolder(ToolAssembly tool, double stick_out_mm, double holder_mm) {
-    tool.stick_out_mm = stick_out_mm;
+/// In a holder, with the shank between flutes and holder.
+ToolAssembly withShank(ToolAssembly tool, double stick_out_mm, double holder_mm) {
     tool.shank = {tool.diameter_mm, tool.flute_length_mm, stick_out_mm};
-    tool.holder = {{holder_mm, stick_out_mm, stick_out_mm + 40}};
-    return tool;
+    return inHolder(tool, stick_out_mm, holder_mm);
 }
 
 TEST(TrialTools, BetweenTwoNeighboursDataAreInterpolated) {
@@ -58,7 +57,7 @@ TEST(TrialTools, OnlyNeighboursThatGetDownCount) {
 }
 
 TEST(TrialTools, ALongerStickOutMovesShankAndHolderAlong) {
-    const ToolAssembly tool = inHolder(makeMill(10), 50, 30);
+    const ToolAssembly tool = withShank(makeMill(10), 50, 30);
     const auto longer = withStickOut(tool, 56.2);
     ASSERT_TRUE(longer);
     EXPECT_DOUBLE_EQ(longer->stick_out_mm, 57);
@@ -102,7 +101,7 @@ TEST(WhatToBuy, FindsTheCutterOfTheCornersBetweenTooLargeAndTooSmall) {
 
 TEST(WhatToBuy, AsksForAStickOutThatClearsTheHolder) {
     const Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(60, 40), 6), 30);
-    const ToolLibrary library = makeLibrary({inHolder(makeMill(12), 20, 50)});
+    const ToolLibrary library = makeLibrary({withShank(makeMill(12), 20, 50)});
     const PurchaseAdvice advice = whatToBuy(pocket, library, makeMachine(), inAluminium(), kTol);
     EXPECT_GT(advice.stays_mm3, 0);
     ASSERT_TRUE(advice.best);

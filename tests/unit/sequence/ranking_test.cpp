@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {

@@ -1,19 +1,12 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {
 
 const Tolerances kTol;
-
-std::vector<std::string> toolsOf(const ToolSequence& sequence) {
-    std::vector<std::string> ids;
-    for (const SequenceStep& step : sequence.steps)
-        ids.push_back(step.tool_id);
-    return ids;
-}
 
 const DagEdge* findEdge(const ToolSequence& sequence, const std::string& from, const std::string& to) {
     for (const DagEdge& edge : sequence.edges) {
@@ -172,10 +165,8 @@ Feature makePocketBesideABoss(double corner_radius_mm = 5) {
 
 /// Cuts fast, but its holder does not pass the boss.
 ToolAssembly makeStubbyMill(double diameter_mm, double feed) {
-    ToolAssembly mill = makeMill(diameter_mm, feed);
+    ToolAssembly mill = inHolder(makeMill(diameter_mm, feed), 20, 40, 60);
     mill.id = "stubby " + mill.id;
-    mill.stick_out_mm = 20;
-    mill.holder.push_back({40, 20, 80});
     return mill;
 }
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "unit/sequence/sample_feature.h"
+#include "support/sample_feature.h"
 
 namespace stepmill::test {
 namespace {
@@ -9,11 +9,9 @@ const Tolerances kTol;
 
 /// A mill of 10 mm in a holder of 40 mm that may be set out from 6 to 30 mm.
 ToolAssembly rangedMill() {
-    ToolAssembly tool = makeMill(10);
+    ToolAssembly tool = inHolder(makeMill(10), 30, 40, 30);
     tool.flute_length_mm = 5;
-    tool.stick_out_mm = 30;
     tool.stick_out_range = StickOutRange{6, 30};
-    tool.holder = {{40, 30, 60}};
     return tool;
 }
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/core/error.h"
-#include "unit/layers/solids.h"
+#include "support/occt_solids.h"
 
 using namespace stepmill;
 using namespace stepmill::test;

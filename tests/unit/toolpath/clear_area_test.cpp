@@ -8,7 +8,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "support/clearing_tasks.h"
-#include "support/raster_simulator.h"
+#include "support/sound_path.h"
 
 namespace stepmill {
 namespace {
@@ -26,18 +26,6 @@ Region pocketWithIsland() {
     Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 6);
     pocket.loops.push_back(reversed(makeCircle({35, 25}, 8).loops.front()));
     return pocket;
-}
-
-/// Nothing gouged, nothing left, rapids in air: by raster and by the path's own proof.
-void expectSound(const Toolpath& path, const ClearingTask& task, double radius_mm) {
-    const SimulatedCut cut = simulate(path, task, radius_mm, kCellMm, kMarginMm);
-    EXPECT_EQ(cut.gouged_mm2, 0);
-    EXPECT_EQ(cut.left_mm2, 0);
-    EXPECT_EQ(cut.bad_rapids, 0);
-    EXPECT_GT(cut.reachable_mm2, 0);
-    const PathProof proof = prove(path, task, radius_mm, kTol);
-    EXPECT_GE(proof.least_clearance_mm, 0);
-    EXPECT_TRUE(proof.rapids_clear);
 }
 
 class PocketWithIsland : public testing::TestWithParam<double> {};

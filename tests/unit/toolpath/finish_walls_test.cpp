@@ -55,7 +55,7 @@ std::vector<std::size_t> levelFeeds(const Toolpath& path) {
     return feeds;
 }
 
-void expectSound(const Toolpath& path, const Roughed& roughed) {
+void expectFinished(const Toolpath& path, const Roughed& roughed) {
     const PathProof proof = prove(path, roughed.clearing, kRadiusMm, kTol);
     EXPECT_GE(proof.least_clearance_mm, 0);
     EXPECT_TRUE(proof.rapids_clear);
@@ -66,7 +66,7 @@ void expectSound(const Toolpath& path, const Roughed& roughed) {
 TEST(FinishWalls, OfAPocketGoesRoundOnceOnTangentQuarterCircles) {
     const Roughed roughed(makeRoundedRectangle({0, 0}, {60, 40}, 6));
     const Toolpath path = roughed.path();
-    expectSound(path, roughed);
+    expectFinished(path, roughed);
     EXPECT_EQ(path.layers, 1);
     EXPECT_EQ(path.pattern, "walls");
     const std::vector<std::size_t> feeds = levelFeeds(path);
@@ -97,7 +97,7 @@ TEST(FinishWalls, IsClimbMilling) {
 TEST(FinishWalls, GoesRoundIslandsToo) {
     const Roughed roughed(subtract(makeRoundedRectangle({0, 0}, {60, 40}, 6), makeCircle({30, 20}, 5), kTol));
     const Toolpath path = roughed.path();
-    expectSound(path, roughed);
+    expectFinished(path, roughed);
     int clockwise = 0;
     for (const Move& move : path.moves)
         if (move.arc && !move.arc->ccw) ++clockwise;
@@ -109,7 +109,7 @@ TEST(FinishWalls, RunsOutOverOpenEdgesAndLeavesThemAlone) {
     const Region slot = makeRectangle({0, 0}, {40, 20});
     const Roughed roughed(slot, makeRectangle({39, 0}, {60, 20}));
     const Toolpath path = roughed.path();
-    expectSound(path, roughed);
+    expectFinished(path, roughed);
     const std::vector<std::size_t> feeds = levelFeeds(path);
     ASSERT_FALSE(feeds.empty());
     const Vec3 begin = path.moves[feeds.front() - 1].to;
@@ -124,7 +124,7 @@ TEST(FinishWalls, NarrowsItsLeadsWhereThereIsLittleRoom) {
     // 3.2 mm for centres: a quarter circle of 2 mm does not fit, 1 mm does.
     const Roughed roughed(makeRoundedRectangle({0, 0}, {60, 2 * kRadiusMm + 1.6}, kRadiusMm + 0.5));
     const Toolpath path = roughed.path();
-    expectSound(path, roughed);
+    expectFinished(path, roughed);
     const Move& in = path.moves[levelFeeds(path).front()];
     ASSERT_TRUE(in.arc);
     EXPECT_LT(in.arc->radius_mm, kRadiusMm / 2 - 0.1);
@@ -162,7 +162,7 @@ TEST(FinishWalls, TakesDeepWallsInEvenDepths) {
     Roughed roughed(makeRoundedRectangle({0, 0}, {60, 40}, 6));
     roughed.clearing.floor_z_mm = -30;
     const Toolpath path = roughed.path();
-    expectSound(path, roughed);
+    expectFinished(path, roughed);
     EXPECT_EQ(path.layers, 2);
     EXPECT_EQ(path.step_down_mm, 15);
 }

@@ -4,6 +4,7 @@
 
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
+#include "support/sound_path.h"
 #include "toolpath/script/depth_script.h"
 
 namespace stepmill {
@@ -13,16 +14,6 @@ using namespace test;
 
 const Tolerances kTol;
 const Machine kMachine = machineWithRapid(5000);
-
-void expectSound(const Toolpath& path, const ClearingTask& task, double radius_mm) {
-    const SimulatedCut cut = simulate(path, task, radius_mm, 0.1, 0.15);
-    EXPECT_EQ(cut.gouged_mm2, 0);
-    EXPECT_EQ(cut.left_mm2, 0);
-    EXPECT_EQ(cut.bad_rapids, 0);
-    const PathProof proof = prove(path, task, radius_mm, kTol);
-    EXPECT_GE(proof.least_clearance_mm, 0);
-    EXPECT_TRUE(proof.rapids_clear);
-}
 
 TEST(RestArea, OfARoundedPocketIsItsFourCorners) {
     const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 4);

@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "../../unit/access/grounds.h"
 #include "stepmill/planar/boolean.h"
+#include "support/grounds.h"
 
 namespace stepmill::test {
 

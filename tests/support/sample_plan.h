@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stepmill/post/post.h"
+#include "support/tool_makers.h"
 
 namespace stepmill::test {
 
@@ -18,11 +19,9 @@ inline Move arcTo(double x, double y, double z, const Vec2& centre, double radiu
     return {kind, Vec3(x, y, z), Arc{centre, radius, ccw}, false};
 }
 
-inline ToolAssembly makeTool(const std::string& id, int number, double diameter_mm) {
-    ToolAssembly tool;
-    tool.id = id;
+inline ToolAssembly numberedTool(const std::string& id, int number, double diameter_mm) {
+    ToolAssembly tool = bareTool(id, ToolType::Flat, diameter_mm);
     tool.number = number;
-    tool.diameter_mm = diameter_mm;
     tool.stick_out_mm = 30;
     return tool;
 }
@@ -58,7 +57,7 @@ inline Plan samplePlan() {
     plan.machine.rapid_mm_per_min = 10000;
     plan.machine.tool_change_s = 5;
     plan.machine.dialect = "linuxcnc";
-    plan.library.tools = {makeTool("EM10", 3, 10), makeTool("EM6", 12, 6)};
+    plan.library.tools = {numberedTool("EM10", 3, 10), numberedTool("EM6", 12, 6)};
     PlannedSetup setup;
     setup.setup.id = "S1";
     setup.setup.stock_bbox_mm = Box3(Vec3(0, 0, -20), Vec3(100, 50, 0));

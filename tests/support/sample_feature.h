@@ -3,6 +3,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/sequence.h"
+#include "support/tool_makers.h"
 
 namespace stepmill::test {
 
@@ -17,48 +18,6 @@ inline Machine makeMachine() {
     machine.safe_height_mm = 5;
     machine.dialect = "linuxcnc";
     return machine;
-}
-
-inline ToolAssembly makeTool(const std::string& id, ToolType type, double diameter_mm, double feed,
-                             double step_down) {
-    ToolAssembly tool;
-    tool.id = id;
-    tool.type = type;
-    tool.diameter_mm = diameter_mm;
-    tool.flute_length_mm = 40;
-    tool.stick_out_mm = 60;
-    tool.flutes = 3;
-    tool.centre_cutting = true;
-    CuttingData cutting;
-    cutting.material = "aluminium";
-    cutting.step_over_mm = diameter_mm / 2;
-    cutting.step_down_mm = step_down;
-    cutting.feed_mm_per_min = feed;
-    cutting.plunge_feed_mm_per_min = feed / 4;
-    cutting.ramp_angle_deg = 3;
-    cutting.speed_rpm = 10000;
-    tool.cutting.push_back(cutting);
-    return tool;
-}
-
-inline ToolAssembly makeMill(double diameter_mm, double feed = 1200, double step_down = 4) {
-    return makeTool("EM" + std::to_string(static_cast<int>(diameter_mm)), ToolType::Flat, diameter_mm, feed,
-                    step_down);
-}
-
-inline ToolAssembly makeDrill(double diameter_mm) {
-    return makeTool("DR" + std::to_string(static_cast<int>(diameter_mm)), ToolType::Drill, diameter_mm, 300,
-                    0);
-}
-
-inline ToolLibrary makeLibrary(std::vector<ToolAssembly> tools) {
-    ToolLibrary library;
-    library.file = "tools.json";
-    library.tools = std::move(tools);
-    int number = 0;
-    for (ToolAssembly& tool : library.tools)
-        tool.number = ++number;
-    return library;
 }
 
 /// A pocket in a block: the target with walls all round, from z = 0 down.
@@ -92,9 +51,17 @@ inline Feature makeIslandPocket() {
     return feature;
 }
 
+/// The tools of the steps, in their order.
+inline std::vector<std::string> toolsOf(const ToolSequence& sequence) {
+    std::vector<std::string> ids;
+    for (const SequenceStep& step : sequence.steps)
+        ids.push_back(step.tool_id);
+    return ids;
+}
+
 inline SequenceOptions inAluminium(Objective objective = Objective::Time) {
     SequenceOptions options;
-    options.material = "aluminium";
+    options.material = kMaterial;
     options.objective = objective;
     return options;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "unit/post/sample_plan.h"
+#include "support/sample_plan.h"
 
 namespace stepmill::test {
 
@@ -8,7 +8,7 @@ namespace stepmill::test {
 /// first, no coolant on the others.
 inline Plan drilledPlan() {
     Plan plan = samplePlan();
-    plan.library.tools.push_back(makeTool("DR5", 5, 5));
+    plan.library.tools.push_back(numberedTool("DR5", 5, 5));
     plan.library.tools.back().type = ToolType::Drill;
     CuttingData cutting;
     cutting.feed_mm_per_min = 250;

@@ -1,34 +1,10 @@
 #pragma once
 
-#include <string>
-
 #include "stepmill/access/access.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tool_makers.h"
 
 namespace stepmill::test {
-
-inline constexpr const char* kMaterial = "aluminium";
-
-/// A centre-cutting flat end mill without a holder, long enough for anything.
-inline ToolAssembly endMill(double diameter_mm) {
-    ToolAssembly tool;
-    tool.id = "T" + std::to_string(diameter_mm);
-    tool.diameter_mm = diameter_mm;
-    tool.flute_length_mm = 100;
-    tool.stick_out_mm = 100;
-    tool.flutes = 2;
-    tool.centre_cutting = true;
-    CuttingData data;
-    data.material = kMaterial;
-    data.step_over_mm = diameter_mm / 2;
-    data.step_down_mm = 2;
-    data.feed_mm_per_min = 500;
-    data.plunge_feed_mm_per_min = 200;
-    data.ramp_angle_deg = 3;
-    data.speed_rpm = 8000;
-    tool.cutting.push_back(data);
-    return tool;
-}
 
 /// A feature from z = 0 down, its target closed except for `open_length_mm`, the obstruction standing up to
 /// z = 0.
