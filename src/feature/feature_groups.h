@@ -15,7 +15,7 @@ struct FeatureGroup {
 /// Sorts the components that are not `left` into features, in the order of their first components; what a
 /// feature has to wait for comes before it.
 ///
-/// A component deepens the feature over it if it is the same region [algorithms.md, section 2]. Where earlier
+/// A component deepens the feature over it if it is the same region [features.md]. Where earlier
 /// setups cut the stock it may also be wider or narrower, or hang together with several: as long as over the
 /// common ground, from the top of the feature to its floor, there is nothing but what the feature clears and
 /// air, and not too much of that.

@@ -75,7 +75,7 @@ inline ClearingTask fullTask(const Region& target, const Region& obstruction, do
     return task;
 }
 
-/// What a smaller tool has left to do after a larger one [algorithms.md, section 4].
+/// What a smaller tool has left to do after a larger one [accessibility.md, step 5].
 inline ClearingTask restTask(const Region& target, const Region& obstruction, double larger_mm,
                              double radius_mm, const Tolerances& tol) {
     ClearingTask task = fullTask(target, obstruction, radius_mm, tol);

@@ -87,7 +87,7 @@ struct BlockedLump {
     std::string reason;  ///< what keeps the tool off, in words with the numbers
 };
 
-/// Areas of one tool in one feature [algorithms.md, section 3].
+/// Areas of one tool in one feature [accessibility.md].
 struct AccessibleArea {
     std::string tool_id;
     double radius_mm = 0;
@@ -115,7 +115,7 @@ struct AccessibleArea {
     /// Where surrogates do part of the tool's area: A'_t with its own centres and entries, which is what the
     /// tool itself may do. Null: all of the above.
     std::shared_ptr<const AccessibleArea> clear_of_holder;
-    std::vector<BlockedLump> blocked_lumps;  ///< what the surrogates do [algorithms.md, section 5]
+    std::vector<BlockedLump> blocked_lumps;  ///< what the surrogates do [tool-dag.md, 'Surrogates']
     /// Set when the tool cannot be used; the areas then tell what it could do without that.
     std::optional<Exclusion> excluded;
     /// What of `accessible` nobody clears: where surrogates do part of it, ground that none of them reaches.
@@ -153,7 +153,7 @@ double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, co
 /// too, so O(log steps) questions.
 double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const ToolAssembly&)>& clears);
 
-/// What tool n has to sweep after the larger tool m [algorithms.md, section 4].
+/// What tool n has to sweep after the larger tool m [accessibility.md, step 5].
 struct DecomposedArea {
     /// C = C_n minus where n's disc lies in what m has swept: the centres n must visit.
     Region centres;

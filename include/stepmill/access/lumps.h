@@ -6,8 +6,8 @@
 
 namespace stepmill {
 
-/// What a holder keeps from a cutter, in lumps, and each lump as a small feature of its own
-/// [algorithms.md, section 5].
+// What a holder keeps from a cutter, in lumps, and each lump as a small feature of its own
+// [tool-dag.md, 'Surrogates'].
 
 /// The pieces of `blocked` without strips narrower than `sliver_mm` and crumbs below `area_mm2`; pieces
 /// nearer to each other than `apart_mm` are one lump, since a tool of that size clears none of them without

@@ -21,7 +21,7 @@ struct Fixture {
 };
 
 /// Fixtures are planned with larger by this share of their size: they are measured by eye and set by hand
-/// [algorithms.md, section 5].
+/// [docs/fixtures.md, after Tripathi2005].
 inline constexpr double kFixtureGrowth = 0.05;
 
 /// How the shop clamps a part: the fixtures of each setup it names.

@@ -92,7 +92,7 @@ struct SliceOptions {
     bool join_slabs = true;
 };
 
-/// Slices part and stock of a setup [algorithms.md, section 1].
+/// Slices part and stock of a setup [slicing.md].
 ///
 /// Levels: horizontal planar faces and top and bottom of the stock, which always part two slabs; ends and
 /// silhouette heights of the other faces, which do where it matters (`SliceOptions::join_slabs`). Vertical

@@ -165,7 +165,7 @@ double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea
                    const ToolLibrary& library, const SequenceOptions& options, const Machine& machine);
 
 /// The optimal tool sequence for a feature: areas of all tools, costs of all DAG edges on real paths
-/// (evaluated in parallel), the cheapest path [algorithms.md, section 7]. The result does not depend on the
+/// (evaluated in parallel), the cheapest path [tool-dag.md]. The result does not depend on the
 /// number of threads. At most n(n+1)/2 edges are evaluated.
 ///
 /// Tools whose holder only lets them do part of the feature take part with surrogates for the lumps they are

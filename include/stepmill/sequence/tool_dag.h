@@ -30,7 +30,7 @@ using Saving = std::function<double(int m, int n, int p)>;
 ///
 /// With `saving` the cost of a path depends on three tools in a row: a surrogate of (m, n) that is the next
 /// tool anyway is changed to once. The exact optimum is then the cheapest path over the pairs (m, n) -> (n,
-/// p) [algorithms.md, section 5]: O(n^3).
+/// p) [tool-dag.md, 'Surrogates']: O(n^3).
 CheapestPath cheapestPath(int n, const std::function<double(int, int)>& edge, const std::vector<bool>& ends,
                           const Saving& saving = {});
 

@@ -41,8 +41,8 @@ EdgeCost machineCost(double seconds, const Machine& machine);
 /// held to that (rampFeed). The sum of both is an upper bound for every mixture. A drill only descends.
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
 
-/// Tools by falling diameter, ties by rising stick-out, then in the library's order [algorithms.md,
-/// section 7].
+/// Tools by falling diameter, ties by rising stick-out, then in the library's order [tool-dag.md,
+/// 'Nodes and edges'].
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 
 /// The tools of `areas` that can machine something of the feature, in the order of `areas`.

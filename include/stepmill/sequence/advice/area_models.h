@@ -9,7 +9,7 @@
 namespace stepmill {
 
 /// Cost models of the tool DAG's edges: real paths, or one of the papers' area models for quick looks and for
-/// comparison [algorithms.md, section 6].
+/// comparison [costs.md, 'Cost models'].
 enum class CostModel {
     Path,  ///< real tool paths [DSouza2006, eq. 12 and 13]
     Yao,   ///< k_c + k (A_j - A_i) / r_j [Yao2000, section 5.3]
