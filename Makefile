@@ -1,5 +1,5 @@
 # Short names for the CMake presets; CI uses these same words.
-.PHONY: all plan test test-all asan fuzz tidy format check-style bench golden install clean deps test-deps
+.PHONY: all plan test test-all asan fuzz tidy format check-style docs bench golden install clean deps test-deps
 PART ?= step_parts/rounded_pocket.step
 OUT ?= out/$(basename $(notdir $(PART)))
 PREFIX ?= /usr/local
@@ -39,6 +39,10 @@ format: test-deps
 check-style: test-deps
 	clang-format-14 --dry-run --Werror $(SOURCES)
 	scripts/check-includes
+
+docs:
+	scripts/draw-modules
+	scripts/check-docs
 
 bench: all
 	build/release/bin/stepmill_bench
