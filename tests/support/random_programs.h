@@ -7,7 +7,8 @@ namespace stepmill::test {
 /// A program that a generator made.
 struct RandomProgram {
     std::string text;
-    /// What in it our reader refuses by design whatever a controller does [docs/adr/0008-the-reader-is-a-controller.md]; empty: nothing.
+    /// What in it our reader refuses by design whatever a controller does
+    /// [docs/adr/0008-the-reader-is-a-controller.md]; empty: nothing.
     std::string beyond;
 };
 

@@ -2,6 +2,7 @@
 #include "support/text_file.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,7 +12,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <stdexcept>
 
 namespace stepmill::test {
@@ -19,6 +19,10 @@ namespace stepmill::test {
 namespace fs = std::filesystem;
 
 namespace {
+
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 void redirect(int stream, const fs::path& path) {
     const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -56,9 +60,11 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
         _exit(127);
     }
     int status = 0;
-    waitpid(child, &status, 0);
+    rusage used{};
+    wait4(child, &status, 0, &used);
     ProgramRun run;
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.cpu_s = seconds(used.ru_utime) + seconds(used.ru_stime);
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     run.out = slurp(out);
     run.err = slurp(err);
@@ -82,18 +88,6 @@ TemporaryFolder::~TemporaryFolder() {
 
 std::vector<std::string> sharedParts(const std::string& folder) {
     return stepFiles(fs::path(STEPMILL_SOURCE_DIR).parent_path() / "shared" / "parts" / folder);
-}
-
-std::vector<std::string> planningTargets() {
-    const std::set<std::string> wanted = {
-        "aagnet_partC",         "aagnet_test",          "box-with-carving",         "boxblend_03",
-        "gehause_rohteil",      "hole_model",           "isolated-heuristics-test", "isolated_blends_test_09",
-        "nist_ctc_01_asme1_rd", "nist_ftc_09_asme1_rd", "nist_d2mi_827-9999-904",   "simple_block_workpiece"};
-    std::vector<std::string> found;
-    for (const char* folder : {"machined", "nist"})
-        for (const std::string& part : sharedParts(folder))
-            if (wanted.count(fs::path(part).stem().string()) > 0) found.push_back(part);
-    return found;
 }
 
 std::vector<std::string> sampleParts() {

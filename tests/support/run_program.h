@@ -10,7 +10,8 @@ struct ProgramRun {
     int exit_code = -1;  ///< -1 when it died of a signal
     std::string out;
     std::string err;
-    double seconds = 0;
+    double seconds = 0;  ///< on the clock
+    double cpu_s = 0;    ///< of processor time, children included
 };
 
 /// Runs a program without a shell and waits for it.
@@ -36,8 +37,5 @@ class TemporaryFolder {
 /// when the folder is missing.
 std::vector<std::string> sharedParts(const std::string& folder);
 std::vector<std::string> sampleParts();
-/// Of the folders "machined" and "nist" the parts that get a plan in seconds, each shape once; empty when
-/// these are missing.
-std::vector<std::string> planningTargets();
 
 }  // namespace stepmill::test

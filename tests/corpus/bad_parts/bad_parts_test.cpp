@@ -9,6 +9,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/supervise.h"
 #include "stepmill/part/part.h"
+#include "support/expected_outcomes.h"
 
 namespace stepmill {
 namespace {
@@ -18,48 +19,6 @@ namespace fs = std::filesystem;
 constexpr double kTimeLimit_s = 60;
 constexpr int kLoaded = 100;   // exit code of the child: plus the number of solids
 constexpr int kRefused = 200;  // plus the error code
-
-struct Expectation {
-    std::string file;
-    std::optional<ErrorCode> refusal;  ///< nothing: must load
-    int solids = 0;                    ///< uses of solids, counting repeats
-};
-
-std::vector<Expectation> expectations() {
-    using enum ErrorCode;
-    return {{"ANC101-ill.stp", NoSolid},
-            {"Mechanism_Example.stp", {}, 3},
-            {"as1-oc-214_assembly.stp", {}, 18},
-            {"as1_pe_203_assembly.stp", {}, 18},
-            {"binary_noise.stp", NotStep},
-            {"blends_test_30_shell_only.stp", NoSolid},
-            {"bolt.stp", {}, 1},
-            {"crlf_and_comments.stp", {}, 1},
-            {"dangling_face_refs.stp", StepDamaged},
-            {"dm1-id-214_all_bspline.stp", {}, 7},
-            {"empty.stp", NotStep},
-            {"empty_data_section.stp", NoSolid},
-            {"gzip_renamed.stp", NotStep},
-            {"header_only.stp", StepDamaged},
-            {"huge_coordinate.stp", ImplausibleSize},
-            {"moved_vertex.stp", InvalidSolid},
-            {"nan_coordinate.stp", StepDamaged},
-            {"no_units.stp", {}, 1},
-            {"one_newline.stp", NotStep},
-            {"open_shell_as_solid.stp", OpenShell},
-            {"s1-c5-214_external_refs.stp", NoSolid},
-            {"self_reference.stp", StepDamaged},
-            {"sphere.stp", {}, 1},
-            {"stl_renamed.stp", NotStep},
-            {"text_renamed.stp", NotStep},
-            {"truncated_90.stp", StepDamaged},
-            {"truncated_half.stp", StepDamaged},
-            {"truncated_in_header.stp", StepDamaged},
-            {"truncated_no_endsec.stp", StepDamaged},
-            {"ubend2_surface_only.stp", NoSolid},
-            {"unknown_schema.stp", {}, 1},
-            {"wavy-cube_shell_only.stp", NoSolid}};
-}
 
 /// Reads the file in a child, which prints the table's row and encodes the outcome in its exit code.
 Supervised readSupervised(const fs::path& path) {
@@ -85,31 +44,20 @@ Supervised readSupervised(const fs::path& path) {
         kTimeLimit_s);
 }
 
-TEST(BadParts, EveryFileIsRefusedWithReasonOrLoadedAsItsReadmeAsks) {
-    const fs::path folder = fs::path(STEPMILL_SOURCE_DIR) / ".." / "shared" / "parts" / "bad";
-    if (!fs::is_directory(folder)) GTEST_SKIP() << "no collection of bad parts at " << folder;
-    for (const Expectation& expected : expectations()) {
-        SCOPED_TRACE(expected.file);
-        ASSERT_TRUE(fs::exists(folder / expected.file));
-        const Supervised run = readSupervised(folder / expected.file);
-        ASSERT_EQ(run.end, Supervised::End::Exited) << run.last_stage << ", signal " << run.signal;
-        const int wanted =
-            expected.refusal ? kRefused + static_cast<int>(*expected.refusal) : kLoaded + expected.solids;
-        EXPECT_EQ(run.exit_code, wanted);
-    }
+class BadParts : public testing::TestWithParam<test::ExpectedOutcome> {};
+
+TEST_P(BadParts, IsRefusedWithAReasonOrLoadedAsItsReadmeAsks) {
+    const test::ExpectedOutcome& expected = GetParam();
+    STEPMILL_NEEDS_PART(expected);
+    const Supervised run = readSupervised(expected.path);
+    ASSERT_EQ(run.end, Supervised::End::Exited) << run.last_stage << ", signal " << run.signal;
+    const int wanted =
+        expected.refusal ? kRefused + static_cast<int>(*expected.refusal) : kLoaded + expected.solids;
+    EXPECT_EQ(run.exit_code, wanted);
 }
 
-TEST(BadParts, EveryFileOfTheCollectionHasAnExpectation) {
-    const fs::path folder = fs::path(STEPMILL_SOURCE_DIR) / ".." / "shared" / "parts" / "bad";
-    if (!fs::is_directory(folder)) GTEST_SKIP() << "no collection of bad parts at " << folder;
-    std::set<std::string> known;
-    for (const Expectation& expected : expectations())
-        known.insert(expected.file);
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (entry.path().extension() != ".stp") continue;
-        EXPECT_TRUE(known.contains(entry.path().filename().string())) << entry.path().filename();
-    }
-}
+INSTANTIATE_TEST_SUITE_P(Corpus, BadParts, testing::ValuesIn(test::expectedOf("bad")),
+                         [](const auto& row) { return test::testName(row.param); });
 
 }  // namespace
 }  // namespace stepmill

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/expected_outcomes.h"
+#include "support/planned_parts.h"
 #include "support/run_program.h"
 #include "support/text_file.h"
 
@@ -61,16 +63,20 @@ TEST_F(CommandLine, JsonOnStandardOutputIsThePlanFile) {
     EXPECT_EQ(run.out, slurp(out_ / "plan.json") + "\n");
 }
 
-TEST_F(CommandLine, GivesTheSameBytesForOneAndTwoThreads) {
-    for (const std::string& part : sampleParts()) {
-        const fs::path one = file("one");
-        const fs::path two = file("two");
-        plan({part, "-o", one.string(), "--jobs", "1"});
-        plan({part, "-o", two.string(), "--jobs", "2"});
-        for (const char* name : {"plan.json", "report.html", "S1.ngc"})
-            EXPECT_TRUE(slurp(one / name) == slurp(two / name)) << part << ": " << name;
+class SameBytes : public testing::TestWithParam<ExpectedOutcome> {};
+
+TEST_P(SameBytes, ForOneThreadAndForAll) {
+    const PlannedPart with_all = plannedPart(GetParam().path);
+    const PlannedPart with_one = plannedPart(GetParam().path, {"--jobs", "1"});
+    ASSERT_EQ(with_one.run.exit_code, with_all.run.exit_code);
+    for (const fs::directory_entry& file : fs::directory_iterator(with_all.folder)) {
+        const fs::path name = file.path().filename();
+        EXPECT_TRUE(slurp(with_one.folder / name) == slurp(file.path())) << name;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(SampleParts, SameBytes, testing::ValuesIn(expectedOf("step_parts")),
+                         [](const auto& row) { return testName(row.param); });
 
 TEST_F(CommandLine, RefusesAMissingFile) {
     expectRefused(plan({file("no.step").string(), "-o", out_.string()}), out_, {"no.step"});

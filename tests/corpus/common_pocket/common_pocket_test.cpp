@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <map>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
-#include "support/run_program.h"
+#include "support/expected_outcomes.h"
+#include "support/planned_parts.h"
+#include "support/text_file.h"
 
 namespace stepmill::test {
 namespace {
@@ -21,20 +22,17 @@ const std::map<std::string, double> kElsewhere_s{{"D12", 103.0}, {"D6", 257.3}};
 constexpr double kElsewhereLargest_s = 46.8;
 constexpr double kShorter = 0.1;
 
-Json planOfThePocket(const std::string& folder) {
+Json planOfThePocket() {
     const std::string source = STEPMILL_SOURCE_DIR;
-    const ProgramRun run =
-        runProgram({stepmillBinary(), "plan", source + "/step_parts/rounded_pocket.step", "--tools",
-                    source + "/samples/common_pocket_tools.json", "--machine",
-                    source + "/samples/common_pocket_machine.json", "-o", folder + "/plan"});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    std::ifstream file(folder + "/plan/plan.json");
-    return Json::parse(file);
+    const PlannedPart planned = plannedPart(source + "/step_parts/rounded_pocket.step",
+                                            {"--tools", source + "/samples/common_pocket_tools.json",
+                                             "--machine", source + "/samples/common_pocket_machine.json"});
+    EXPECT_EQ(planned.run.exit_code, 0) << planned.run.err;
+    return Json::parse(slurp(planned.folder / "plan.json"));
 }
 
 TEST(CommonPocketPlan, HasEveryCutterATenthShorterAndTheirSequenceBelowThoseThatFinish) {
-    const TemporaryFolder folder;
-    const Json plan = planOfThePocket(folder.path());
+    const Json plan = planOfThePocket();
     ASSERT_EQ(plan.at("features").size(), 1U);
     const Json& feature = plan.at("features").front();
     const double whole_s = feature.at("time_s");
@@ -51,8 +49,7 @@ TEST(CommonPocketPlan, HasEveryCutterATenthShorterAndTheirSequenceBelowThoseThat
 }
 
 TEST(CommonPocketPlan, TellsOfEveryPatternWeighed) {
-    const TemporaryFolder folder;
-    const Json plan = planOfThePocket(folder.path());
+    const Json plan = planOfThePocket();
     for (const Json& operation : plan.at("operations")) {
         EXPECT_GT(operation.at("even_length_mm"), 0);
         ASSERT_FALSE(operation.at("regions").empty());
@@ -65,8 +62,7 @@ TEST(CommonPocketPlan, TellsOfEveryPatternWeighed) {
 
 /// Below 5 % of the time of every operation that has the pocket to itself.
 TEST(CommonPocketPlan, IsHardlyEverInAir) {
-    const TemporaryFolder folder;
-    const Json plan = planOfThePocket(folder.path());
+    const Json plan = planOfThePocket();
     for (const Json& operation : plan.at("operations")) {
         if (operation.at("role") != "rough") continue;
         const double air_s = operation.at("air_length_mm").get<double>() / 5000 * 60 +
@@ -78,26 +74,27 @@ TEST(CommonPocketPlan, IsHardlyEverInAir) {
 /// Of all feed motion in closed pockets, rest material in their corners included, less than that is in air.
 constexpr double kMostAirShare = 0.05;
 
-TEST(ClosedPockets, AreCutWithHardlyAnyFeedInAir) {
-    const TemporaryFolder folder;
-    for (const std::string& part : sampleParts()) {
-        const ProgramRun run =
-            runProgram({stepmillBinary(), "plan", part, "--json", "-o", folder.path() + "/plan"});
-        ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
-        const Json plan = Json::parse(run.out);
-        std::set<std::string> pockets;
-        for (const Json& feature : plan.at("features"))
-            if (feature.at("class") == "closed pocket") pockets.insert(feature.at("id"));
-        double cut_mm = 0;
-        double air_mm = 0;
-        for (const Json& operation : plan.at("operations")) {
-            if (pockets.count(operation.at("feature")) == 0) continue;
-            cut_mm += operation.at("cut_length_mm").get<double>();
-            air_mm += operation.at("feed_air_length_mm").get<double>();
-        }
-        EXPECT_LE(air_mm, kMostAirShare * cut_mm) << part;
+class ClosedPockets : public testing::TestWithParam<ExpectedOutcome> {};
+
+TEST_P(ClosedPockets, AreCutWithHardlyAnyFeedInAir) {
+    const PlannedPart planned = plannedPart(GetParam().path);
+    ASSERT_LE(planned.run.exit_code, 1) << planned.run.err;
+    const Json plan = Json::parse(slurp(planned.folder / "plan.json"));
+    std::set<std::string> pockets;
+    for (const Json& feature : plan.at("features"))
+        if (feature.at("class") == "closed pocket") pockets.insert(feature.at("id"));
+    double cut_mm = 0;
+    double air_mm = 0;
+    for (const Json& operation : plan.at("operations")) {
+        if (pockets.count(operation.at("feature")) == 0) continue;
+        cut_mm += operation.at("cut_length_mm").get<double>();
+        air_mm += operation.at("feed_air_length_mm").get<double>();
     }
+    EXPECT_LE(air_mm, kMostAirShare * cut_mm);
 }
+
+INSTANTIATE_TEST_SUITE_P(SampleParts, ClosedPockets, testing::ValuesIn(expectedOf("step_parts")),
+                         [](const auto& row) { return testName(row.param); });
 
 }  // namespace
 }  // namespace stepmill::test

@@ -1,14 +1,17 @@
-// Every part gets a plan or a refusal with a reason: none crashes, none hangs, the books close.
+// Every part of the corpus ends as expected_outcomes.json says, within its time, and the books of plans
+// close.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "support/run_program.h"
+#include "support/expected_outcomes.h"
+#include "support/planned_parts.h"
+#include "support/text_file.h"
 
 namespace stepmill::test {
 namespace {
@@ -16,103 +19,86 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// No part may take longer. Castings and sheet metal of hundreds of free-form faces do not get ready in it
-/// and end with that reason.
-constexpr int kTimeLimitS = 12;
-/// algorithms.md, section 2.
+/// What is planned, what stays and what is out of reach add up to the stock less the part [features.md].
 constexpr double kBooksShare = 1e-3;
 
-Json readJson(const fs::path& path) {
-    std::ifstream file(path);
-    return Json::parse(file);
-}
-
-double booksGap(const Json& plan) {
-    const Json& books = plan.at("volume_balance");
+double booksGap(const Json& books) {
     const double total = books.at("stock_minus_part_mm3");
     const double sum = books.at("planned_mm3").get<double>() + books.at("residual_mm3").get<double>() +
                        books.at("unreachable_mm3").get<double>();
     return total == 0 ? 0 : std::abs(sum - total) / total;
 }
 
-std::string firstLine(const std::string& text) {
-    return text.substr(0, text.find('\n'));
-}
-
-void checkPlan(const std::string& part, const fs::path& folder, std::string& row) {
-    const Json plan = readJson(folder / "plan.json");
-    const double gap = booksGap(plan);
-    EXPECT_LE(gap, kBooksShare) << part;
-    EXPECT_TRUE(fs::exists(folder / "report.html")) << part;
+void checkPlan(const fs::path& folder) {
+    const Json plan = Json::parse(slurp(folder / "plan.json"));
+    EXPECT_LE(booksGap(plan.at("volume_balance")), kBooksShare);
+    EXPECT_TRUE(fs::exists(folder / "report.html"));
     for (const Json& setup : plan.at("setups"))
-        EXPECT_TRUE(fs::exists(folder / setup.at("program").get<std::string>())) << part;
+        EXPECT_TRUE(fs::exists(folder / setup.at("program").get<std::string>()));
     const Json& totals = plan.at("totals");
-    EXPECT_GE(totals.at("time_s").get<double>(), totals.at("lower_bound_s").get<double>()) << part;
+    EXPECT_GE(totals.at("time_s").get<double>(), totals.at("lower_bound_s").get<double>());
     const Json& books = plan.at("volume_balance");
     const double total = std::max(1e-9, books.at("stock_minus_part_mm3").get<double>());
-    row += fmt::format(" {:>8} {:>9.1f} min {:>8.1f} {:>8.1f} {:>9.1e}", plan.at("features").size(),
-                       totals.at("time_s").get<double>() / 60,
-                       100 * books.at("residual_mm3").get<double>() / total,
-                       100 * books.at("unreachable_mm3").get<double>() / total, gap);
+    fmt::print("{} features, {:.1f} min of machining, {:.1f} % stays, {:.1f} % out of reach\n",
+               plan.at("features").size(), totals.at("time_s").get<double>() / 60,
+               100 * books.at("residual_mm3").get<double>() / total,
+               100 * books.at("unreachable_mm3").get<double>() / total);
 }
 
-void planAll(const std::vector<std::string>& parts) {
-    if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
-    fmt::print("{:<38} {:<8} {:>7} {:>8} {:>13} {:>8} {:>8} {:>9}\n", "part", "outcome", "s", "features",
-               "machining", "stays %", "unreach %", "books");
-    for (const std::string& part : parts) {
-        const TemporaryFolder folder;
-        const fs::path out = fs::path(folder.path()) / "plan";
-        const ProgramRun run = runProgram(
-            {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
-        const std::string name = fs::path(part).filename().string();
-        std::string row = fmt::format("{:<38} {:<8} {:>7.2f}", name,
-                                      run.exit_code == 0   ? "plan"
-                                      : run.exit_code == 1 ? "gaps"
-                                                           : fmt::format("exit {}", run.exit_code),
-                                      run.seconds);
-        if (run.exit_code == 0 || run.exit_code == 1)
-            checkPlan(name, out, row);
-        else
-            row += "  " + firstLine(run.err);
-        fmt::print("{}\n", row);
-        std::fflush(stdout);
-        EXPECT_TRUE(run.exit_code >= 0 && run.exit_code <= 2) << name << ": " << run.err;
-        EXPECT_FALSE(run.exit_code == 2 && run.err.empty()) << name << " refused without a reason";
-        EXPECT_FALSE(run.exit_code == 2 && fs::exists(out)) << name << " left a half-written plan";
+int exitCodeOf(Outcome outcome) {
+    return outcome == Outcome::Planned ? 0 : outcome == Outcome::Gaps ? 1 : 2;
+}
+
+/// Gets no plan within its budget today. As soon as it does, its row must say so.
+void expectTooSlow(const ExpectedOutcome& expected) {
+    const TemporaryFolder folder;
+    const fs::path out = fs::path(folder.path()) / "plan";
+    const ProgramRun run = runProgram({stepmillBinary(), "plan", expected.path, "-o", out.string(),
+                                       "--timeout", fmt::format("{:g}", expected.cpu_s)});
+    EXPECT_EQ(run.exit_code, 2) << "it plans now: write its outcome and processor time into the table\n"
+                                << run.err;
+    EXPECT_GE(run.seconds, expected.cpu_s) << "refused before its time was up: " << run.err;
+    EXPECT_FALSE(fs::exists(out)) << "a half-written plan";
+}
+
+class PlanParts : public testing::TestWithParam<ExpectedOutcome> {};
+
+TEST_P(PlanParts, EndsAsExpectedWithinItsBudget) {
+    const ExpectedOutcome& expected = GetParam();
+    STEPMILL_NEEDS_PART(expected);
+    if (expected.outcome == Outcome::TooSlow) return expectTooSlow(expected);
+    const PlannedPart planned = plannedPart(expected.path);
+    fmt::print("exit {}, {:.2f} s of processor time ({:g} allowed), {:.2f} s on the clock\n{}",
+               planned.run.exit_code, planned.run.cpu_s, expected.cpu_s, planned.run.seconds,
+               planned.run.err);
+    ASSERT_EQ(planned.run.exit_code, exitCodeOf(expected.outcome)) << planned.run.err;
+    EXPECT_LE(planned.run.cpu_s, expected.cpu_s);
+    if (expected.hasPlan()) return checkPlan(planned.folder);
+    EXPECT_FALSE(planned.run.err.empty()) << "refused without a reason";
+    EXPECT_FALSE(fs::exists(planned.folder)) << "a half-written plan";
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, PlanParts, testing::ValuesIn(expectedOutcomes()),
+                         [](const auto& row) { return testName(row.param); });
+
+TEST(ExpectedOutcomes, HaveARowForEveryPart) {
+    std::set<std::string> rows;
+    for (const ExpectedOutcome& expected : expectedOutcomes())
+        rows.insert(expected.part);
+    std::vector<std::string> parts = sampleParts();
+    for (const char* folder : {"machined", "nist", "bad", "random"})
+        for (const std::string& part : sharedParts(folder))
+            parts.push_back(part);
+    for (const fs::path part : parts) {
+        const std::string name = (part.parent_path().filename() / part.filename()).string();
+        EXPECT_TRUE(rows.contains(name)) << name << ": add a row to tests/corpus/expected_outcomes.json";
     }
 }
 
-TEST(PlanParts, EverySamplePartGetsAPlan) {
-    planAll(sampleParts());
-}
-
-TEST(PlanParts, EveryMachinedPartGetsAPlanOrAReason) {
-    planAll(sharedParts("machined"));
-}
-
-TEST(PlanParts, EveryNistPartGetsAPlanOrAReason) {
-    planAll(sharedParts("nist"));
-}
-
-TEST(PlanParts, BadFilesEndWithAPlainMessageAndNoPlan) {
-    const std::vector<std::string> parts = sharedParts("bad");
-    if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
-    for (const std::string& part : parts) {
-        const TemporaryFolder folder;
-        const fs::path out = fs::path(folder.path()) / "plan";
-        const ProgramRun run =
-            runProgram({stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", "60"});
-        const std::string name = fs::path(part).filename().string();
-        fmt::print("{:<34} exit {} {:>6.2f} s  {}\n", name, run.exit_code, run.seconds, firstLine(run.err));
-        std::fflush(stdout);
-        if (name == "crlf_and_comments.stp") {
-            EXPECT_LE(run.exit_code, 1) << run.err;
-            EXPECT_TRUE(fs::exists(out / "plan.json"));
-            continue;
-        }
-        EXPECT_TRUE(run.exit_code == 1 || run.exit_code == 2) << name << ": " << run.err;
-        EXPECT_EQ(run.exit_code == 1, fs::exists(out / "plan.json")) << name;
+TEST(ExpectedOutcomes, NameOnlyPartsThatAreThere) {
+    for (const ExpectedOutcome& expected : expectedOutcomes()) {
+        const bool folder_missing = folderOfParts(fs::path(expected.part).parent_path()).empty();
+        EXPECT_TRUE(folder_missing || !expected.path.empty()) << expected.part;
     }
 }
 

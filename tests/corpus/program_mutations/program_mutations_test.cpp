@@ -12,6 +12,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/verify/verify.h"
+#include "support/planned_parts.h"
 #include "support/program_edits.h"
 #include "support/program_judge.h"
 #include "support/second_reader.h"
@@ -19,10 +20,7 @@
 namespace stepmill::test {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int kDefaultMutations = 100;
-constexpr int kTimeLimitS = 60;
 const Tolerances kTol;
 /// Each tool has a length of its own in the table, so that a wrong one shows: its number times this.
 constexpr double kInchesATool = 0.1;
@@ -86,8 +84,8 @@ Alone standsAlone(const std::vector<std::string>& lines, const std::string& tabl
     return sameRun(canonEvents(reader.output), events) ? Alone::Stands : Alone::RunsOtherwise;
 }
 
-/// What our reader refuses by design although it may change nothing [docs/adr/0008]: other zeros, and words
-/// after the program's end.
+/// What our reader refuses by design although it may change nothing
+/// [docs/adr/0008-the-reader-is-a-controller.md]: other zeros, and words after the program's end.
 bool isBeyond(const std::vector<std::string>& lines) {
     const auto has = [](const std::string& line, const char* words) {
         return line.find(words) != std::string::npos;
@@ -136,14 +134,12 @@ std::string tableOf(const PlanRecord& record) {
 }
 
 std::optional<PlannedProgram> planned(const std::string& part) {
-    const TemporaryFolder folder;
-    const fs::path out = fs::path(folder.path()) / "plan";
-    const ProgramRun run = runProgram(
-        {stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)});
-    if (run.exit_code > 1) return std::nullopt;
-    const auto [files, record] = readPlan(out, std::nullopt, kTol);
+    const PlannedPart plan = plannedPart(part);
+    EXPECT_LE(plan.run.exit_code, 1) << part << ": " << plan.run.err;
+    if (plan.run.exit_code > 1) return std::nullopt;
+    const auto [files, record] = readPlan(plan.folder, std::nullopt, kTol);
     PlannedProgram program;
-    program.name = fs::path(part).stem().string();
+    program.name = std::filesystem::path(part).stem().string();
     program.record = record;
     if (program.record.setups.empty() || program.record.setups.front().operation_ids.empty())
         return std::nullopt;

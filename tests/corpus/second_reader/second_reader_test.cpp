@@ -3,19 +3,17 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "stepmill/record/plan_files.h"
+#include "support/expected_outcomes.h"
+#include "support/planned_parts.h"
 #include "support/second_reader.h"
 
 namespace stepmill::test {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 const Tolerances kTol;
@@ -33,7 +31,6 @@ double cycleMargin(const Json& planned) {
     const double depth = planned.at("z_top_mm").get<double>() - planned.at("z_floor_mm").get<double>();
     return 2 * (depth + kOverHoleMm + kBeyondFloorMm) + pecks;
 }
-constexpr int kTimeLimitS = 30;
 
 double lengthOf(const Vec3& from, const CanonMotion& motion) {
     double flat = (motion.to - from).head<2>().norm();
@@ -158,39 +155,42 @@ void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSet
     }
 }
 
-void readAll(const std::vector<std::string>& parts, const std::vector<std::string>& options = {}) {
-    STEPMILL_NEEDS_SECOND_READER();
-    if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
+void expectUnderstood(const ExpectedOutcome& expected, const std::vector<std::string>& options) {
+    const PlannedPart planned = plannedPart(expected.path, options);
+    ASSERT_LE(planned.run.exit_code, 1) << planned.run.err;
+    const auto [files, record] = readPlan(planned.folder, std::nullopt, kTol);
     Count count;
-    for (const std::string& part : parts) {
-        const TemporaryFolder folder;
-        const fs::path out = fs::path(folder.path()) / "plan";
-        std::vector<std::string> words{
-            stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)};
-        words.insert(words.end(), options.begin(), options.end());
-        const ProgramRun run = runProgram(words);
-        if (run.exit_code == 2) continue;  // refused with a reason: no program
-        ASSERT_LE(run.exit_code, 1) << part << ": " << run.err;
-        const auto [files, record] = readPlan(out, std::nullopt, kTol);
-        for (const RecordedSetup& setup : record.setups)
-            compare(files, record, setup, fs::path(part).filename().string(), count);
-    }
+    for (const RecordedSetup& setup : record.setups)
+        compare(files, record, setup, expected.part, count);
     fmt::print("{} programs, {} motions ({} arcs) understood as we do\n", count.programs, count.motions,
                count.arcs);
     EXPECT_GT(count.motions, 0);
 }
 
-TEST(SecondReaderCorpus, UnderstandsEverySamplePartAsWeDo) {
-    readAll(sampleParts());
+class SecondReaderOf : public testing::TestWithParam<ExpectedOutcome> {
+  protected:
+    void SetUp() override {
+        STEPMILL_NEEDS_SECOND_READER();
+        STEPMILL_NEEDS_PART(GetParam());
+    }
+};
+
+TEST_P(SecondReaderOf, UnderstandsThePlanAsWeDo) {
+    expectUnderstood(GetParam(), {});
 }
 
-TEST(SecondReaderCorpus, UnderstandsFinishingPassesAsWeDo) {
-    readAll(sampleParts(), {"--finish-walls", "0.3", "--finish-floors", "0.2"});
+using SecondReaderOfFinishing = SecondReaderOf;
+
+TEST_P(SecondReaderOfFinishing, UnderstandsThePlanAsWeDo) {
+    expectUnderstood(GetParam(), kWithAllowance);
 }
 
-TEST(SecondReaderCorpus, UnderstandsEveryPlanningTargetAsWeDo) {
-    readAll(planningTargets());
-}
+const auto kPartName = [](const auto& row) { return testName(row.param); };
+const std::vector<ExpectedOutcome> kSampleParts = expectedPlans({"step_parts"});
+const std::vector<ExpectedOutcome> kAllParts = expectedPlans({"step_parts", "machined", "nist"});
+
+INSTANTIATE_TEST_SUITE_P(Corpus, SecondReaderOf, testing::ValuesIn(kAllParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(Corpus, SecondReaderOfFinishing, testing::ValuesIn(kSampleParts), kPartName);
 
 }  // namespace
 }  // namespace stepmill::test

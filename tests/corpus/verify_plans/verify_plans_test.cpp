@@ -6,9 +6,11 @@
 #include <fstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "support/run_program.h"
+#include "support/expected_outcomes.h"
+#include "support/planned_parts.h"
 
 namespace stepmill::test {
 namespace {
@@ -16,84 +18,73 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr int kTimeLimitS = 30;
-
 using Words = std::vector<std::string>;
-
-const Words kWithAllowance{"--finish-walls", "0.3", "--finish-floors", "0.2"};
-
-ProgramRun plan(const std::string& part, const fs::path& out, const Words& options = {}) {
-    Words words{stepmillBinary(), "plan", part, "-o", out.string(), "--timeout", std::to_string(kTimeLimitS)};
-    words.insert(words.end(), options.begin(), options.end());
-    return runProgram(words);
-}
 
 ProgramRun verify(const fs::path& dir, std::vector<std::string> options = {}) {
     options.insert(options.begin(), {stepmillBinary(), "verify", dir.string()});
     return runProgram(options);
 }
 
-void proveAll(const std::vector<std::string>& parts, const Words& options = {}) {
-    if (parts.empty()) GTEST_SKIP() << "the folder of STEP parts is not beside this checkout";
-    for (const std::string& part : parts) {
+void expectProven(const std::string& part, const Words& options) {
+    const PlannedPart planned = plannedPart(part, options);
+    ASSERT_LE(planned.run.exit_code, 1) << planned.run.err;
+    const ProgramRun run = verify(planned.folder, {"--json", "--part", part});
+    ASSERT_EQ(run.exit_code, planned.run.exit_code) << run.err << run.out;
+    const Json proof = Json::parse(run.out);
+    fmt::print("{} operations proven, {:.2f} s (plan {:.2f} s)\n", proof.at("operations").size(), run.cpu_s,
+               planned.run.cpu_s);
+    EXPECT_TRUE(proof.at("proven").get<bool>());
+    EXPECT_TRUE(proof.at("failures").empty());
+}
+
+class VerifyPlan : public testing::TestWithParam<ExpectedOutcome> {
+  protected:
+    void SetUp() override { STEPMILL_NEEDS_PART(GetParam()); }
+};
+
+TEST_P(VerifyPlan, IsProven) {
+    expectProven(GetParam().path, {});
+}
+
+using VerifyFinishing = VerifyPlan;
+
+TEST_P(VerifyFinishing, IsProven) {
+    expectProven(GetParam().path, kWithAllowance);
+}
+
+using VerifyDialects = VerifyPlan;
+
+TEST_P(VerifyDialects, AreProven) {
+    const PlannedPart planned = plannedPart(GetParam().path);
+    ASSERT_LE(planned.run.exit_code, 1) << planned.run.err;
+    for (const Words& how : {Words{"fanuc"}, Words{"grbl"}, Words{"fanuc", "--units", "inch"},
+                             Words{"grbl", "--per", "tool"}, Words{"linuxcnc", "--units", "inch"}}) {
+        SCOPED_TRACE(fmt::format("{}", fmt::join(how, " ")));
         const TemporaryFolder folder;
-        const fs::path out = fs::path(folder.path()) / "plan";
-        const std::string name = fs::path(part).filename().string();
-        const ProgramRun planned = plan(part, out, options);
-        EXPECT_NE(planned.exit_code, 3) << name << ": " << planned.err;
-        if (planned.exit_code > 1) continue;  // refused with a reason
-        const ProgramRun run = verify(out, {"--json", "--part", part});
-        ASSERT_LE(run.exit_code, 1) << name << ": " << run.err << run.out;
-        const Json proof = Json::parse(run.out);
-        fmt::print("{:<38} {:>3} operations proven, {:.2f} s (plan {:.2f} s)\n", name,
-                   proof.at("operations").size(), run.seconds, planned.seconds);
-        std::fflush(stdout);
-        EXPECT_TRUE(proof.at("proven").get<bool>()) << name;
-        EXPECT_TRUE(proof.at("failures").empty()) << name;
+        const fs::path posted = fs::path(folder.path()) / "posted";
+        Words words{stepmillBinary(), "post", planned.folder, "-o", posted, "--dialect"};
+        words.insert(words.end(), how.begin(), how.end());
+        const ProgramRun post = runProgram(words);
+        EXPECT_EQ(post.exit_code, 0) << post.err;
+        fs::copy_file(planned.folder / "plan.json", posted / "plan.json");
+        EXPECT_EQ(verify(posted, {"--dialect", how.front()}).exit_code, planned.run.exit_code);
     }
 }
 
-TEST(VerifyPlans, EverySamplePartIsProven) {
-    proveAll(sampleParts());
-}
-TEST(VerifyPlans, EveryPlanningTargetIsProven) {
-    proveAll(planningTargets());
-}
+const auto kPartName = [](const auto& row) { return testName(row.param); };
+const std::vector<ExpectedOutcome> kSampleParts = expectedPlans({"step_parts"});
+const std::vector<ExpectedOutcome> kRealParts = expectedPlans({"machined", "nist"});
 
-TEST(VerifyPlans, EverySamplePartIsProvenWithAFinishingAllowance) {
-    proveAll(sampleParts(), kWithAllowance);
-}
-TEST(VerifyPlans, EveryPlanningTargetIsProvenWithAFinishingAllowance) {
-    proveAll(planningTargets(), kWithAllowance);
-}
+INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyPlan, testing::ValuesIn(kSampleParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(RealParts, VerifyPlan, testing::ValuesIn(kRealParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyFinishing, testing::ValuesIn(kSampleParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(RealParts, VerifyFinishing, testing::ValuesIn(kRealParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyDialects, testing::ValuesIn(kSampleParts), kPartName);
 
 TEST(VerifyPlans, MovesAsShortAsALastDecimalAreNoPlunges) {
     // Walls moved in by so little have edges that short, which ramps run along.
-    proveAll({std::string(STEPMILL_SOURCE_DIR) + "/step_parts/die_cavity.step"}, {"--finish-walls", "0.02"});
-}
-
-TEST(VerifyPlans, EverySamplePartIsProvenInEveryDialect) {
-    for (const std::string& part : sampleParts()) {
-        const TemporaryFolder folder;
-        const fs::path out = fs::path(folder.path()) / "plan";
-        const int exit_code = plan(part, out).exit_code;
-        ASSERT_LE(exit_code, 1) << part;
-        for (const std::vector<std::string>& how : {std::vector<std::string>{"fanuc"},
-                                                    {"grbl"},
-                                                    {"fanuc", "--units", "inch"},
-                                                    {"grbl", "--per", "tool"},
-                                                    {"linuxcnc", "--units", "inch"}}) {
-            std::vector<std::string> arguments{stepmillBinary(),          "post",     out.string(), "-o",
-                                               (out / "posted").string(), "--dialect"};
-            arguments.insert(arguments.end(), how.begin(), how.end());
-            fs::remove_all(out / "posted");
-            const ProgramRun posted = runProgram(arguments);
-            EXPECT_EQ(posted.exit_code, 0) << part << " " << how.front() << ": " << posted.err;
-            fs::copy_file(out / "plan.json", out / "posted" / "plan.json");
-            EXPECT_EQ(verify(out / "posted", {"--dialect", how.front()}).exit_code, exit_code)
-                << part << " " << how.front();
-        }
-    }
+    expectProven(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/die_cavity.step",
+                 {"--finish-walls", "0.02"});
 }
 
 /// A plan of the rounded pocket whose program can be spoilt.
@@ -101,7 +92,7 @@ class SpoiltProgram : public testing::Test {
   protected:
     void SetUp() override {
         const std::string part = std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step";
-        ASSERT_EQ(plan(part, dir_, options()).exit_code, 0);
+        copyOfPlan(part, dir_, options());
         std::ifstream file(dir_ / "S1.ngc");
         for (std::string line; std::getline(file, line);)
             lines_.push_back(line);

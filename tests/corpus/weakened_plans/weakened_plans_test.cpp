@@ -13,6 +13,7 @@
 
 #include "stepmill/core/file.h"
 #include "stepmill/planar/region_json.h"
+#include "support/planned_parts.h"
 #include "support/run_program.h"
 
 namespace stepmill::test {
@@ -368,9 +369,7 @@ class WeakenedPlans : public testing::TestWithParam<Weakening> {
   protected:
     static void SetUpTestSuite() {
         folder_ = new TemporaryFolder;
-        const ProgramRun run =
-            runProgram({stepmillBinary(), "plan", kPart, "-o", job().string(), "--timeout", "60"});
-        ASSERT_LE(run.exit_code, 1) << run.err;
+        copyOfPlan(kPart, job());
         plan_ = new Json(Json::parse(readFile(job() / "plan.json")));
         // Who edits a plan writes its manifest anew.
         fs::remove(job() / "manifest.json");
