@@ -1,37 +1,65 @@
-// The summary of every sample part, compared as text. `make golden` writes them anew; review the diff.
+// What the program says of every sample part, compared as text. `make golden` writes it anew; review the
+// diff.
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <nlohmann/json.hpp>
 
-#include "support/run_program.h"
+#include "support/expected_outcomes.h"
+#include "support/golden.h"
+#include "support/json_text.h"
+#include "support/page_text.h"
+#include "support/planned_parts.h"
 
 namespace stepmill::test {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
-TEST(Golden, SummariesOfTheSampleParts) {
-    const bool rewrite = std::getenv("STEPMILL_REWRITE_GOLDEN") != nullptr;
-    for (const std::string& part : sampleParts()) {
-        const TemporaryFolder folder;
-        const ProgramRun run = runProgram({stepmillBinary(), "plan", part, "-o", folder.path() + "/plan"});
-        const std::string summary = run.out.substr(0, run.out.find("\nReport:"));
-        const fs::path golden =
-            fs::path(STEPMILL_SOURCE_DIR) / "tests/golden/summaries" / fs::path(part).stem().concat(".txt");
-        if (rewrite) {
-            fs::create_directories(golden.parent_path());
-            std::ofstream(golden) << summary;
-            continue;
-        }
-        std::ifstream file(golden);
-        const std::string expected{std::istreambuf_iterator<char>(file), {}};
-        EXPECT_EQ(summary, expected) << golden;
+class GoldenPlan : public testing::TestWithParam<ExpectedOutcome> {
+  protected:
+    // A part that has no plan, or gets one it did not get before, is no golden's matter.
+    void SetUp() override {
+        planned_ = plannedPart(GetParam().path);
+        ASSERT_EQ(planned_.run.exit_code, GetParam().outcome == Outcome::Planned ? 0 : 1) << planned_.run.err;
     }
+
+    std::string stem() const { return fs::path(GetParam().part).stem(); }
+
+    PlannedPart planned_;
+};
+
+TEST_P(GoldenPlan, HasItsSummary) {
+    const std::string& out = planned_.run.out;
+    expectGolden("summaries/" + stem() + ".txt", out.substr(0, out.find("\nReport:")));
 }
+
+/// Few, since people review them: one setup and two steps; several setups with pockets, holes and a slot.
+using GoldenFiles = GoldenPlan;
+
+TEST_P(GoldenFiles, HoldItsPlan) {
+    Json plan = Json::parse(slurp(planned_.folder / "plan.json"));
+    plan["stepmill"]["version"] = "*";
+    expectGolden("plans/" + stem() + ".json", jsonText(plan) + "\n");
+}
+
+TEST_P(GoldenFiles, HoldWhatItsReportSays) {
+    expectGolden("reports/" + stem() + ".txt", pageText(slurp(planned_.folder / "report.html")));
+}
+
+std::vector<ExpectedOutcome> fewParts() {
+    std::vector<ExpectedOutcome> few = expectedOf("step_parts");
+    std::erase_if(few, [](const ExpectedOutcome& row) {
+        return row.part != "step_parts/shoulder_block.step" && row.part != "step_parts/four_setups.step";
+    });
+    return few;
+}
+
+const auto kPartName = [](const auto& row) { return testName(row.param); };
+
+INSTANTIATE_TEST_SUITE_P(FewParts, GoldenFiles, testing::ValuesIn(fewParts()), kPartName);
+INSTANTIATE_TEST_SUITE_P(SampleParts, GoldenPlan, testing::ValuesIn(expectedOf("step_parts")), kPartName);
 
 }  // namespace
 }  // namespace stepmill::test

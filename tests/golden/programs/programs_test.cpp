@@ -1,43 +1,36 @@
 // The same small plan in every dialect.
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
 #include <gtest/gtest.h>
 
 #include "support/drilled_plan.h"
+#include "support/golden.h"
 #include "support/second_reader.h"
-#include "support/text_file.h"
 
 namespace stepmill::test {
 namespace {
 
-void expectGolden(const std::string& name, const PostOptions& options) {
+void expectProgram(const std::string& name, const PostOptions& options) {
     const Plan plan = drilledPlan();
     std::string text;
     for (const PostedProgram& program : post(jobOf(plan, plan.setups[0]), options))
         text += program.text;
-    const std::filesystem::path golden =
-        std::filesystem::path(STEPMILL_SOURCE_DIR) / "tests" / "golden" / "programs" / (name + ".txt");
-    if (std::getenv("STEPMILL_REWRITE_GOLDEN") != nullptr) std::ofstream(golden) << text;
-    EXPECT_EQ(text, slurp(golden)) << "if this is meant: make golden";
+    expectGolden("programs/" + name + ".txt", text);
 }
 
 TEST(GoldenProgram, LinuxCnc) {
-    expectGolden("linuxcnc", {Dialect::LinuxCnc});
+    expectProgram("linuxcnc", {Dialect::LinuxCnc});
 }
 TEST(GoldenProgram, LinuxCncInInches) {
-    expectGolden("linuxcnc_inch", {Dialect::LinuxCnc, true});
+    expectProgram("linuxcnc_inch", {Dialect::LinuxCnc, true});
 }
 TEST(GoldenProgram, Fanuc) {
-    expectGolden("fanuc", {Dialect::Fanuc});
+    expectProgram("fanuc", {Dialect::Fanuc});
 }
 TEST(GoldenProgram, Grbl) {
-    expectGolden("grbl", {Dialect::Grbl});
+    expectProgram("grbl", {Dialect::Grbl});
 }
 TEST(GoldenProgram, GrblByTool) {
-    expectGolden("grbl_by_tool", {Dialect::Grbl, false, true});
+    expectProgram("grbl_by_tool", {Dialect::Grbl, false, true});
 }
 
 TEST(GoldenProgram, LinuxCncTakesTheInchProgramToo) {
