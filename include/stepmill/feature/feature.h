@@ -99,21 +99,19 @@ struct FeatureSet {
     std::vector<Unplanned> unplanned;
 };
 
-/// Finds the removal features of a setup.
+/// Finds the removal features of a setup [features.md].
 ///
-/// In every layer the ground to remove is stock - shadow. Its connected components become nodes of a forest:
-/// a component hangs below the one above it that covers it. A child that covers the same ground makes its
-/// parent deeper; any other child becomes a feature of its own, nested in its parent. In stock that earlier
-/// setups have cut, components also join over ground that those setups left open.
+/// Removal is stock less shadow per layer, its components linked into a forest. A child equal to its parent
+/// only deepens it; any other child is a feature nested in its parent. Where earlier setups cut the stock,
+/// components may also join that are wider, narrower or several, as long as nothing but air lies between.
 ///
-/// \param layers  from slice(), in setup coordinates [mm]
-/// \param tol     areas below `area_mm2` are rounding and belong to no feature
-/// \return  Features and unplanned volumes; their volumes add up to stock - part within
-///          `tol.volume_share`. Targets err inwards and obstructions outwards, as the layers' regions do: a
-///          feature may miss material, it never holds part. Empty when the setup has nothing to remove.
-/// \throws  Error(GeometryKernel) if a Boolean of regions fails.
-/// \note  O(layers x edges log edges).
-/// \see docs/algorithms/features.md
+/// \param tol  components nowhere wider than `sliver_mm` are no features: their volume is booked under
+///             `unplanned`
+/// \return  Volumes of features and of what is unplanned add up to stock less part as the layers have it, so
+///          that walls which lean err to the part's side. No features where nothing is left to remove.
+/// \throws  Error(GeometryKernel) where a Boolean of two layers fails.
+/// \note    About linear in layers times their edges; the same for any number of threads.
+/// \see     assignFaces() (face_owner.h), which fills Feature::faces
 FeatureSet recogniseFeatures(const LayerStack& layers, const Tolerances& tol);
 
 /// Turns pockets and slots that a cutter of that diameter fits nowhere into engravings: a shop traces them

@@ -12,19 +12,20 @@
 
 namespace stepmill {
 
-/// One closed solid with outward faces, in mm and part coordinates. It is never changed after it was made, so
-/// threads may read it side by side; who meshes it copies it first.
+/// The kernel's own form of a part: one valid closed solid in mm and part coordinates, its faces looking out
+/// of the material. Shared by all copies of the part and never changed, so any thread may read it; who meshes
+/// or moves it makes a copy of its own.
 struct PartShape {
     TopoDS_Shape solid;
 };
 
 /// Wraps a solid made elsewhere (tests, sample parts) as a Part with its box, volume and faces.
-/// \param solid  in mm; a compound that holds one solid and nothing else will do
-/// \throws Error(InvalidSolid) unless the shape is one valid closed solid.
-/// \note  O(faces); integrates volume and areas.
+/// \param solid  in mm; its coordinates become the part's
+/// \throws Error(InvalidSolid) unless the shape is one valid closed solid, volume above 0.
 Part makePart(const TopoDS_Shape& solid, const std::string& name);
 
-/// Calls `work` and turns Standard_Failure into Error(code, subject).
+/// Calls `work` and turns the kernel's failures into Error(code, subject), but for running out of memory,
+/// which stays std::bad_alloc. Other exceptions pass.
 void guardOcct(ErrorCode code, const std::string& subject, const std::function<void()>& work);
 
 }  // namespace stepmill

@@ -67,9 +67,9 @@ struct PostedProgram {
 ///
 /// Every arc's centre agrees with both its ends within 1 um, so that no controller refuses it; coordinates
 /// have 4 decimals in mm, 5 in inches.
-/// \return  In machining order. A job without operations gives one program that starts and ends.
-/// \throws Error(InvalidCatalog) when two tools have one number.
-/// \note  O(moves); no geometry is made here.
+/// Rounding never adds up: every block is rounded from the path's own coordinates. A job without operations
+/// gives a program of header and end, with `per_tool` none. \throws Error(InvalidCatalog) when two tools have
+/// one number. \note  Linear in the moves.
 std::vector<PostedProgram> post(const Job& job, const PostOptions& options);
 
 /// The program of one setup in the dialect of the plan's machine.

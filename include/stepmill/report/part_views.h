@@ -12,11 +12,9 @@ struct View {
     std::string svg;    ///< one <svg> element, sized in mm by its viewBox
 };
 
-/// Top, front, right and isometric views, as seen in setup coordinates [mm].
-///
-/// Exact hidden lines for parts of few faces; of larger ones the facets are drawn, because exact hidden lines
-/// grow with the square of the faces.
+/// Top, front, right and isometric views, to scale, in the setup's coordinates [mm].
 /// \throws Error(GeometryKernel)
+/// \note  Hidden lines are found edge against face: about quadratic in the number of faces.
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup);
 
 /// The same with what is visible of each face filled: class "shade tint<k>" where k = tints[face], nothing
