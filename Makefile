@@ -30,8 +30,8 @@ fuzz: build/dev/tests.configured
 	cmake --build --preset dev --target fuzz_targets
 	ctest --test-dir build/dev -L fuzz --output-on-failure -j2
 
-tidy: build/tidy/tests.configured
-	cmake --build --preset tidy
+tidy: test-deps
+	scripts/tidy
 
 format: test-deps
 	clang-format-14 -i $(SOURCES)
