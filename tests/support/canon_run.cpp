@@ -12,32 +12,12 @@ constexpr double kPrinted = 0.5e-4;
 
 class CanonReader {
   public:
-    void read(const std::string& line) {
-        const std::size_t open = line.find('(');
-        if (open == std::string::npos) return;
-        std::size_t name = open;
-        while (name > 0 && line[name - 1] != ' ')
-            --name;
-        const std::string call = line.substr(name, open - name);
-        const std::string inside = line.substr(open + 1, line.rfind(')') - open - 1);
-        obey(call, inside);
-    }
-
     std::vector<CanonEvent> events;
 
-  private:
-    static std::vector<double> numbers(std::string text) {
-        for (char& c : text)
-            if (c == ',') c = ' ';
-        std::vector<double> values;
-        std::istringstream items(text);
-        for (double value = 0; items >> value;)
-            values.push_back(value);
-        return values;
-    }
-
-    void obey(const std::string& call, const std::string& inside) {
-        const std::vector<double> v = numbers(inside);
+    void obey(const CanonCall& said) {
+        const std::string& call = said.name;
+        const std::string& inside = said.inside;
+        const std::vector<double> v = said.numbers();
         if (call == "USE_LENGTH_UNITS") unit_ = inside.find("INCH") != std::string::npos ? kInch : 1;
         if (call == "SET_FEED_MODE") per_rev_ = v.at(1) != 0;
         if (call == "SET_FEED_RATE") feed_ = v.at(0) * unit_;
@@ -64,6 +44,7 @@ class CanonReader {
         if (call == "ARC_FEED") arc(v);
     }
 
+  private:
     CanonEvent& add(CanonEvent::Kind kind) {
         events.push_back(now_);
         CanonEvent& event = events.back();
@@ -105,11 +86,36 @@ class CanonReader {
 
 }  // namespace
 
+std::vector<double> CanonCall::numbers() const {
+    std::string text = inside;
+    std::replace(text.begin(), text.end(), ',', ' ');
+    std::vector<double> values;
+    std::istringstream items(text);
+    for (double value = 0; items >> value;)
+        values.push_back(value);
+    return values;
+}
+
+std::vector<CanonCall> canonCalls(const std::string& output) {
+    std::vector<CanonCall> calls;
+    std::istringstream lines(output);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t open = line.find('(');
+        if (open == std::string::npos) continue;
+        std::istringstream head(line.substr(0, open));
+        std::string number;
+        CanonCall call;
+        head >> number >> call.n_word >> call.name;
+        call.inside = line.substr(open + 1, line.rfind(')') - open - 1);
+        calls.push_back(call);
+    }
+    return calls;
+}
+
 std::vector<CanonEvent> canonEvents(const std::string& output) {
     CanonReader reader;
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);)
-        reader.read(line);
+    for (const CanonCall& call : canonCalls(output))
+        reader.obey(call);
     return reader.events;
 }
 

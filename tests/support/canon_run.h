@@ -28,6 +28,19 @@ struct CanonEvent {
     std::string comment;       ///< the last one before that begins an operation
 };
 
+/// A line of what rs274 -g prints: "  12 N5  STRAIGHT_FEED(1.0000, 2.0000, 3.0000, ...)".
+struct CanonCall {
+    std::string n_word;
+    std::string name;
+    std::string inside;  ///< the brackets
+
+    /// What stands inside as numbers, up to the first word that is none.
+    std::vector<double> numbers() const;
+};
+
+/// All calls of the interpreter's output, in order.
+std::vector<CanonCall> canonCalls(const std::string& output);
+
 /// Reads what rs274 -g prints. Motions that go nowhere are left out.
 std::vector<CanonEvent> canonEvents(const std::string& output);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <ostream>
 #include <stdexcept>
 
 #include <nlohmann/json.hpp>
@@ -78,6 +79,10 @@ std::string folderOf(const ExpectedOutcome& expected) {
 }
 
 }  // namespace
+
+void PrintTo(const ExpectedOutcome& expected, std::ostream* out) {
+    *out << expected.part;
+}
 
 const std::vector<ExpectedOutcome>& expectedOutcomes() {
     static const std::vector<ExpectedOutcome> rows = readTable();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct ExpectedOutcome {
 
     bool hasPlan() const { return outcome == Outcome::Planned || outcome == Outcome::Gaps; }
 };
+
+/// Tests are named by the part, not by the bytes of its row.
+void PrintTo(const ExpectedOutcome& expected, std::ostream* out);
 
 /// All rows, patterns resolved, in the table's order.
 const std::vector<ExpectedOutcome>& expectedOutcomes();

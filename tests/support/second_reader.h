@@ -9,6 +9,7 @@
 
 #include "stepmill/part/part.h"
 #include "stepmill/planar/region.h"
+#include "support/canon_run.h"
 #include "support/run_program.h"
 #include "support/text_file.h"
 
@@ -82,28 +83,20 @@ class SecondReader {
 
   private:
     void parse() {
-        std::istringstream lines(output);
         double feed = 0;
         int tool = 0;
-        for (std::string line; std::getline(lines, line);) {
-            const std::size_t open = line.find('(');
-            if (open == std::string::npos) continue;
-            std::istringstream head(line.substr(0, open));
-            std::string number;
-            std::string n_word;
-            std::string call;
-            head >> number >> n_word >> call;
-            const std::string inside = line.substr(open + 1, line.rfind(')') - open - 1);
-            if (call == "COMMENT") {
-                noteOperation(inside);
-            } else if (call == "SELECT_TOOL") {
-                tool = std::stoi(inside);
-            } else if (call == "SET_FEED_RATE") {
-                feed = std::stod(inside);
-            } else if (call == "STRAIGHT_TRAVERSE" || call == "STRAIGHT_FEED" || call == "ARC_FEED") {
+        for (const CanonCall& call : canonCalls(output)) {
+            if (call.name == "COMMENT") {
+                noteOperation(call.inside);
+            } else if (call.name == "SELECT_TOOL") {
+                tool = std::stoi(call.inside);
+            } else if (call.name == "SET_FEED_RATE") {
+                feed = std::stod(call.inside);
+            } else if (call.name == "STRAIGHT_TRAVERSE" || call.name == "STRAIGHT_FEED" ||
+                       call.name == "ARC_FEED") {
                 if (operations.empty()) operations.emplace_back();
                 operations.back().tool = tool;
-                operations.back().motions.push_back(motion(call, numbers(inside), feed, n_word));
+                operations.back().motions.push_back(motion(call, feed));
             }
         }
     }
@@ -115,25 +108,17 @@ class SecondReader {
         operations.back().id = first;
     }
 
-    static std::vector<double> numbers(const std::string& text) {
-        std::vector<double> values;
-        std::istringstream items(text);
-        for (std::string item; std::getline(items, item, ',');)
-            values.push_back(std::stod(item));
-        return values;
-    }
-
-    static CanonMotion motion(const std::string& call, const std::vector<double>& v, double feed,
-                              const std::string& n_word) {
+    static CanonMotion motion(const CanonCall& call, double feed) {
+        const std::vector<double> v = call.numbers();
         CanonMotion motion;
-        motion.n_word = n_word;
-        if (call == "ARC_FEED") {
+        motion.n_word = call.n_word;
+        if (call.name == "ARC_FEED") {
             motion.kind = CanonMotion::Kind::Arc;
             motion.to = Vec3(v.at(0), v.at(1), v.at(5));
             motion.centre = Vec2(v.at(2), v.at(3));
             motion.turn = static_cast<int>(v.at(4));
         } else {
-            motion.kind = call == "STRAIGHT_FEED" ? CanonMotion::Kind::Feed : CanonMotion::Kind::Rapid;
+            motion.kind = call.name == "STRAIGHT_FEED" ? CanonMotion::Kind::Feed : CanonMotion::Kind::Rapid;
             motion.to = Vec3(v.at(0), v.at(1), v.at(2));
         }
         motion.feed_mm_per_min = motion.kind == CanonMotion::Kind::Rapid ? 0 : feed;
