@@ -2,7 +2,8 @@
 
 #include <string_view>
 
-/// The JSON files of schemas/ and samples/ that the program carries with it; written by embed_json.cmake.
+/// The JSON files of schemas/ and samples/ that the program carries with it; written by
+/// cmake/embed_files.cmake.
 namespace stepmill::embedded {
 
 extern const std::string_view kToolsSchema;
