@@ -5,9 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "report/page/text.h"
+#include "report/page/drawing.h"
+#include "report/page/words.h"
 
-namespace stepmill {
+namespace stepmill::report {
 
 namespace {
 
@@ -25,6 +26,19 @@ double niceStep(double range, int most) {
     return 10 * power;
 }
 
+Element lineFrom(Tag tag, const Vec2& from, const Vec2& to) {
+    return Element(tag)
+        .with("x1", fixed(from.x(), 2))
+        .with("y1", fixed(from.y(), 2))
+        .with("x2", fixed(to.x(), 2))
+        .with("y2", fixed(to.y(), 2));
+}
+
+Element textAt(Tag tag, const Vec2& at, const std::string& words) {
+    return Element(tag, words).with("x", fixed(at.x(), 2)).with("y", fixed(at.y(), 2));
+}
+
+/// The scales of a chart: where diameters and volumes stand in the picture.
 class Axes {
   public:
     explicit Axes(const CurveChart& chart)
@@ -38,93 +52,105 @@ class Axes {
     double y(double volume_mm3) const {
         return chart_.height - kBottom - volume_mm3 / top_mm3_ * (chart_.height - kTop - kBottom);
     }
-    double full() const { return full_mm3_; }
 
-    std::string svg() const {
-        std::string text;
-        const double bottom = y(0);
-        const double right = chart_.width - kRight;
-        for (const double share : {0.25, 0.5, 0.75, 1.0})
-            text += fmt::format(
-                "<line class=\"grid\" x1=\"{0}\" x2=\"{1:.1f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>"
-                "<text class=\"tick\" x=\"{3:.1f}\" y=\"{4:.1f}\">{5:.0f} %</text>\n",
-                kLeft, right, y(share * full_mm3_), right + 5, y(share * full_mm3_) + 4, 100 * share);
-        const bool in_cm3 = full_mm3_ >= 1000;
-        const double unit = in_cm3 ? 1000 : 1;
-        const double step = niceStep(full_mm3_ / unit, 5);
-        for (double value = 0; value * unit <= full_mm3_ * 1.0001; value += step)
-            text += fmt::format(
-                "<line class=\"axis\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>"
-                "<text class=\"tick end\" x=\"{3}\" y=\"{4:.1f}\">{5:g}</text>\n",
-                kLeft - 4, kLeft, y(value * unit), kLeft - 7, y(value * unit) + 4, value);
-        const double step_mm = niceStep(chart_.to_mm, 12);
-        for (double value = 0; value <= chart_.to_mm * 1.0001; value += step_mm)
-            text += fmt::format(
-                "<line class=\"axis\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1:.1f}\" y2=\"{2:.1f}\"/>"
-                "<text class=\"tick middle\" x=\"{0:.1f}\" y=\"{3:.1f}\">{4:g}</text>\n",
-                x(value), bottom, bottom + 4, bottom + 17, value);
-        text += fmt::format(
-            "<path class=\"axis\" d=\"M {0} {1} V {2:.1f} H {3:.1f}\"/>"
-            "<text class=\"name middle\" x=\"{4:.1f}\" y=\"{5:.1f}\">diameter of the cutter [mm]</text>"
-            "<text class=\"name\" x=\"6\" y=\"12\">access volume [{6}]</text>\n",
-            kLeft, kTop - 6, bottom, right, (kLeft + right) / 2, chart_.height - 6, in_cm3 ? "cm³" : "mm³");
-        return text;
+    void draw(Element& svg) const {
+        drawShares(svg);
+        drawVolumes(svg);
+        drawDiameters(svg);
+        drawNames(svg);
     }
 
   private:
+    double right() const { return chart_.width - kRight; }
+    bool inCm3() const { return full_mm3_ >= 1000; }
+
+    void drawShares(Element& svg) const {
+        for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+            const double at = y(share * full_mm3_);
+            svg.add(lineFrom("line.grid", {kLeft, at}, {right(), at}),
+                    textAt("text.tick", {right() + 5, at + 4}, fixed(100 * share, 0) + " %"));
+        }
+    }
+
+    void drawVolumes(Element& svg) const {
+        const double unit = inCm3() ? 1000 : 1;
+        const double step = niceStep(full_mm3_ / unit, 5);
+        for (double value = 0; value * unit <= full_mm3_ * 1.0001; value += step) {
+            const double at = y(value * unit);
+            svg.add(lineFrom("line.axis", {kLeft - 4, at}, {kLeft, at}),
+                    textAt("text.tick.end", {kLeft - 7, at + 4}, fmt::format("{:g}", value)));
+        }
+    }
+
+    void drawDiameters(Element& svg) const {
+        const double bottom = y(0);
+        const double step_mm = niceStep(chart_.to_mm, 12);
+        for (double value = 0; value <= chart_.to_mm * 1.0001; value += step_mm) {
+            const double at = x(value);
+            svg.add(lineFrom("line.axis", {at, bottom}, {at, bottom + 4}),
+                    textAt("text.tick.middle", {at, bottom + 17}, fmt::format("{:g}", value)));
+        }
+    }
+
+    void drawNames(Element& svg) const {
+        svg.add(Element("path.axis")
+                    .with("d", fmt::format("M {} {} V {:.1f} H {:.1f}", kLeft, kTop - 6, y(0), right())),
+                textAt("text.title.middle", {(kLeft + right()) / 2, chart_.height - 6},
+                       "diameter of the cutter [mm]"),
+                textAt("text.title", {6, 12}, inCm3() ? "access volume [cm³]" : "access volume [mm³]"));
+    }
+
     const CurveChart& chart_;
     double full_mm3_;
     double top_mm3_;
 };
 
-std::string curveSvg(const CurveChart& chart, const Axes& axes) {
+void drawCurve(Element& svg, const CurveChart& chart, const Axes& axes) {
     std::string line;
     for (const AccessSample& sample : chart.samples)
         line += fmt::format("{}{:.2f} {:.2f}", line.empty() ? "M" : "L", axes.x(sample.diameter_mm),
                             axes.y(sample.volume_mm3));
-    return fmt::format("<path class=\"area\" d=\"{0}V{1:.2f}H{2:.2f}Z\"/><path class=\"curve\" d=\"{0}\"/>\n",
-                       line, axes.y(0), axes.x(chart.samples.front().diameter_mm));
+    const std::string down_and_back =
+        fmt::format("V{:.2f}H{:.2f}Z", axes.y(0), axes.x(chart.samples.front().diameter_mm));
+    svg.add(Element("path.area").with("d", line + down_and_back), Element("path.curve").with("d", line));
 }
 
-std::string dashedLine(double x, double from_y, double to_y) {
-    return fmt::format("<line class=\"drop\" x1=\"{0:.2f}\" x2=\"{0:.2f}\" y1=\"{1:.2f}\" y2=\"{2:.2f}\"/>\n",
-                       x, from_y, to_y);
+void drawMark(Element& svg, const ChartMark& mark, const Axes& axes) {
+    const Vec2 at(axes.x(mark.diameter_mm), axes.y(mark.volume_mm3));
+    const Vec2 below(at.x(), axes.y(mark.volume_mm3 - mark.drop_mm3));
+    if (mark.is_jump) svg.add(lineFrom("line.jump", at, below));
+    svg.add(lineFrom("line.drop", below, {at.x(), axes.y(0)}),
+            Element(mark.is_jump ? Tag("circle.jump-dot") : Tag("circle.kink-dot"))
+                .with("cx", fixed(at.x(), 2))
+                .with("cy", fixed(at.y(), 2))
+                .with("r", "4"));
 }
 
 /// Numbers stand above their point, and step up where they would cover the one before.
-std::string marksSvg(const CurveChart& chart, const Axes& axes) {
-    std::string text;
-    double last_x = -100;
-    double last_y = 0;
+void drawMarks(Element& svg, const CurveChart& chart, const Axes& axes) {
+    Vec2 last(-100, 0);
     for (const ChartMark& mark : chart.marks) {
+        drawMark(svg, mark, axes);
         const double x = axes.x(mark.diameter_mm);
-        const double y = axes.y(mark.volume_mm3);
-        if (mark.is_jump)
-            text += fmt::format(
-                "<line class=\"jump\" x1=\"{0:.2f}\" x2=\"{0:.2f}\" y1=\"{1:.2f}\" y2=\"{2:.2f}\"/>\n", x, y,
-                axes.y(mark.volume_mm3 - mark.drop_mm3));
-        text += dashedLine(x, axes.y(mark.volume_mm3 - mark.drop_mm3), axes.y(0));
-        text += fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\"/>\n",
-                            mark.is_jump ? "jump-dot" : "kink-dot", x, y);
-        double label_y = y - 9;
-        if (x - last_x < 8.0 * static_cast<double>(mark.label.size()) + 4 && label_y > last_y - 12)
-            label_y = last_y - 12;
+        double label_y = axes.y(mark.volume_mm3) - 9;
+        const bool covers_last = x - last.x() < 8.0 * static_cast<double>(mark.label.size()) + 4;
+        if (covers_last && label_y > last.y() - 12) label_y = last.y() - 12;
         label_y = std::max(label_y, 10.0);
-        text += fmt::format("<text class=\"mark{}\" x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n",
-                            mark.is_jump ? " jump-text" : "", x + 3, label_y, escapeHtml(mark.label));
-        last_x = x;
-        last_y = label_y;
+        svg.add(textAt(mark.is_jump ? Tag("text.mark.jump-text") : Tag("text.mark"), {x + 3, label_y},
+                       mark.label));
+        last = {x, label_y};
     }
-    return text;
 }
 
 }  // namespace
 
-std::string chartSvg(const CurveChart& chart) {
+Element curveChart(const CurveChart& chart) {
     const Axes axes(chart);
-    return fmt::format(
-        "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\">\n{}{}{}</svg>\n",
-        chart.width, chart.height, axes.svg(), curveSvg(chart, axes), marksSvg(chart, axes));
+    Element svg = emptySvg("svg.chart", fmt::format("0 0 {} {}", chart.width, chart.height), chart.title);
+    axes.draw(svg);
+    drawCurve(svg, chart, axes);
+    drawMarks(svg, chart, axes);
+    return svg;
 }
 
-}  // namespace stepmill
+}  // namespace stepmill::report

@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "report/page/element.h"
 #include "stepmill/access/access_curve.h"
 
-namespace stepmill {
+namespace stepmill::report {
 
 /// A numbered event on a chart.
 struct ChartMark {
@@ -17,6 +18,7 @@ struct ChartMark {
 };
 
 struct CurveChart {
+    std::string title;   ///< what it shows, for those who cannot see it
     double width = 640;  ///< of the picture, in its own units
     double height = 300;
     double to_mm = 0;
@@ -24,8 +26,8 @@ struct CurveChart {
     std::vector<ChartMark> marks;
 };
 
-/// Access volume against diameter with axes in mm and cm3 (mm3 below 1 cm3) and shares on the right: one
-/// <svg>.
-std::string chartSvg(const CurveChart& chart);
+/// Access volume against diameter with axes in mm and cm3 (mm3 below 1 cm3) and shares on the right,
+/// as an <svg>.
+Element curveChart(const CurveChart& chart);
 
-}  // namespace stepmill
+}  // namespace stepmill::report

@@ -1,3 +1,5 @@
+// curves.html: what cutters of every diameter reach, of the part and of each feature.
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -5,12 +7,13 @@
 #include <fmt/format.h>
 
 #include "report/curves/curve_chart.h"
-#include "report/page/html_page.h"
-#include "report/page/svg.h"
-#include "report/page/text.h"
+#include "report/page/document.h"
+#include "report/page/drawing.h"
+#include "report/page/table.h"
+#include "report/page/words.h"
 #include "stepmill/report/curves.h"
 
-namespace stepmill {
+namespace stepmill::report {
 
 namespace {
 
@@ -18,40 +21,6 @@ namespace {
 constexpr std::size_t kMostMarks = 9;
 /// A drop of this share of the feature's volume is a jump to the eye.
 constexpr double kJumpShare = 2e-3;
-
-constexpr const char* kStyle = R"css(
-:root { --ink:#1d2733; --soft:#5d6b7a; --line:#d5dce3; --paper:#fff; --accent:#0b6e99; --jump:#b3261e; }
-* { box-sizing:border-box; }
-body { font:14px/1.45 "DejaVu Sans",Helvetica,Arial,sans-serif; color:var(--ink); background:#eef1f4; margin:0; }
-main { max-width:1080px; margin:0 auto; background:var(--paper); padding:28px 36px 48px; }
-h1 { font-size:26px; margin:0 0 2px; } h2 { font-size:18px; margin:34px 0 8px; border-bottom:2px solid var(--ink); }
-p { margin:4px 0 10px; } .soft { color:var(--soft); }
-.pair { display:grid; grid-template-columns:1fr 330px; gap:14px; align-items:start; }
-figure { margin:0; border:1px solid var(--line); border-radius:6px; padding:8px; break-inside:avoid; }
-figcaption { font-size:12px; color:var(--soft); padding-top:5px; }
-svg { width:100%; display:block; } .plan svg { height:272px; }
-.plan path, .plan circle { vector-effect:non-scaling-stroke; fill:none; }
-.plan .obstruction { fill:#c3ccd5; stroke:#8f9ba7; stroke-width:.5; }
-.plan .target { fill:#fdf6df; stroke:#1d2733; stroke-width:1.3; }
-.plan .neck { stroke:var(--jump); stroke-width:1.4; fill:#b3261e22; }
-.plan .corner { stroke:var(--accent); stroke-width:1.2; } .plan .room { stroke:var(--jump); stroke-width:1.2;
-  stroke-dasharray:4 3; }
-.chart .grid { stroke:#e3e8ed; } .chart .axis { stroke:#1d2733; fill:none; }
-.chart .tick { font-size:11px; fill:var(--soft); } .chart .name { font-size:11.5px; fill:var(--ink); }
-.chart .middle { text-anchor:middle; } .chart .end { text-anchor:end; }
-.chart .area { fill:#8ec9e3; fill-opacity:.32; } .chart .curve { fill:none; stroke:var(--accent); stroke-width:2;
-  stroke-linejoin:round; }
-.chart .jump { stroke:var(--jump); stroke-width:2.4; } .chart .drop { stroke:#9aa7b4; stroke-width:.8;
-  stroke-dasharray:2 3; }
-.chart .jump-dot { fill:var(--jump); } .chart .kink-dot { fill:#fff; stroke:var(--accent); stroke-width:1.8; }
-.chart .mark { font-size:11.5px; font-weight:700; fill:var(--accent); paint-order:stroke; stroke:#fff;
-  stroke-width:3px; } .chart .jump-text { fill:var(--jump); }
-table { border-collapse:collapse; width:100%; font-size:12.5px; margin:8px 0 4px; }
-th { text-align:left; border-bottom:1.5px solid var(--ink); padding:3px 8px 3px 0; vertical-align:bottom; }
-td { border-bottom:1px solid var(--line); padding:3px 8px 3px 0; vertical-align:top; }
-td.n, th.n { text-align:right; font-variant-numeric:tabular-nums; white-space:nowrap; }
-@media print { body { background:#fff; } main { max-width:none; padding:0; } @page { size:A4; margin:14mm; } }
-)css";
 
 double dropOf(const AccessEvent& event) {
     return std::max(0.0, event.area_before_mm2 - event.area_after_mm2);
@@ -108,43 +77,39 @@ std::string lostText(const AccessEvent& event, const FeatureCurve& feature) {
                        100 * dropOf(event) / full_mm2);
 }
 
-std::string eventTable(const FeatureCurve& feature, const std::vector<AccessEvent>& events) {
-    if (events.empty()) return {};
-    std::string html =
-        "<table><tr><th>no.</th><th class=\"n\">diameter</th><th>cause</th><th>at</th>"
-        "<th class=\"n\">lost to wider cutters</th></tr>\n";
+std::optional<Element> eventTable(const FeatureCurve& feature, const std::vector<AccessEvent>& events) {
+    Table table({"no.", numbers("diameter"), "cause", "at", numbers("lost to wider cutters")});
     for (std::size_t i = 0; i < events.size(); ++i)
-        html += fmt::format(
-            "<tr><td>{}</td><td class=\"n\">{:.3f} mm</td><td>{}</td><td>{}</td><td "
-            "class=\"n\">{}</td></tr>\n",
-            i + 1, events[i].diameter_mm, causeText(events[i]), placesText(events[i].at),
-            lostText(events[i], feature));
-    html += "</table>\n";
-    if (events.size() < feature.curve.events.size())
-        html += fmt::format("<p class=\"soft\">{} more in curves.csv.</p>\n",
-                            feature.curve.events.size() - events.size());
-    return html;
+        table.row(std::to_string(i + 1), fixed(events[i].diameter_mm, 3) + " mm", causeText(events[i]),
+                  placesText(events[i].at), lostText(events[i], feature));
+    return std::move(table).elementIfAny();
+}
+
+std::optional<Element> moreEventsWords(const AccessCurve& curve, const std::vector<AccessEvent>& shown) {
+    if (shown.size() == curve.events.size()) return std::nullopt;
+    return Element("p.soft", fmt::format("{} more in curves.csv.", curve.events.size() - shown.size()));
 }
 
 /// The feature from above; every event shown as the disc that just no longer fits there.
-std::string planSvg(const FeatureCurve& feature, const std::vector<AccessEvent>& events) {
+Element eventDrawing(const FeatureCurve& feature, const std::vector<AccessEvent>& events) {
     constexpr double kSurroundings = 0.1;
     const Box2 box = boundingBox(feature.feature.target);
-    SvgDrawing svg(grown(box, kSurroundings * box.sizes().maxCoeff()));
-    svg.region(feature.feature.obstruction, "obstruction");
-    svg.region(feature.feature.target, "target");
+    Drawing drawing(grown(box, kSurroundings * box.sizes().maxCoeff()), feature.feature.id + " from above");
+    drawing.region(feature.feature.obstruction, "obstruction");
+    drawing.region(feature.feature.target, "target");
     for (const AccessEvent& event : events) {
         const char* css_class = event.kind == AccessEventKind::Neck           ? "neck"
                                 : event.kind == AccessEventKind::CornerRadius ? "corner"
                                                                               : "room";
         for (const Vec2& at : event.at)
-            svg.dot(at, event.diameter_mm / 2, css_class);
+            drawing.dot(at, event.diameter_mm / 2, css_class);
     }
-    return svg.text();
+    return std::move(drawing).element();
 }
 
 CurveChart chartOf(const FeatureCurve& feature, const std::vector<AccessEvent>& events, double to_mm) {
     CurveChart chart;
+    chart.title = "Access volume of " + feature.feature.id;
     chart.to_mm = to_mm;
     chart.samples = feature.curve.samples;
     const double depth_mm = feature.feature.depth_mm();
@@ -176,67 +141,83 @@ std::string adviceText(const AccessCurve& curve, double to_mm) {
     return most_mm <= all_mm ? all + "." : fmt::format("{}, 90 % by {}.", all, cutters(most_mm));
 }
 
-std::string featureSection(const FeatureCurve& feature, double to_mm) {
-    const std::vector<AccessEvent> events = shownEvents(feature.curve);
-    return fmt::format(
-        "<section><h2>{} &middot; {}</h2>\n<p>{:.4g} mm deep, {:.2f} cm². {}</p>\n<div class=\"pair\">"
-        "<figure>{}</figure><figure class=\"plan\">{}<figcaption>Discs that just do not pass: red necks, "
-        "dashed rooms; blue corner radii</figcaption></figure></div>\n{}</section>\n",
-        escapeHtml(feature.feature.id), escapeHtml(toString(feature.feature.feature_class)),
-        feature.feature.depth_mm(), feature.feature.area_mm2 / 100, adviceText(feature.curve, to_mm),
-        chartSvg(chartOf(feature, events, to_mm)), planSvg(feature, events), eventTable(feature, events));
+Element featureSection(const FeatureCurve& curve, double to_mm) {
+    const Feature& feature = curve.feature;
+    const std::vector<AccessEvent> events = shownEvents(curve.curve);
+    Element drawing(
+        "figure", eventDrawing(curve, events),
+        Element("figcaption", "Discs that just do not pass: red necks, dashed rooms; blue corner radii"));
+    return Element("section", Element("h2", feature.id + " · " + toString(feature.feature_class)),
+                   Element("p", fmt::format("{:.4g} mm deep, {:.2f} cm². {}", feature.depth_mm(),
+                                            feature.area_mm2 / 100, adviceText(curve.curve, to_mm))),
+                   Element("div.beside", Element("figure", curveChart(chartOf(curve, events, to_mm))),
+                           std::move(drawing)),
+                   eventTable(curve, events), moreEventsWords(curve.curve, events))
+        .at(Anchor("feature", feature.id));
 }
 
-/// The part's own chart: its largest jumps, labelled with feature and diameter.
-std::string partSection(const PartCurves& curves) {
+/// The jumps of all features that matter to the part, by diameter, labelled with feature and diameter.
+std::vector<ChartMark> partMarks(const PartCurves& curves, const AccessCurve& sum) {
+    std::vector<ChartMark> marks;
+    for (const FeatureCurve& feature : curves.features)
+        for (const AccessEvent& event : feature.curve.events) {
+            const double drop_mm3 = dropOf(event) * feature.feature.depth_mm();
+            const bool is_jump = drop_mm3 > kJumpShare * sum.samples.front().volume_mm3;
+            if (!is_jump) continue;
+            marks.push_back({event.diameter_mm, 0, drop_mm3, is_jump,
+                             fmt::format("{} {:.4g}", feature.feature.id, event.diameter_mm)});
+        }
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const ChartMark& a, const ChartMark& b) { return a.drop_mm3 > b.drop_mm3; });
+    if (marks.size() > kMostMarks) marks.resize(kMostMarks);
+    std::stable_sort(marks.begin(), marks.end(),
+                     [](const ChartMark& a, const ChartMark& b) { return a.diameter_mm < b.diameter_mm; });
+    constexpr double kJustBelowMm = 3e-4;
+    for (ChartMark& mark : marks)
+        mark.volume_mm3 = sum.volumeAt(std::max(0.0, mark.diameter_mm - kJustBelowMm));
+    return marks;
+}
+
+/// The part's own chart with its largest jumps.
+Element partFigure(const PartCurves& curves) {
     const AccessCurve sum = sumOf(curves);
     CurveChart chart;
+    chart.title = "Access volume of the part";
     chart.width = 1000;
     chart.height = 340;
     chart.to_mm = curves.to_mm;
     chart.samples = sum.samples;
-    const double full_mm3 = sum.samples.front().volume_mm3;
-    for (const FeatureCurve& feature : curves.features) {
-        for (const AccessEvent& event : feature.curve.events) {
-            const double drop_mm3 = dropOf(event) * feature.feature.depth_mm();
-            const bool is_jump = drop_mm3 > kJumpShare * full_mm3;
-            if (!is_jump) continue;
-            chart.marks.push_back({event.diameter_mm, 0, drop_mm3, is_jump,
-                                   fmt::format("{} {:.4g}", feature.feature.id, event.diameter_mm)});
-        }
-    }
-    std::stable_sort(chart.marks.begin(), chart.marks.end(),
-                     [](const ChartMark& a, const ChartMark& b) { return a.drop_mm3 > b.drop_mm3; });
-    if (chart.marks.size() > kMostMarks) chart.marks.resize(kMostMarks);
-    std::stable_sort(chart.marks.begin(), chart.marks.end(),
-                     [](const ChartMark& a, const ChartMark& b) { return a.diameter_mm < b.diameter_mm; });
-    constexpr double kJustBelowMm = 3e-4;
-    for (ChartMark& mark : chart.marks)
-        mark.volume_mm3 = sum.volumeAt(std::max(0.0, mark.diameter_mm - kJustBelowMm));
-    return fmt::format("<figure>{}<figcaption>{}. {}</figcaption></figure>\n", chartSvg(chart),
-                       curves.features.size() == 1
-                           ? std::string("One feature")
-                           : fmt::format("{} features together", curves.features.size()),
-                       adviceText(sum, curves.to_mm));
+    chart.marks = partMarks(curves, sum);
+    const std::string what = curves.features.size() == 1
+                                 ? std::string("One feature")
+                                 : fmt::format("{} features together", curves.features.size());
+    return Element("figure", curveChart(chart),
+                   Element("figcaption", what + ". " + adviceText(sum, curves.to_mm)));
+}
+
+/// A link to each feature's section.
+Element contents(const PartCurves& curves) {
+    Element links("nav");
+    for (const FeatureCurve& feature : curves.features)
+        links.add(linkTo(Anchor("feature", feature.feature.id), feature.feature.id));
+    return links;
 }
 
 }  // namespace
+}  // namespace stepmill::report
 
-std::string curvesHtml(const PartCurves& curves) {
-    std::string html = pageHead(curves.part_name + ": access curves", kStyle) +
-                       fmt::format(
-                           "<h1>{}</h1>\n<p class=\"soft\">{} &middot; what one cutter of each diameter "
-                           "reaches, by geometry alone: how it "
-                           "gets in, its length and its holder do not count</p>\n",
-                           escapeHtml(curves.part_name), escapeHtml(curves.file));
-    if (curves.features.empty()) {
-        html += "<p>No feature to machine.</p>\n";
-    } else {
-        html += partSection(curves);
-        for (const FeatureCurve& feature : curves.features)
-            html += featureSection(feature, curves.to_mm);
-    }
-    return html + pageEnd();
+std::string stepmill::curvesHtml(const PartCurves& curves) {
+    using namespace report;
+    Element main(
+        "main", Element("h1", curves.part_name),
+        Element("p.soft", curves.file +
+                              " · what one cutter of each diameter reaches, by geometry alone: how it "
+                              "gets in, its length and its holder do not count"));
+    if (curves.features.empty())
+        main.add(Element("p", "No feature to machine."));
+    else
+        main.add(partFigure(curves), contents(curves));
+    for (const FeatureCurve& feature : curves.features)
+        main.add(featureSection(feature, curves.to_mm));
+    return htmlDocument(curves.part_name + ": access curves", std::move(main));
 }
-
-}  // namespace stepmill

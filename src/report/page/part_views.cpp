@@ -1,6 +1,5 @@
-#include "stepmill/report/part_views.h"
+// Views of the part by hidden-line removal.
 
-#include <fmt/format.h>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
@@ -17,12 +16,15 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 
+#include "report/page/drawing.h"
+#include "report/page/part_drawings.h"
 #include "report/page/shading.h"
-#include "report/page/svg.h"
 #include "stepmill/part/part_shape.h"
+#include "stepmill/report/part_views.h"
 
 namespace stepmill {
 
+namespace report {
 namespace {
 
 /// Exact hidden lines grow with the square of the faces; beyond this many the facets do.
@@ -111,62 +113,94 @@ Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     return sharpAndOutlines(shapes, deflection_mm);
 }
 
-std::string drawing(const Lines& lines, const Shading& shading) {
+Element drawn(const Lines& lines, const Shading& shading, std::string label) {
     Box2 box;
     for (const std::vector<Polyline>* group : {&lines.visible, &lines.hidden})
         for (const Polyline& line : *group)
             for (const Vec2& p : line)
                 box.extend(p);
-    SvgDrawing svg(box);
+    Drawing drawing(box, std::move(label));
     for (const auto& [tint, patches] : shading)
-        svg.polylines(patches, fmt::format("shade tint{}", tint));
-    svg.polylines(lines.hidden, "hidden");
-    svg.polylines(lines.visible, "visible");
-    return svg.text();
+        drawing.polylines(patches, "shade " + tintClass(tint));
+    drawing.polylines(lines.hidden, "hidden");
+    drawing.polylines(lines.visible, "visible");
+    return std::move(drawing).element();
 }
 
-std::vector<View> makeViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
-                            const std::vector<int>& tints) {
-    const std::vector<Eye> eyes{{"Top", gp_Dir(0, 0, 1), gp_Dir(1, 0, 0)},
-                                {"Front", gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)},
-                                {"Right", gp_Dir(1, 0, 0), gp_Dir(0, 1, 0)},
-                                {"Isometric", gp_Dir(1, -1, 1), gp_Dir(1, 1, 0)}};
+/// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.
+TopoDS_Shape solidIn(const Part& part, const Eigen::Isometry3d& part_to_setup) {
+    return BRepBuilderAPI_Transform(part.shape->solid, toTrsf(part_to_setup), true).Shape();
+}
+
+const std::vector<Eye>& eyes() {
+    static const std::vector<Eye> all{{"Top", gp_Dir(0, 0, 1), gp_Dir(1, 0, 0)},
+                                      {"Front", gp_Dir(0, -1, 0), gp_Dir(1, 0, 0)},
+                                      {"Right", gp_Dir(1, 0, 0), gp_Dir(0, 1, 0)},
+                                      {"Isometric", gp_Dir(1, -1, 1), gp_Dir(1, 1, 0)}};
+    return all;
+}
+
+std::vector<PartDrawing> drawAll(const Part& part, const TopoDS_Shape& solid, const std::vector<int>& tints) {
+    constexpr double kAngularDeflection = 0.2;
+    const double deflection_mm = kDrawingDeflection * part.bbox_mm.diagonal().norm();
+    const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;
+    // Exact hidden lines would be disturbed by facets that were there before them.
+    if (!exact) BRepMesh_IncrementalMesh(solid, deflection_mm, false, kAngularDeflection);
+    std::vector<Lines> lines;
+    for (const Eye& eye : eyes()) {
+        const HLRAlgo_Projector projector(gp_Ax2(gp_Pnt(0, 0, 0), eye.towards_viewer, eye.right));
+        lines.push_back(exact ? exactLines(solid, projector, deflection_mm)
+                              : facetLines(solid, projector, deflection_mm));
+    }
+    if (exact && !tints.empty()) BRepMesh_IncrementalMesh(solid, deflection_mm, false, kAngularDeflection);
+    std::vector<PartDrawing> drawings;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const Eye& eye = eyes()[i];
+        const Shading shading =
+            tints.empty() ? Shading{} : shade(solid, eye.towards_viewer, eye.right, tints);
+        drawings.push_back({eye.title, drawn(lines[i], shading, std::string(eye.title) + " view")});
+    }
+    return drawings;
+}
+
+}  // namespace
+
+std::vector<PartDrawing> partDrawings(const Part& part, const Eigen::Isometry3d& part_to_setup,
+                                      const std::vector<int>& tints) {
+    STEPMILL_CHECK(tints.empty() || tints.size() == part.faces.size(), "one tint a face");
+    std::vector<PartDrawing> drawings;
+    guardOcct(ErrorCode::GeometryKernel, "views of " + part.name,
+              [&] { drawings = drawAll(part, solidIn(part, part_to_setup), tints); });
+    return drawings;
+}
+
+Element figuresOf(std::vector<PartDrawing> drawings) {
+    Element pairs("div.pairs");
+    for (PartDrawing& view : drawings)
+        pairs.add(Element("figure", std::move(view.drawing), Element("figcaption", view.title)));
+    return pairs;
+}
+
+}  // namespace report
+
+namespace {
+
+std::vector<View> asText(const std::vector<report::PartDrawing>& drawings) {
     std::vector<View> views;
-    guardOcct(ErrorCode::GeometryKernel, "views of " + part.name, [&] {
-        // A copy of the geometry: meshing writes into the shape, and the part is shared.
-        const TopoDS_Shape solid =
-            BRepBuilderAPI_Transform(part.shape->solid, toTrsf(part_to_setup), true).Shape();
-        const double size_mm = part.bbox_mm.diagonal().norm();
-        const double deflection_mm = kDrawingDeflection * size_mm;
-        const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;
-        // Exact hidden lines would be disturbed by facets that were there before them.
-        if (!exact) BRepMesh_IncrementalMesh(solid, deflection_mm, false, 0.2);
-        std::vector<Lines> lines;
-        for (const Eye& eye : eyes) {
-            const HLRAlgo_Projector projector(gp_Ax2(gp_Pnt(0, 0, 0), eye.towards_viewer, eye.right));
-            lines.push_back(exact ? exactLines(solid, projector, deflection_mm)
-                                  : facetLines(solid, projector, deflection_mm));
-        }
-        if (exact && !tints.empty()) BRepMesh_IncrementalMesh(solid, deflection_mm, false, 0.2);
-        for (std::size_t i = 0; i < eyes.size(); ++i)
-            views.push_back(
-                {eyes[i].title, drawing(lines[i], tints.empty() ? Shading{}
-                                                                : shade(solid, eyes[i].towards_viewer,
-                                                                        eyes[i].right, tints))});
-    });
+    for (const report::PartDrawing& view : drawings)
+        views.push_back({view.title, view.drawing.markup()});
     return views;
 }
 
 }  // namespace
 
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup) {
-    return makeViews(part, part_to_setup, {});
+    return asText(report::partDrawings(part, part_to_setup));
 }
 
 std::vector<View> shadedViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
                               const std::vector<int>& tints) {
-    STEPMILL_CHECK(tints.size() == part.faces.size(), "one tint a face");
-    return makeViews(part, part_to_setup, tints);
+    return asText(report::partDrawings(part, part_to_setup, tints));
 }
 
 }  // namespace stepmill

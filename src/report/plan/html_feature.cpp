@@ -3,15 +3,14 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "report/page/html_table.h"
-#include "report/page/text.h"
+#include "report/page/table.h"
+#include "report/page/words.h"
 #include "report/plan/feature_drawing.h"
 #include "report/plan/html_sections.h"
 #include "stepmill/core/error.h"
 
-namespace stepmill {
+namespace stepmill::report {
 namespace {
 
 /// The operations of a feature, which keep the order of its steps.
@@ -22,21 +21,24 @@ std::vector<const Operation*> operationsOf(const PlannedSetup& setup, const std:
     return found;
 }
 
+Element toolsTable(const ToolSequence& sequence) {
+    Table table({"tool", numbers("coverable mm²"), numbers("of it free of the holder"), numbers("volume cm³"),
+                 "why not"});
+    for (const AccessibleArea& area : sequence.tools)
+        table.row(area.tool_id, fixed(area.coverable_area_mm2, 2), fixed(area.collision_free_area_mm2, 2),
+                  fixed(area.access_volume_mm3 / 1000, 3),
+                  area.excluded ? area.excluded->text : area.limited);
+    return std::move(table).element();
+}
+
 /// What holders keep from tools, and who reaches it.
-std::string lumpsTable(const ToolSequence& sequence) {
-    std::string rows;
-    for (const AccessibleArea& area : sequence.tools) {
-        for (const BlockedLump& lump : area.blocked_lumps) {
-            const std::string others = lump.surrogates.empty()
-                                           ? "several together"
-                                           : fmt::format("{}", fmt::join(lump.surrogates, ", "));
-            rows += "<tr>" + cell(area.tool_id) + cell(lump.area_mm2, 2) + cell(others) + cell(lump.reason) +
-                    "</tr>\n";
-        }
-    }
-    if (rows.empty()) return {};
-    return "<table>" + headRow({"tool", "#kept from it mm²", "surrogates that reach it", "why"}) + rows +
-           "</table>\n";
+std::optional<Element> lumpsTable(const ToolSequence& sequence) {
+    Table table({"tool", numbers("kept from it mm²"), "surrogates that reach it", "why"});
+    for (const AccessibleArea& area : sequence.tools)
+        for (const BlockedLump& lump : area.blocked_lumps)
+            table.row(area.tool_id, fixed(lump.area_mm2, 2),
+                      lump.surrogates.empty() ? "several together" : listed(lump.surrogates), lump.reason);
+    return std::move(table).elementIfAny();
 }
 
 std::string surrogateWords(const DagEdge& edge) {
@@ -47,17 +49,8 @@ std::string surrogateWords(const DagEdge& edge) {
     return words;
 }
 
-std::string choiceTables(const PlannedFeature& planned) {
-    const ToolSequence& sequence = planned.sequence;
-    std::string html =
-        "<details><summary>Every tool and every pair that was weighed</summary>\n<table>" +
-        headRow({"tool", "#coverable mm²", "#of it free of the holder", "#volume cm³", "why not"});
-    for (const AccessibleArea& area : sequence.tools)
-        html += "<tr>" + cell(area.tool_id) + cell(area.coverable_area_mm2, 2) +
-                cell(area.collision_free_area_mm2, 2) + cell(area.access_volume_mm3 / 1000, 3) +
-                cell(area.excluded ? area.excluded->text : area.limited) + "</tr>\n";
-    html += "</table>\n" + lumpsTable(sequence) + "<table>" +
-            headRow({"after", "tool", "#area mm²", "#cut m", "#rapid m", "surrogates", "#time", "#cost"});
+/// The edges of the cheapest path: the tool before and the tool.
+std::set<std::pair<std::string, std::string>> chosenEdges(const ToolSequence& sequence) {
     std::set<std::pair<std::string, std::string>> chosen;
     std::string previous;
     for (const SequenceStep& step : sequence.steps) {
@@ -65,73 +58,97 @@ std::string choiceTables(const PlannedFeature& planned) {
         chosen.insert({previous, step.tool_id});
         previous = step.tool_id;
     }
-    for (const DagEdge& edge : sequence.edges)
-        html += fmt::format("<tr{}>", chosen.count({edge.from, edge.to}) != 0 ? " class=\"chosen\"" : "") +
-                cell(edge.from.empty() ? "nothing yet" : edge.from) +
-                cell(edge.to.empty() ? "done" : edge.to) + cell(edge.region_area_mm2, 2) +
-                cell(edge.totals.cut_length_mm / 1000, 2) + cell(edge.totals.air_length_mm / 1000, 2) +
-                cell(surrogateWords(edge)) + numberCell(clockTime(edge.time_s)) + cell(edge.cost, 3) +
-                "</tr>\n";
-    return html + "</table></details>\n";
+    return chosen;
 }
 
-std::string residualList(const PlannedFeature& planned) {
-    std::string html;
-    for (const Residual& residual : planned.sequence.residual)
-        html += fmt::format("<p class=\"bad\">Stays: {:.3f} mm², {:.2f} mm³ ({}). {}</p>\n",
-                            residual.area_mm2, residual.volume_mm3, escapeHtml(toString(residual.reason)),
-                            escapeHtml(residual.advice));
-    return html;
+Element edgesTable(const ToolSequence& sequence) {
+    Table table({"after", "tool", numbers("area mm²"), numbers("cut m"), numbers("rapid m"), "surrogates",
+                 numbers("time"), numbers("cost")});
+    const auto chosen = chosenEdges(sequence);
+    for (const DagEdge& edge : sequence.edges) {
+        Element& row =
+            table.row(edge.from.empty() ? "nothing yet" : edge.from, edge.to.empty() ? "done" : edge.to,
+                      fixed(edge.region_area_mm2, 2), fixed(edge.totals.cut_length_mm / 1000, 2),
+                      fixed(edge.totals.air_length_mm / 1000, 2), surrogateWords(edge),
+                      clockTime(edge.time_s), fixed(edge.cost, 3));
+        if (chosen.count({edge.from, edge.to}) != 0) row.set("class", "chosen");
+    }
+    return std::move(table).element();
 }
 
-std::string patternsTable(const std::vector<const Operation*>& operations) {
-    std::string rows;
+Element choiceTables(const ToolSequence& sequence) {
+    return Element("details", Element("summary", "Every tool and every pair that was weighed"),
+                   toolsTable(sequence), lumpsTable(sequence), edgesTable(sequence));
+}
+
+std::vector<Element> residualList(const ToolSequence& sequence) {
+    std::vector<Element> list;
+    for (const Residual& residual : sequence.residual)
+        list.push_back(
+            Element("p.bad", fmt::format("Stays: {:.3f} mm², {:.2f} mm³ ({}). {}", residual.area_mm2,
+                                         residual.volume_mm3, toString(residual.reason), residual.advice)));
+    return list;
+}
+
+/// All patterns but the one that was taken, with their times.
+std::string otherPatterns(const RegionPatterns& patterns) {
+    std::vector<std::string> others;
+    for (std::size_t i = 1; i < patterns.weighed.size(); ++i) {
+        const PatternTime& other = patterns.weighed[i];
+        others.push_back(fmt::format("{} {}{}", toString(other.pattern), other.at_least ? "at least " : "",
+                                     clockTime(other.time_s)));
+    }
+    return listed(others);
+}
+
+std::optional<Element> patternsTable(const std::vector<const Operation*>& operations) {
+    Table table({"operation", "tool", numbers("region"), "pattern", numbers("time"), "others"});
     for (const Operation* operation : operations) {
         int region = 0;
         for (const RegionPatterns& patterns : operation->path.regions) {
-            std::string others;
-            for (std::size_t i = 1; i < patterns.weighed.size(); ++i) {
-                const PatternTime& other = patterns.weighed[i];
-                others += fmt::format("{}{} {}{}", i > 1 ? ", " : "", toString(other.pattern),
-                                      other.at_least ? "at least " : "", clockTime(other.time_s));
-            }
             const PatternTime& taken = patterns.weighed.front();
-            rows += "<tr>" + cell(operation->id) + cell(operation->tool_id) +
-                    numberCell(std::to_string(++region)) + cell(toString(taken.pattern)) +
-                    numberCell(clockTime(taken.time_s)) + cell(others) + "</tr>\n";
+            table.row(linkTo(operationAnchor(operation->id), operation->id), operation->tool_id,
+                      std::to_string(++region), toString(taken.pattern), clockTime(taken.time_s),
+                      otherPatterns(patterns));
         }
     }
-    if (rows.empty()) return {};
-    return "<details><summary>Patterns weighed</summary><table>" +
-           headRow({"operation", "tool", "#region", "pattern", "#time", "others"}) + rows +
-           "</table></details>\n";
+    if (table.empty()) return std::nullopt;
+    return Element("details", Element("summary", "Patterns weighed"), std::move(table).element());
+}
+
+Element stepFigure(const PlannedFeature& planned, std::size_t index, const Operation& operation) {
+    const SequenceStep& step = planned.sequence.steps[index];
+    const Toolpath& path = operation.path;
+    const double depth_mm = operation.z_top_mm - operation.z_floor_mm;
+    const std::string words = fmt::format(
+        "{}. {} ({}): {:.2f} mm² new ({:.3f} cm³), {} layers of {:.2f} mm, {}", index + 1, step.tool_id,
+        toString(step.role), step.area.new_area_mm2, step.area.new_area_mm2 * depth_mm / 1000, path.layers,
+        path.step_down_mm, clockTime(path.totals.time_s()));
+    return Element("figure", stepDrawing(planned, index, path), Element("figcaption", words));
+}
+
+Element stepFigures(const PlannedFeature& planned, const std::vector<const Operation*>& operations) {
+    const std::size_t steps = planned.sequence.steps.size();
+    STEPMILL_CHECK(operations.size() == steps, "every step is one operation");
+    Element figures("div.pairs");
+    for (std::size_t i = 0; i < steps; ++i)
+        figures.add(stepFigure(planned, i, *operations[i]));
+    if (steps == 0)
+        figures.add(Element("figure", unmachinedDrawing(planned), Element("figcaption", "Not machined.")));
+    return figures;
 }
 
 }  // namespace
 
-std::string featureHtml(const PlannedSetup& setup, const PlannedFeature& planned) {
+Element featureSection(const PlannedSetup& setup, const PlannedFeature& planned) {
     const Feature& feature = planned.feature;
-    std::string html =
-        fmt::format("<section><h3>{} &middot; {} &middot; {:.3f} mm deep</h3>\n", escapeHtml(feature.id),
-                    escapeHtml(toString(feature.feature_class)), feature.depth_mm());
-    html += residualList(planned) + "<div class=\"steps\">\n";
     const std::vector<const Operation*> operations = operationsOf(setup, feature.id);
-    STEPMILL_CHECK(operations.size() == planned.sequence.steps.size(), "every step is one operation");
-    for (std::size_t i = 0; i < planned.sequence.steps.size(); ++i) {
-        const SequenceStep& step = planned.sequence.steps[i];
-        const Operation* operation = operations[i];
-        const double depth_mm = operation->z_top_mm - operation->z_floor_mm;
-        html += fmt::format(
-            "<figure>{}<figcaption>{}. {} ({}): {:.2f} mm² new ({:.3f} cm³), {} layers of {:.2f} mm, "
-            "{}</figcaption>"
-            "</figure>\n",
-            stepDrawing(planned, i, operation->path), i + 1, escapeHtml(step.tool_id),
-            escapeHtml(toString(step.role)), step.area.new_area_mm2, step.area.new_area_mm2 * depth_mm / 1000,
-            operation->path.layers, operation->path.step_down_mm, clockTime(operation->path.totals.time_s()));
-    }
-    if (planned.sequence.steps.empty())
-        html += "<figure>" + unmachinedDrawing(planned) + "<figcaption>Not machined.</figcaption></figure>\n";
-    return html + "</div>\n" + patternsTable(operations) + choiceTables(planned) + "</section>\n";
+    return Element("section",
+                   Element("h3", fmt::format("{} · {} · {:.3f} mm deep", feature.id,
+                                             toString(feature.feature_class), feature.depth_mm())),
+                   residualList(planned.sequence), stepFigures(planned, operations),
+                   patternsTable(operations), choiceTables(planned.sequence))
+        .at(featureAnchor(feature.id));
 }
 
-}  // namespace stepmill
+}  // namespace stepmill::report

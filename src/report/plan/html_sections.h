@@ -1,21 +1,22 @@
 #pragma once
 
-#include <string>
-
+#include "report/page/element.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/post/post.h"
 
-// The sections of report.html that belong to one setup or to one feature.
+// The sections of report.html that belong to one setup or to one feature, and where links lead to.
 
-namespace stepmill {
+namespace stepmill::report {
 
-/// Views, the setup sheet with its features, tools and operations.
-std::string setupHtml(const Plan& plan, const PlannedSetup& setup, Dialect dialect);
+/// The section of a setup, of a feature, and the row of an operation.
+Anchor setupAnchor(const std::string& setup_id);
+Anchor featureAnchor(const std::string& feature_id);
+Anchor operationAnchor(const std::string& operation_id);
+
+/// Views, the setup sheet with its features, tools and operations, then each feature.
+Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialect);
 
 /// What each step sweeps, what stays, and all that was weighed.
-std::string featureHtml(const PlannedSetup& setup, const PlannedFeature& planned);
+Element featureSection(const PlannedSetup& setup, const PlannedFeature& planned);
 
-/// How often the bound goes into a time: "2.31"; "-" without a bound.
-std::string timesBound(double value_s, double bound_s);
-
-}  // namespace stepmill
+}  // namespace stepmill::report

@@ -4,85 +4,73 @@
 
 #include <fmt/format.h>
 
-#include "report/page/html_table.h"
-#include "report/page/text.h"
+#include "report/page/part_drawings.h"
+#include "report/page/table.h"
+#include "report/page/words.h"
 #include "report/plan/feature_drawing.h"
 #include "report/plan/html_sections.h"
-#include "stepmill/report/part_views.h"
 
-namespace stepmill {
+namespace stepmill::report {
 namespace {
 
-std::string viewsSection(const Plan& plan, const PlannedSetup& setup) {
-    std::string html =
-        "<h2>The part as it stands in " + escapeHtml(setup.setup.id) + "</h2>\n<div class=\"views\">\n";
-    for (const View& view : partViews(plan.part, setup.setup.part_to_setup))
-        html +=
-            fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", view.svg, escapeHtml(view.title));
-    return html + "</div>\n";
+std::string setupWords(const PlannedSetup& setup, Dialect dialect) {
+    return fmt::format(
+        "Tool axis {}{} of the part. Stock {} as it arrives. Work offset G54: x and y zero at the stock's "
+        "lower left corner seen from the spindle, z zero on its top. Program {}, {}. Clamping: {}.",
+        axisName(setup.setup.axis), setup.setup.indexed ? " (indexed: not along the box)" : "",
+        sizeWords(setup.setup.stock_bbox_mm.sizes()), programName(setup.setup.id, dialect),
+        clockTime(setup.time_s), setup.clamping.text);
 }
 
-std::string setupSection(const PlannedSetup& setup, Dialect dialect) {
-    const Vec3 size = setup.setup.stock_bbox_mm.sizes();
-    std::string html = fmt::format(
-        "<h2>Setup {}</h2>\n<p>Tool axis {}{} of the part. Stock {:.2f} &times; {:.2f} &times; {:.2f} mm as "
-        "it "
-        "arrives. "
-        "Work offset G54: x and y zero at the stock's lower left corner seen from the spindle, z zero on its "
-        "top. "
-        "Program {}, {}. Clamping: {}.</p>\n",
-        escapeHtml(setup.setup.id), escapeHtml(axisName(setup.setup.axis)),
-        setup.setup.indexed ? " (indexed: not along the box)" : "", size.x(), size.y(), size.z(),
-        escapeHtml(programName(setup.setup.id, dialect)), clockTime(setup.time_s),
-        escapeHtml(setup.clamping.text));
-    html += fmt::format(
-        "<figure class=\"wide\">{}<figcaption>Features seen from the spindle, deeper ones on top."
-        "</figcaption></figure>\n",
-        setupDrawing(setup));
-    html += "<h3>Features</h3>\n<table>" +
-            headRow({"id", "class", "after", "#top", "#floor", "#depth mm", "#area mm²", "#volume cm³",
-                     "#corner R", "tools", "#time", "#× bound"});
+Element setupFigure(const PlannedSetup& setup) {
+    return Element("figure.wide", setupDrawing(setup),
+                   Element("figcaption", "Features seen from the spindle, deeper ones on top."));
+}
+
+Element featuresTable(const PlannedSetup& setup) {
+    Table table({"id", "class", "after", numbers("top"), numbers("floor"), numbers("depth mm"),
+                 numbers("area mm²"), numbers("volume cm³"), numbers("corner R"), "tools", numbers("time"),
+                 numbers("× bound")});
     for (const PlannedFeature& planned : setup.features) {
         const Feature& feature = planned.feature;
-        std::string parents;
-        for (const std::string& parent : feature.parents)
-            parents += (parents.empty() ? "" : ", ") + parent;
-        const std::string tools = toolWords(planned.sequence);
-        html += "<tr>" + cell(feature.id) + cell(toString(feature.feature_class)) + cell(parents) +
-                cell(feature.top_z_mm, 3) + cell(feature.floor_z_mm, 3) + cell(feature.depth_mm(), 3) +
-                cell(feature.area_mm2, 1) + cell(feature.volume_mm3 / 1000, 3) +
-                numberCell(feature.min_corner_radius_mm ? fmt::format("{:.2f}", *feature.min_corner_radius_mm)
-                                                        : "-") +
-                cell(tools) + numberCell(clockTime(planned.sequence.time_s)) +
-                numberCell(timesBound(planned.sequence.time_s, planned.sequence.lower_bound_s)) + "</tr>\n";
+        const ToolSequence& sequence = planned.sequence;
+        table.row(
+            linkTo(featureAnchor(feature.id), feature.id), toString(feature.feature_class),
+            listed(feature.parents), fixed(feature.top_z_mm, 3), fixed(feature.floor_z_mm, 3),
+            fixed(feature.depth_mm(), 3), fixed(feature.area_mm2, 1), fixed(feature.volume_mm3 / 1000, 3),
+            feature.min_corner_radius_mm ? fixed(*feature.min_corner_radius_mm, 2) : "-", toolWords(sequence),
+            clockTime(sequence.time_s), timesBound(sequence.time_s, sequence.lower_bound_s));
     }
-    return html + "</table>\n";
+    return std::move(table).element();
 }
 
 /// The stick-out to set, and the range it was chosen from.
-std::string stickOutCell(const ToolAssembly& tool) {
-    if (!tool.stick_out_range) return cell(tool.stick_out_mm, 1);
-    return numberCell(fmt::format("{:.1f} ({:.1f}–{:.1f})", tool.stick_out_mm,
-                                  tool.stick_out_range->shortest_mm, tool.stick_out_range->longest_mm));
+std::string stickOutWords(const ToolAssembly& tool) {
+    if (!tool.stick_out_range) return fixed(tool.stick_out_mm, 1);
+    return fmt::format("{:.1f} ({:.1f}–{:.1f})", tool.stick_out_mm, tool.stick_out_range->shortest_mm,
+                       tool.stick_out_range->longest_mm);
 }
 
-std::string toolsTable(const Plan& plan, const PlannedSetup& setup) {
+std::string holderWords(const ToolAssembly& tool) {
+    std::vector<std::string> cylinders;
+    for (const HolderCylinder& cylinder : tool.holder)
+        cylinders.push_back(
+            fmt::format("{:.1f}: {:.1f}–{:.1f}", cylinder.diameter_mm, cylinder.bottom_mm, cylinder.top_mm));
+    return listed(cylinders);
+}
+
+Element toolsTable(const Plan& plan, const PlannedSetup& setup) {
     std::set<int> seen;
-    std::string html =
-        "<h3>Tools</h3>\n<table>" + headRow({"#T", "id", "description", "#Ø mm", "#corner R", "#flutes mm",
-                                             "#stick-out mm", "holder Ø from–to mm"});
+    Table table({numbers("T"), "id", "description", numbers("Ø mm"), numbers("corner R"),
+                 numbers("flutes mm"), numbers("stick-out mm"), "holder Ø from–to mm"});
     for (const Operation& operation : setup.operations) {
         const ToolAssembly& tool = plan.library.tool(operation.tool_id);
         if (!seen.insert(tool.number).second) continue;
-        std::string holder;
-        for (const HolderCylinder& cylinder : tool.holder)
-            holder += fmt::format("{}{:.1f}: {:.1f}–{:.1f}", holder.empty() ? "" : ", ", cylinder.diameter_mm,
-                                  cylinder.bottom_mm, cylinder.top_mm);
-        html += "<tr>" + numberCell(std::to_string(tool.number)) + cell(tool.id) + cell(tool.description) +
-                cell(tool.diameter_mm, 3) + cell(tool.corner_radius_mm, 2) + cell(tool.flute_length_mm, 1) +
-                stickOutCell(tool) + cell(holder) + "</tr>\n";
+        table.row(std::to_string(tool.number), tool.id, tool.description, fixed(tool.diameter_mm, 3),
+                  fixed(tool.corner_radius_mm, 2), fixed(tool.flute_length_mm, 1), stickOutWords(tool),
+                  holderWords(tool));
     }
-    return html + "</table>\n";
+    return std::move(table).element();
 }
 
 std::string leavesWords(const FinishAllowance& leaves) {
@@ -90,39 +78,59 @@ std::string leavesWords(const FinishAllowance& leaves) {
     return fmt::format(", leaves {:g} on walls, {:g} on the floor", leaves.walls_mm, leaves.floors_mm);
 }
 
-std::string operationsTable(const PlannedSetup& setup) {
-    std::string html = "<h3>Operations in machining order</h3>\n<table>" +
-                       headRow({"id", "feature", "tool", "role", "pattern", "#layers", "#step-down",
-                                "#step-over", "#feed", "#plunge", "#rpm", "coolant", "#even m", "#cut m",
-                                "#in air m", "#rapid m", "#clear of part µm", "#time", "#with acceleration"});
+std::string clearanceWords(const Operation& operation) {
+    if (operation.path.pattern == "drill") return "-";
+    return fixed(1000 * operation.proof.least_clearance_mm, 2);
+}
+
+std::string metres(double length_mm) {
+    return fixed(length_mm / 1000, 2);
+}
+
+Element operationsTable(const PlannedSetup& setup) {
+    Table table({"id", "feature", "tool", "role", "pattern", numbers("layers"), numbers("step-down"),
+                 numbers("step-over"), numbers("feed"), numbers("plunge"), numbers("rpm"), "coolant",
+                 numbers("even m"), numbers("cut m"), numbers("in air m"), numbers("rapid m"),
+                 numbers("clear of part µm"), numbers("time"), numbers("with acceleration")});
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
-        html += "<tr>" + cell(operation.id) + cell(operation.feature_id) + cell(operation.tool_id) +
-                cell(toString(operation.role) + leavesWords(operation.leaves)) + cell(path.pattern) +
-                numberCell(std::to_string(path.layers)) + cell(path.step_down_mm, 2) +
-                cell(path.step_over_mm, 2) + cell(path.feed_mm_per_min, 0) +
-                cell(path.plunge_feed_mm_per_min, 0) + cell(operation.speed_rpm, 0) +
-                cell(toString(operation.coolant)) + cell(operation.even_length_mm / 1000, 2) +
-                cell(path.totals.cut_length_mm / 1000, 2) + cell(path.totals.feed_air_length_mm / 1000, 2) +
-                cell(path.totals.air_length_mm / 1000, 2) +
-                (path.pattern == "drill"
-                     ? numberCell("-")
-                     : numberCell(fmt::format("{:.2f}", 1000 * operation.proof.least_clearance_mm))) +
-                numberCell(clockTime(path.totals.time_s())) +
-                numberCell(clockTime(path.totals.motion_time_s)) + "</tr>\n";
+        const PathTotals& totals = path.totals;
+        table
+            .row(operation.id, linkTo(featureAnchor(operation.feature_id), operation.feature_id),
+                 operation.tool_id, toString(operation.role) + leavesWords(operation.leaves), path.pattern,
+                 std::to_string(path.layers), fixed(path.step_down_mm, 2), fixed(path.step_over_mm, 2),
+                 fixed(path.feed_mm_per_min, 0), fixed(path.plunge_feed_mm_per_min, 0),
+                 fixed(operation.speed_rpm, 0), toString(operation.coolant), metres(operation.even_length_mm),
+                 metres(totals.cut_length_mm), metres(totals.feed_air_length_mm),
+                 metres(totals.air_length_mm), clearanceWords(operation), clockTime(totals.time_s()),
+                 clockTime(totals.motion_time_s))
+            .mark(operationAnchor(operation.id));
     }
-    return html + "</table>\n";
+    return std::move(table).element();
+}
+
+/// What the colours and lines of a feature's pictures stand for.
+Element keys() {
+    return Element("p.keys.soft", Element("i.stays"), "must stay", Element("i.target"), "target",
+                   Element("i.swept"), "swept by this tool", Element("i.residual"), "stays after all tools",
+                   Element("i.path"), "path, deepest layer", Element("i.open"), "open edge");
 }
 
 }  // namespace
 
-std::string timesBound(double value_s, double bound_s) {
-    return bound_s > 0 ? fmt::format("{:.2f}", value_s / bound_s) : std::string("-");
+Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialect) {
+    const std::string& id = setup.setup.id;
+    Element section("section", Element("h2", "The part as it stands in " + id),
+                    figuresOf(partDrawings(plan.part, setup.setup.part_to_setup)),
+                    Element("h2", "Setup " + id), Element("p", setupWords(setup, dialect)),
+                    setupFigure(setup));
+    section.mark(setupAnchor(id));
+    section.add(Element("h3", "Features"), featuresTable(setup), Element("h3", "Tools"),
+                toolsTable(plan, setup), Element("h3", "Operations in machining order"),
+                operationsTable(setup), Element("h2", "Feature by feature"), keys());
+    for (const PlannedFeature& planned : setup.features)
+        section.add(featureSection(setup, planned));
+    return section;
 }
 
-std::string setupHtml(const Plan& plan, const PlannedSetup& setup, Dialect dialect) {
-    return viewsSection(plan, setup) + setupSection(setup, dialect) + toolsTable(plan, setup) +
-           operationsTable(setup);
-}
-
-}  // namespace stepmill
+}  // namespace stepmill::report

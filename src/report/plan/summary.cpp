@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "report/page/text.h"
+#include "report/page/words.h"
 #include "stepmill/core/plain_text.h"
 #include "stepmill/report/report.h"
 
@@ -8,9 +8,9 @@ namespace stepmill {
 
 namespace {
 
-std::string boundWords(double time_s, double bound_s) {
-    return bound_s > 0 ? fmt::format("{:.2f}", time_s / bound_s) : std::string("-");
-}
+using report::clockTime;
+using report::timesBound;
+using report::toolWords;
 
 /// Where features took other tools than their own cheapest.
 std::string sharingLine(const ToolSharing& sharing) {
@@ -38,7 +38,7 @@ std::string summaryText(const Plan& plan) {
                 fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
                             planned.feature.id, toString(planned.feature.feature_class),
                             planned.feature.depth_mm(), planned.feature.volume_mm3 / 1000,
-                            clockTime(sequence.time_s), boundWords(sequence.time_s, sequence.lower_bound_s),
+                            clockTime(sequence.time_s), timesBound(sequence.time_s, sequence.lower_bound_s),
                             plainLine(toolWords(sequence)), residualVolumeMm3(sequence) / 1000);
         }
     }

@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "report/page/text.h"
+#include "report/page/words.h"
 #include "stepmill/core/units.h"
 #include "stepmill/report/rank.h"
 
 namespace stepmill {
 namespace {
+
+using report::clockTime;
 
 constexpr double kPercent = 100;
 

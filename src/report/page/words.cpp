@@ -1,35 +1,26 @@
-#include "report/page/text.h"
+#include "report/page/words.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "stepmill/core/plain_text.h"
 #include "stepmill/sequence/sequence.h"
 
-namespace stepmill {
+namespace stepmill::report {
 
-std::string escapeHtml(const std::string& text) {
-    std::string safe;
-    for (const char c : plainText(text))
-        switch (c) {
-            case '&':
-                safe += "&amp;";
-                break;
-            case '<':
-                safe += "&lt;";
-                break;
-            case '>':
-                safe += "&gt;";
-                break;
-            case '"':
-                safe += "&quot;";
-                break;
-            case '\'':
-                safe += "&#39;";
-                break;
-            default:
-                safe += c;
-        }
-    return safe;
+std::string fixed(double value, int decimals) {
+    return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string sizeWords(const Vec3& size_mm) {
+    return fmt::format("{:.2f} × {:.2f} × {:.2f} mm", size_mm.x(), size_mm.y(), size_mm.z());
+}
+
+std::string timesBound(double value_s, double bound_s) {
+    return bound_s > 0 ? fixed(value_s / bound_s, 2) : std::string("-");
+}
+
+std::string listed(const std::vector<std::string>& words) {
+    return fmt::format("{}", fmt::join(words, ", "));
 }
 
 std::string clockTime(double seconds) {
@@ -60,4 +51,4 @@ std::string toolWords(const ToolSequence& sequence) {
     return words.empty() ? "none fits" : words;
 }
 
-}  // namespace stepmill
+}  // namespace stepmill::report

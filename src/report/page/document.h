@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "report/page/element.h"
+
+namespace stepmill::report {
+
+/// A whole page in one file: pictures stand in it, nothing is loaded. Its Content-Security-Policy allows its
+/// own style sheet (page.css) by hash and nothing else: no script, no picture from elsewhere, no style
+/// attribute.
+/// \param title  of the window; any text
+/// \param main   a <main> with all that the page shows
+std::string htmlDocument(const std::string& title, Element main);
+
+}  // namespace stepmill::report

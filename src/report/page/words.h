@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stepmill/part/part.h"
+
+namespace stepmill {
+struct ToolSequence;
+}
+
+// Numbers, times and tools as all pages and summaries print them.
+
+namespace stepmill::report {
+
+/// "12.50" for (12.5, 2).
+std::string fixed(double value, int decimals);
+
+/// "100.00 × 50.00 × 20.00 mm".
+std::string sizeWords(const Vec3& size_mm);
+
+/// "4:07" for minutes and seconds, "1:02:09" with hours; rounded to the second, "7.3 s" below a minute.
+std::string clockTime(double seconds);
+
+/// How often the bound goes into a time: "2.31"; "-" without a bound.
+std::string timesBound(double value_s, double bound_s);
+
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& words);
+
+/// The tools of a feature in order: "EM25 (+ EM10) > EM4", surrogates in brackets after the tool they help;
+/// "none fits" without any.
+std::string toolWords(const ToolSequence& sequence);
+
+}  // namespace stepmill::report
