@@ -61,6 +61,28 @@ bool comesBefore(const Steps& a, const Steps& b) {
                                         });
 }
 
+/// A compiled-in schema and the word it is known by: "plan" for plan.schema.json and plan.json.
+struct NamedSchema {
+    SchemaName name;
+    std::string_view word;
+    const std::string_view& text;  ///< set before main() begins, in another file
+};
+
+constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", embedded::kToolsSchema},
+                                    {SchemaName::Machine, "machine", embedded::kMachineSchema},
+                                    {SchemaName::Plan, "plan", embedded::kPlanSchema},
+                                    {SchemaName::Inspect, "inspect", embedded::kInspectSchema},
+                                    {SchemaName::Rank, "rank", embedded::kRankSchema},
+                                    {SchemaName::Fixtures, "fixtures", embedded::kFixturesSchema},
+                                    {SchemaName::Verify, "verify", embedded::kVerifySchema},
+                                    {SchemaName::Manifest, "manifest", embedded::kManifestSchema}};
+
+const NamedSchema& schemaOf(SchemaName name) {
+    for (const NamedSchema& schema : kSchemas)
+        if (schema.name == name) return schema;
+    throw Error(ErrorCode::Internal, "schema", "unknown value");
+}
+
 using FailedPlaces = std::map<Steps, std::string, bool (*)(const Steps&, const Steps&)>;
 
 /// Every place valijson reports with its first remark there.
@@ -81,25 +103,7 @@ FailedPlaces failedPlaces(const json& schema_json, const json& value) {
 }  // namespace
 
 std::string_view schemaText(SchemaName name) {
-    switch (name) {
-        case SchemaName::Tools:
-            return embedded::kToolsSchema;
-        case SchemaName::Machine:
-            return embedded::kMachineSchema;
-        case SchemaName::Plan:
-            return embedded::kPlanSchema;
-        case SchemaName::Inspect:
-            return embedded::kInspectSchema;
-        case SchemaName::Rank:
-            return embedded::kRankSchema;
-        case SchemaName::Fixtures:
-            return embedded::kFixturesSchema;
-        case SchemaName::Verify:
-            return embedded::kVerifySchema;
-        case SchemaName::Manifest:
-            return embedded::kManifestSchema;
-    }
-    return {};
+    return schemaOf(name).text;
 }
 
 json schemaJson(SchemaName name) {
@@ -154,6 +158,14 @@ std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_tex
     for (const CatalogFinding& finding : findings)
         lines.push_back(finding.pointer + ": " + finding.text);
     return lines;
+}
+
+std::string finishJson(SchemaName name, const nlohmann::ordered_json& json) {
+    std::string text = json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    const std::vector<std::string> errors = schemaErrors(name, text);
+    if (!errors.empty())
+        throw Error(ErrorCode::Internal, std::string(schemaOf(name).word) + ".json", errors.front());
+    return text;
 }
 
 }  // namespace stepmill

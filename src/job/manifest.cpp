@@ -65,10 +65,7 @@ std::string manifestJson(const Manifest& manifest) {
     if (!manifest.plan_sha256.empty()) json["plan_sha256"] = manifest.plan_sha256;
     json["files"] = files;
     if (!manifest.solids.empty()) json["solids"] = manifest.solids;
-    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    const std::vector<std::string> errors = schemaErrors(SchemaName::Manifest, text);
-    if (!errors.empty()) throw Error(ErrorCode::Internal, kManifestName, errors.front());
-    return text;
+    return finishJson(SchemaName::Manifest, json);
 }
 
 Manifest manifestFromText(std::string_view text) {

@@ -363,12 +363,7 @@ std::string planJson(const Plan& plan) {
         {"warnings", listOf(plan.warnings, [](const Warning& warning) {
              return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
          })}};
-
-    // Names come from strangers' files: bytes that are no UTF-8 are replaced, not fatal.
-    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    const std::vector<std::string> errors = schemaErrors(SchemaName::Plan, text);
-    if (!errors.empty()) throw Error(ErrorCode::Internal, "plan.json", errors.front());
-    return text;
+    return finishJson(SchemaName::Plan, json);
 }
 
 }  // namespace stepmill

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "stepmill/catalog/json_schema.h"
-#include "stepmill/core/error.h"
 #include "stepmill/verify/verify.h"
 
 namespace stepmill {
@@ -112,10 +111,7 @@ std::string verificationJson(const Verification& verification) {
                     {"failures", failures},
                     {"left", left},
                     {"remarks", remarks}};
-    const std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    const std::vector<std::string> errors = schemaErrors(SchemaName::Verify, text);
-    if (!errors.empty()) throw Error(ErrorCode::Internal, "verify.json", errors.front());
-    return text;
+    return finishJson(SchemaName::Verify, json);
 }
 
 }  // namespace stepmill

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace stepmill {
 
 /// Names of the schemas compiled in from schemas/.
@@ -13,5 +15,11 @@ std::string_view schemaText(SchemaName name);
 /// Breaches of a schema by a JSON text, each "#/json/pointer: what was expected". A text that is not JSON
 /// gives one line with its line and column. Empty when all is well.
 std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_text);
+
+/// The text of a JSON file of ours (plan.json, manifest.json, ...): one space an indent, a line end at the
+/// end, and U+FFFD for bytes that are no UTF-8, since names come from strangers' files. The same value gives
+/// the same bytes.
+/// \throws Error(Internal) naming the file if the value breaks the schema: nothing untrue leaves
+std::string finishJson(SchemaName name, const nlohmann::ordered_json& json);
 
 }  // namespace stepmill

@@ -167,11 +167,7 @@ std::string inspectionJson(const Inspection& inspection) {
         {"faces", listOf(inspection.faces, faceJson)},
         {"books", booksJson(inspection.books)},
         {"warnings", inspection.warnings}};
-    // Names come from strangers' files: bytes that are no UTF-8 are replaced, not fatal.
-    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    const std::vector<std::string> errors = schemaErrors(SchemaName::Inspect, text);
-    if (!errors.empty()) throw Error(ErrorCode::Internal, "inspect.json", errors.front());
-    return text;
+    return finishJson(SchemaName::Inspect, json);
 }
 
 }  // namespace stepmill

@@ -105,11 +105,7 @@ std::string rankJson(const RankReport& report) {
                     {"shortest_path", setJson(ranking, ranking.shortest_path)},
                     {"sensitivity", sensitivityJson(report.sensitivity)},
                     {"purchases", purchasesJson(report.purchases)}};
-    // Names come from strangers' files: bytes that are no UTF-8 are replaced, not fatal.
-    std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-    const std::vector<std::string> errors = schemaErrors(SchemaName::Rank, text);
-    if (!errors.empty()) throw Error(ErrorCode::Internal, "rank.json", errors.front());
-    return text;
+    return finishJson(SchemaName::Rank, json);
 }
 
 }  // namespace stepmill
