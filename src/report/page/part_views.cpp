@@ -175,7 +175,7 @@ std::vector<PartDrawing> partDrawings(const Part& part, const Eigen::Isometry3d&
 }
 
 Element figuresOf(std::vector<PartDrawing> drawings) {
-    Element pairs("div.pairs");
+    Element pairs("div.pairs.views");
     for (PartDrawing& view : drawings)
         pairs.add(Element("figure", std::move(view.drawing), Element("figcaption", view.title)));
     return pairs;
