@@ -154,9 +154,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;
     request.sequence.surrogates =
         options.surrogates == "single" ? SurrogateRule::Single : SurrogateRule::Sequence;
-    request.sequence.cost_model = options.cost_model == "yao"   ? CostModel::Yao
-                                  : options.cost_model == "lim" ? CostModel::Lim
-                                                                : CostModel::Path;
+    request.sequence.cost_model = costModelFrom(options.cost_model).value();
     request.sequence.retract_mm = machine.safe_height_mm;
     if (!options.fixtures_file.empty())
         request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());

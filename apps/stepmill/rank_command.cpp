@@ -32,14 +32,6 @@ bool isTable(const std::string& file) {
     return extension == ".csv";
 }
 
-/// Words of --sensitivity, checked by CLI11.
-Parameter parameterFrom(const std::string& text) {
-    for (const Parameter parameter : {Parameter::ToolChange, Parameter::HourlyRate, Parameter::ToolPrice})
-        if (toString(parameter) == text) return parameter;
-    throw Error(ErrorCode::Usage, "--sensitivity",
-                fmt::format("expected tool-change, hourly-rate or tool-price, found '{}'", text));
-}
-
 void print(const RankReport& report, const RankOptions& options) {
     if (options.csv) {
         std::vector<AccessRow> cutters;
@@ -83,7 +75,7 @@ int rankParts(const RankOptions& options, ProgressLine& progress) {
     request.feature = options.feature;
     request.tool_change_s = options.tool_change_s;
     request.purchases = options.buy;
-    if (!options.sensitivity.empty()) request.sensitivity = parameterFrom(options.sensitivity);
+    request.sensitivity = parameterFrom(options.sensitivity);
     for (const Part& part : chooseParts(options.part)) {
         const RankReport report =
             rankPart(part, request, shop.library, shop.machine, tol,

@@ -8,10 +8,15 @@
 #include "access/walls.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {
 namespace {
+
+constexpr EnumWord<AccessEventKind> kAccessEvents[] = {{AccessEventKind::Neck, "neck"},
+                                                       {AccessEventKind::CornerRadius, "corner radius"},
+                                                       {AccessEventKind::Vanishes, "vanishes"}};
 
 /// Where a diameter at which something happens is enclosed, in `linear_mm`. A neck counts as closed for
 /// cutters up to one `linear_mm` narrower (the tie rule of ClearanceDiagram), so more room is below.
@@ -203,15 +208,7 @@ double interpolated(const std::vector<AccessSample>& samples, double diameter_mm
 }  // namespace
 
 std::string toString(AccessEventKind kind) {
-    switch (kind) {
-        case AccessEventKind::Neck:
-            return "neck";
-        case AccessEventKind::CornerRadius:
-            return "corner radius";
-        case AccessEventKind::Vanishes:
-            return "vanishes";
-    }
-    throw Error(ErrorCode::Internal, "access event kind", "unknown value");
+    return wordOf(kAccessEvents, kind);
 }
 
 double AccessCurve::areaAt(double diameter_mm) const {

@@ -1,38 +1,26 @@
 #include "stepmill/access/access.h"
-#include "stepmill/core/error.h"
+#include "stepmill/core/enum_words.h"
 
 namespace stepmill {
+namespace {
+
+constexpr EnumWord<ExclusionReason> kExclusionReasons[] = {
+    {ExclusionReason::WrongType, "wrong type"}, {ExclusionReason::NoCuttingData, "no cutting data"},
+    {ExclusionReason::TooWide, "too wide"},     {ExclusionReason::NoEntry, "no entry"},
+    {ExclusionReason::TooShort, "too short"},   {ExclusionReason::HolderCollision, "holder collision"}};
+constexpr EnumWord<EntryKind> kEntryKinds[] = {{EntryKind::OpenEdge, "open edge"},
+                                               {EntryKind::Helix, "helix"},
+                                               {EntryKind::Ramp, "ramp"},
+                                               {EntryKind::Plunge, "plunge"}};
+
+}  // namespace
 
 std::string toString(ExclusionReason reason) {
-    switch (reason) {
-        case ExclusionReason::WrongType:
-            return "wrong type";
-        case ExclusionReason::NoCuttingData:
-            return "no cutting data";
-        case ExclusionReason::TooWide:
-            return "too wide";
-        case ExclusionReason::NoEntry:
-            return "no entry";
-        case ExclusionReason::TooShort:
-            return "too short";
-        case ExclusionReason::HolderCollision:
-            return "holder collision";
-    }
-    throw Error(ErrorCode::Internal, "exclusion reason", "unknown value");
+    return wordOf(kExclusionReasons, reason);
 }
 
 std::string toString(EntryKind kind) {
-    switch (kind) {
-        case EntryKind::OpenEdge:
-            return "open edge";
-        case EntryKind::Helix:
-            return "helix";
-        case EntryKind::Ramp:
-            return "ramp";
-        case EntryKind::Plunge:
-            return "plunge";
-    }
-    throw Error(ErrorCode::Internal, "entry kind", "unknown value");
+    return wordOf(kEntryKinds, kind);
 }
 
 }  // namespace stepmill

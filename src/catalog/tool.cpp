@@ -3,9 +3,21 @@
 #include <algorithm>
 #include <set>
 
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {
+namespace {
+
+constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"},
+                                             {ToolType::Ball, "ball"},
+                                             {ToolType::Bull, "bull"},
+                                             {ToolType::Drill, "drill"},
+                                             {ToolType::Face, "face"}};
+constexpr EnumWord<Coolant> kCoolants[] = {
+    {Coolant::Off, "off"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}};
+
+}  // namespace
 
 const CuttingData* ToolAssembly::cuttingFor(const std::string& material_name) const {
     const auto found = std::find_if(cutting.begin(), cutting.end(),
@@ -40,44 +52,19 @@ std::vector<std::string> ToolLibrary::materials() const {
 }
 
 std::string toString(ToolType type) {
-    switch (type) {
-        case ToolType::Flat:
-            return "flat";
-        case ToolType::Ball:
-            return "ball";
-        case ToolType::Bull:
-            return "bull";
-        case ToolType::Drill:
-            return "drill";
-        case ToolType::Face:
-            return "face";
-    }
-    return {};
+    return wordOf(kToolTypes, type);
 }
 
 std::optional<ToolType> toolTypeFrom(std::string_view word) {
-    for (const ToolType type :
-         {ToolType::Flat, ToolType::Ball, ToolType::Bull, ToolType::Drill, ToolType::Face})
-        if (toString(type) == word) return type;
-    return std::nullopt;
+    return valueOf(kToolTypes, word);
 }
 
 std::string toString(Coolant coolant) {
-    switch (coolant) {
-        case Coolant::Off:
-            return "off";
-        case Coolant::Mist:
-            return "mist";
-        case Coolant::Flood:
-            return "flood";
-    }
-    return {};
+    return wordOf(kCoolants, coolant);
 }
 
 std::optional<Coolant> coolantFrom(std::string_view word) {
-    for (const Coolant coolant : {Coolant::Off, Coolant::Mist, Coolant::Flood})
-        if (toString(coolant) == word) return coolant;
-    return std::nullopt;
+    return valueOf(kCoolants, word);
 }
 
 }  // namespace stepmill

@@ -1,10 +1,24 @@
 #include <map>
 
-#include "stepmill/core/error.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/feature/part_form.h"
 
 namespace stepmill {
 namespace {
+
+constexpr EnumWord<FormClass> kFormClasses[] = {{FormClass::Pocket, "pocket"},
+                                                {FormClass::Passage, "passage"},
+                                                {FormClass::BlindSlot, "blind slot"},
+                                                {FormClass::ThroughSlot, "through slot"},
+                                                {FormClass::VSlot, "V slot"},
+                                                {FormClass::ThroughStep, "through step"},
+                                                {FormClass::BlindStep, "blind step"},
+                                                {FormClass::Hole, "hole"},
+                                                {FormClass::Chamfer, "chamfer"},
+                                                {FormClass::EdgeFillet, "edge fillet"},
+                                                {FormClass::InnerFillet, "inner fillet"},
+                                                {FormClass::FreeForm, "free form"},
+                                                {FormClass::Open, "open"}};
 
 std::optional<std::string> bySides(int sides, const std::string& what) {
     static const std::map<int, std::string> kWords{{3, "triangular"}, {4, "rectangular"}, {6, "6sides"}};
@@ -21,35 +35,7 @@ std::string throughStep(const PartForm& form) {
 }  // namespace
 
 std::string toString(FormClass form_class) {
-    switch (form_class) {
-        case FormClass::Pocket:
-            return "pocket";
-        case FormClass::Passage:
-            return "passage";
-        case FormClass::BlindSlot:
-            return "blind slot";
-        case FormClass::ThroughSlot:
-            return "through slot";
-        case FormClass::VSlot:
-            return "V slot";
-        case FormClass::ThroughStep:
-            return "through step";
-        case FormClass::BlindStep:
-            return "blind step";
-        case FormClass::Hole:
-            return "hole";
-        case FormClass::Chamfer:
-            return "chamfer";
-        case FormClass::EdgeFillet:
-            return "edge fillet";
-        case FormClass::InnerFillet:
-            return "inner fillet";
-        case FormClass::FreeForm:
-            return "free form";
-        case FormClass::Open:
-            return "open";
-    }
-    throw Error(ErrorCode::Internal, "form class", "unknown value");
+    return wordOf(kFormClasses, form_class);
 }
 
 std::optional<std::string> mfcadClass(const PartForm& form) {

@@ -1,34 +1,25 @@
-#include "stepmill/core/error.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/feature/feature.h"
 
 namespace stepmill {
+namespace {
+
+constexpr EnumWord<FeatureClass> kFeatureClasses[] = {{FeatureClass::Face, "face"},
+                                                      {FeatureClass::ClosedPocket, "closed pocket"},
+                                                      {FeatureClass::OpenPocket, "open pocket"},
+                                                      {FeatureClass::SlotBlind, "blind slot"},
+                                                      {FeatureClass::SlotThrough, "through slot"},
+                                                      {FeatureClass::Step, "step"},
+                                                      {FeatureClass::ThroughPocket, "through pocket"},
+                                                      {FeatureClass::OpenProfile, "open profile"},
+                                                      {FeatureClass::HoleBlind, "blind hole"},
+                                                      {FeatureClass::HoleThrough, "through hole"},
+                                                      {FeatureClass::Engraving, "engraving"}};
+
+}  // namespace
 
 std::string toString(FeatureClass feature_class) {
-    switch (feature_class) {
-        case FeatureClass::Face:
-            return "face";
-        case FeatureClass::ClosedPocket:
-            return "closed pocket";
-        case FeatureClass::OpenPocket:
-            return "open pocket";
-        case FeatureClass::SlotBlind:
-            return "blind slot";
-        case FeatureClass::SlotThrough:
-            return "through slot";
-        case FeatureClass::Step:
-            return "step";
-        case FeatureClass::ThroughPocket:
-            return "through pocket";
-        case FeatureClass::OpenProfile:
-            return "open profile";
-        case FeatureClass::HoleBlind:
-            return "blind hole";
-        case FeatureClass::HoleThrough:
-            return "through hole";
-        case FeatureClass::Engraving:
-            return "engraving";
-    }
-    throw Error(ErrorCode::Internal, "feature class", "unknown value");
+    return wordOf(kFeatureClasses, feature_class);
 }
 
 bool isHole(FeatureClass feature_class) {

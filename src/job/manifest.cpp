@@ -1,12 +1,12 @@
 #include "stepmill/job/manifest.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include <nlohmann/json.hpp>
 
 #include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 
@@ -15,26 +15,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::pair<JobWriter, const char*>, 4> kWriters = {{{JobWriter::Plan, "plan"},
-                                                                        {JobWriter::Post, "post"},
-                                                                        {JobWriter::Inspect, "inspect"},
-                                                                        {JobWriter::Curves, "curves"}}};
-
-const char* wordOf(JobWriter writer) {
-    for (const auto& [value, word] : kWriters)
-        if (value == writer) return word;
-    return "";
-}
+constexpr EnumWord<JobWriter> kWriters[] = {{JobWriter::Plan, "plan"},
+                                            {JobWriter::Post, "post"},
+                                            {JobWriter::Inspect, "inspect"},
+                                            {JobWriter::Curves, "curves"}};
 
 /// Of a word that the schema let through.
 JobWriter writerFrom(const std::string& word) {
-    for (const auto& [value, known] : kWriters)
-        if (word == known) return value;
-    STEPMILL_CHECK(false, "the manifest's schema knows a writer that the program does not");
+    const std::optional<JobWriter> writer = valueOf(kWriters, word);
+    STEPMILL_CHECK(writer.has_value(), "the manifest's schema knows a writer that the program does not");
+    return *writer;
 }
 
 Json fileJson(const ManifestFile& file) {
-    Json json{{"name", file.name}, {"by", wordOf(file.by)}};
+    Json json{{"name", file.name}, {"by", wordOf(kWriters, file.by)}};
     if (!file.dialect.empty()) json["dialect"] = file.dialect;
     json["size_bytes"] = file.size_bytes;
     json["sha256"] = file.sha256;

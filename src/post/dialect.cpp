@@ -1,43 +1,28 @@
 #include "post/dialect.h"
 
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {
 namespace {
 
-constexpr Dialect kDialects[] = {Dialect::LinuxCnc, Dialect::Fanuc, Dialect::Grbl};
-
-std::string knownDialects() {
-    std::string names;
-    for (const Dialect dialect : kDialects)
-        names += (names.empty() ? "" : ", ") + toString(dialect);
-    return names;
-}
+constexpr EnumWord<Dialect> kDialects[] = {
+    {Dialect::LinuxCnc, "linuxcnc"}, {Dialect::Fanuc, "fanuc"}, {Dialect::Grbl, "grbl"}};
 
 }  // namespace
 
 std::string toString(Dialect dialect) {
-    switch (dialect) {
-        case Dialect::LinuxCnc:
-            return "linuxcnc";
-        case Dialect::Fanuc:
-            return "fanuc";
-        case Dialect::Grbl:
-            return "grbl";
-    }
-    return {};
+    return wordOf(kDialects, dialect);
 }
 
 std::optional<Dialect> dialectFrom(std::string_view word) {
-    for (const Dialect dialect : kDialects)
-        if (toString(dialect) == word) return dialect;
-    return std::nullopt;
+    return valueOf(kDialects, word);
 }
 
 Dialect dialectOf(const Machine& machine) {
     if (const auto dialect = dialectFrom(machine.dialect)) return *dialect;
     throw Error(ErrorCode::Usage, "machine " + machine.name,
-                "there is no post for dialect '" + machine.dialect + "'; known: " + knownDialects());
+                "there is no post for dialect '" + machine.dialect + "'; known: " + allWords(kDialects));
 }
 
 const DialectRules& rulesOf(Dialect dialect) {

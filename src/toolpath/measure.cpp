@@ -3,12 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/units.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {
 
 namespace {
+
+constexpr EnumWord<Pattern> kPatterns[] = {{Pattern::Best, "best"},
+                                           {Pattern::ContourInsideOut, "contour-parallel"},
+                                           {Pattern::ContourOutsideIn, "contour-parallel from outside in"},
+                                           {Pattern::StockOffset, "stock-offset"},
+                                           {Pattern::Zigzag, "zigzag"},
+                                           {Pattern::OneWay, "one-way"}};
 
 double lengthOf(const Vec3& from, const Move& move) {
     const double flat = length(Vec2(from.head<2>()), Segment{move.to.head<2>(), move.arc});
@@ -18,21 +26,7 @@ double lengthOf(const Vec3& from, const Move& move) {
 }  // namespace
 
 std::string toString(Pattern pattern) {
-    switch (pattern) {
-        case Pattern::Best:
-            return "best";
-        case Pattern::ContourInsideOut:
-            return "contour-parallel";
-        case Pattern::ContourOutsideIn:
-            return "contour-parallel from outside in";
-        case Pattern::StockOffset:
-            return "stock-offset";
-        case Pattern::Zigzag:
-            return "zigzag";
-        case Pattern::OneWay:
-            return "one-way";
-    }
-    return "contour-parallel";
+    return wordOf(kPatterns, pattern);
 }
 
 PathTotals& PathTotals::operator+=(const PathTotals& other) {

@@ -4,12 +4,17 @@
 #include <nlohmann/json.hpp>
 
 #include "stepmill/catalog/json_schema.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/verify/verify.h"
 
 namespace stepmill {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr EnumWord<FileRemark::Kind> kRemarks[] = {{FileRemark::Kind::Changed, "changed"},
+                                                   {FileRemark::Kind::Missing, "missing"},
+                                                   {FileRemark::Kind::NotRead, "not read"}};
 
 std::string micrometres(double mm) {
     return std::isfinite(mm) ? fmt::format("{:.2f}", 1000 * mm) : "far";
@@ -31,18 +36,6 @@ std::string sentence(FileRemark::Kind kind) {
             return "was written and is gone";
         case FileRemark::Kind::NotRead:
             return "is of another dialect, and not proven here (--dialect)";
-    }
-    return {};
-}
-
-std::string wordOf(FileRemark::Kind kind) {
-    switch (kind) {
-        case FileRemark::Kind::Changed:
-            return "changed";
-        case FileRemark::Kind::Missing:
-            return "missing";
-        case FileRemark::Kind::NotRead:
-            return "not read";
     }
     return {};
 }
@@ -103,7 +96,7 @@ std::string verificationJson(const Verification& verification) {
         left.push_back({{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}});
     Json remarks = Json::array();
     for (const FileRemark& remark : verification.remarks)
-        remarks.push_back({{"file", remark.file}, {"is", wordOf(remark.kind)}});
+        remarks.push_back({{"file", remark.file}, {"is", wordOf(kRemarks, remark.kind)}});
     const Json json{{"format", 1},
                     {"stepmill", {{"version", STEPMILL_VERSION}}},
                     {"proven", verification.proven()},

@@ -1,43 +1,27 @@
 // Words for faces.
 
 #include "stepmill/layers/face_trace.h"
+#include "stepmill/core/enum_words.h"
 
 namespace stepmill {
+namespace {
+
+constexpr EnumWord<SurfaceKind> kSurfaceKinds[] = {
+    {SurfaceKind::Plane, "plane"}, {SurfaceKind::Cylinder, "cylinder"},
+    {SurfaceKind::Cone, "cone"},   {SurfaceKind::Sphere, "sphere"},
+    {SurfaceKind::Torus, "torus"}, {SurfaceKind::FreeForm, "free form"}};
+constexpr EnumWord<FaceStand> kFaceStands[] = {
+    {FaceStand::Floor, "floor"},     {FaceStand::Ceiling, "ceiling"},   {FaceStand::Wall, "wall"},
+    {FaceStand::Leaning, "leaning"}, {FaceStand::Overhang, "overhang"}, {FaceStand::Turning, "turning"}};
+
+}  // namespace
 
 std::string toString(SurfaceKind kind) {
-    switch (kind) {
-        case SurfaceKind::Plane:
-            return "plane";
-        case SurfaceKind::Cylinder:
-            return "cylinder";
-        case SurfaceKind::Cone:
-            return "cone";
-        case SurfaceKind::Sphere:
-            return "sphere";
-        case SurfaceKind::Torus:
-            return "torus";
-        case SurfaceKind::FreeForm:
-            return "free form";
-    }
-    return {};
+    return wordOf(kSurfaceKinds, kind);
 }
 
 std::string toString(FaceStand stand) {
-    switch (stand) {
-        case FaceStand::Floor:
-            return "floor";
-        case FaceStand::Ceiling:
-            return "ceiling";
-        case FaceStand::Wall:
-            return "wall";
-        case FaceStand::Leaning:
-            return "leaning";
-        case FaceStand::Overhang:
-            return "overhang";
-        case FaceStand::Turning:
-            return "turning";
-    }
-    return {};
+    return wordOf(kFaceStands, stand);
 }
 
 }  // namespace stepmill

@@ -1,11 +1,15 @@
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/report/inspection.h"
 
 namespace stepmill {
 
 namespace {
+
+constexpr EnumWord<HoleStep::Kind> kStepKinds[] = {
+    {HoleStep::Kind::Bore, "bore"}, {HoleStep::Kind::Cone, "cone"}, {HoleStep::Kind::Point, "point"}};
 
 using json::Json;
 using json::listOf;
@@ -77,18 +81,6 @@ Json setupJson(const InspectedSetup& inspected) {
             {"gap_mm3", number(inspected.gap_mm3)}};
 }
 
-const char* stepKind(HoleStep::Kind kind) {
-    switch (kind) {
-        case HoleStep::Kind::Bore:
-            return "bore";
-        case HoleStep::Kind::Cone:
-            return "cone";
-        case HoleStep::Kind::Point:
-            return "point";
-    }
-    throw Error(ErrorCode::Internal, "hole step", "unknown value");
-}
-
 Json holeJson(const Hole& hole, const Inspection& inspection) {
     Json features = Json::array();
     for (const InspectedSetup& setup : inspection.setups)
@@ -104,7 +96,7 @@ Json holeJson(const Hole& hole, const Inspection& inspection) {
             {"axis", point(hole.axis)},
             {"steps", listOf(hole.steps,
                              [](const HoleStep& step) {
-                                 return Json{{"kind", stepKind(step.kind)},
+                                 return Json{{"kind", wordOf(kStepKinds, step.kind)},
                                              {"diameter_mm", number(step.diameter_mm)},
                                              {"end_diameter_mm", number(step.end_diameter_mm)},
                                              {"top_mm", number(step.top_mm)},

@@ -24,7 +24,7 @@ enum class TagKind : std::uint8_t {
 /// A literal that is checked while compiling; a tag that kTags does not have does not compile.
 class Tag {
   public:
-    consteval Tag(const char* selector);  // NOLINT(google-explicit-constructor): stands for the literal
+    consteval Tag(const char* selector);  // not explicit: stands for the literal
 
     constexpr std::string_view name() const { return name_; }
     constexpr TagKind kind() const { return kind_; }
@@ -41,7 +41,7 @@ class Tag {
 /// or break the page's policy (on..., style, src, href) does not compile; links and ids are made of anchors.
 class AttributeName {
   public:
-    consteval AttributeName(const char* name);  // NOLINT(google-explicit-constructor): stands for the literal
+    consteval AttributeName(const char* name);  // not explicit: stands for the literal
 
     constexpr std::string_view text() const { return text_; }
 

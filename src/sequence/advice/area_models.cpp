@@ -1,11 +1,15 @@
 #include "stepmill/sequence/advice/area_models.h"
 
 #include "sequence/dag/candidate.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/units.h"
 #include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
+
+constexpr EnumWord<CostModel> kCostModels[] = {
+    {CostModel::Path, "paths"}, {CostModel::Yao, "yao"}, {CostModel::Lim, "lim"}};
 
 /// `reach` of each tool, area or volume, and the edges' costs by node numbers.
 CheapestPath cheapestByReach(const std::vector<double>& reach,
@@ -33,15 +37,11 @@ std::vector<double> valuesOf(const std::vector<AreaModelTool>& tools, double Are
 }  // namespace
 
 std::string toString(CostModel model) {
-    switch (model) {
-        case CostModel::Path:
-            return "paths";
-        case CostModel::Yao:
-            return "yao";
-        case CostModel::Lim:
-            return "lim";
-    }
-    return "paths";
+    return wordOf(kCostModels, model);
+}
+
+std::optional<CostModel> costModelFrom(std::string_view word) {
+    return valueOf(kCostModels, word);
 }
 
 double removalRateMm3PerS(const CuttingData& cutting) {

@@ -1,11 +1,16 @@
 #include "stepmill/sequence/advice/sensitivity.h"
 
 #include "sequence/dag/candidate.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
 namespace {
+
+constexpr EnumWord<Parameter> kParameters[] = {{Parameter::ToolChange, "tool-change"},
+                                               {Parameter::HourlyRate, "hourly-rate"},
+                                               {Parameter::ToolPrice, "tool-price"}};
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -175,15 +180,11 @@ class EdgeLines {
 }  // namespace
 
 std::string toString(Parameter parameter) {
-    switch (parameter) {
-        case Parameter::ToolChange:
-            return "tool-change";
-        case Parameter::HourlyRate:
-            return "hourly-rate";
-        case Parameter::ToolPrice:
-            return "tool-price";
-    }
-    throw Error(ErrorCode::Internal, "parameter", "unknown value");
+    return wordOf(kParameters, parameter);
+}
+
+std::optional<Parameter> parameterFrom(std::string_view word) {
+    return valueOf(kParameters, word);
 }
 
 std::vector<BestSequence> bestSequences(const CheapestAt& cheapest) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/catalog/tool.h"
@@ -17,6 +19,7 @@ enum class CostModel {
 };
 
 std::string toString(CostModel model);  ///< "paths", "yao", "lim"
+std::optional<CostModel> costModelFrom(std::string_view word);
 
 /// Tools reach the same when what they reach differs by no more than this share of the most any reaches.
 inline constexpr double kFullAccessShare = 1e-5;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/sequence/sequence.h"
@@ -15,6 +17,7 @@ enum class Parameter {
     ToolPrice    ///< factor on all tools' prices; 1 is the library's
 };
 std::string toString(Parameter parameter);  ///< "tool-change", "hourly-rate", "tool-price"
+std::optional<Parameter> parameterFrom(std::string_view word);
 
 /// What a sequence costs as a straight line over the parameter: seconds or money, as the objective asks.
 struct CostLine {
