@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "access/slivers.h"
-#include "access/swept.h"
+#include "stepmill/access/slivers.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::access {

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "sequence/dag/candidate.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/path_frame.h"
 

@@ -1,7 +1,7 @@
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
-#include "stepmill/core/error.h"
 #include "stepmill/core/enum_words.h"
+#include "stepmill/core/error.h"
 #include "stepmill/report/inspection.h"
 
 namespace stepmill {

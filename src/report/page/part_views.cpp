@@ -1,5 +1,7 @@
 // Views of the part by hidden-line removal.
 
+#include "stepmill/report/part_views.h"
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
@@ -20,7 +22,6 @@
 #include "report/page/part_drawings.h"
 #include "report/page/shading.h"
 #include "stepmill/part/part_shape.h"
-#include "stepmill/report/part_views.h"
 
 namespace stepmill {
 

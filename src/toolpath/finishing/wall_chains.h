@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "stepmill/planar/edge_index.h"
-#include "toolpath/finish_walls.h"
+#include "stepmill/toolpath/finish_walls.h"
 
 namespace stepmill::toolpath {
 

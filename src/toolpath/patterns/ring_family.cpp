@@ -7,7 +7,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
-#include "toolpath/path_frame.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "toolpath/patterns/parallel_lines.h"
 #include "toolpath/patterns/stock_offset.h"
 
