@@ -22,7 +22,7 @@ Verification oneOfEach() {
     bad.clearance_mm = -0.01;
     verification.operations = {good, bad};
     verification.failures = {{"S1.ngc", 40, "S1.O2", "cuts into what must stay by 0.0100 mm"}};
-    verification.left = {{"corner radius", 1.5}};
+    verification.left = {{{Reason::CornerRadius, {}}, 1.5}};
     return verification;
 }
 
