@@ -20,12 +20,12 @@ void printReach(const Feature& feature, const ToolLibrary& library, const Tolera
                 toString(feature.feature_class).c_str(), feature.area_mm2, feature.depth_mm());
     const FeatureGround ground(feature, tol);
     for (const ToolAssembly& tool : library.tools) {
-        const AccessibleArea area = accessibleArea(ground, tool, "aluminium");
-        if (area.excluded)
-            std::printf("  %-8s %s\n", tool.id.c_str(), area.excluded->text.c_str());
+        const ToolReach reach = toolReach(ground, tool, "aluminium");
+        if (const Exclusion* excluded = reach.exclusion())
+            std::printf("  %-8s %s\n", tool.id.c_str(), excluded->text.c_str());
         else
             std::printf("  %-8s covers %.1f %%\n", tool.id.c_str(),
-                        100 * area.coverable_area_mm2 / feature.area_mm2);
+                        100 * reach.cutter.coverable_area_mm2 / feature.area_mm2);
     }
 }
 

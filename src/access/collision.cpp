@@ -94,13 +94,14 @@ bool meetsOwnMaterial(const FeatureGround& ground, const ToolAssembly& tool, con
 }
 
 std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const ToolAssembly& tool,
-                                            const AccessibleArea& area) {
+                                            const ToolReach& reach) {
     const double depth_mm = ground.feature().depth_mm();
     const double reach_mm = freeReachMm(tool);
-    if (reach_mm >= depth_mm || tool.isDrill() || area.free_centres.empty()) return std::nullopt;
-    const bool collides = area.excluded && area.excluded->reason == ExclusionReason::HolderCollision;
-    if (area.excluded && !collides) return std::nullopt;
-    if (!collides && !meetsOwnMaterial(ground, tool, area.free_centres)) return std::nullopt;
+    if (reach_mm >= depth_mm || tool.isDrill() || reach.cutter.free_centres.empty()) return std::nullopt;
+    const Exclusion* excluded = reach.exclusion();
+    const bool collides = excluded != nullptr && excluded->reason == ExclusionReason::HolderCollision;
+    if (excluded != nullptr && !collides) return std::nullopt;
+    if (!collides && !meetsOwnMaterial(ground, tool, reach.cutter.free_centres)) return std::nullopt;
     return Exclusion{ExclusionReason::TooShort,
                      fmt::format("leaves material of the feature that shank or holder would touch {:.4g} mm "
                                  "deep; they stay above {:.4g} mm",

@@ -24,8 +24,8 @@ void sweepUseful(const FeatureGround& ground, const Region& centres, const Regio
     if (!swept.empty()) found.area = unite(swept, tol);
 }
 
-/// Both tools sweep all they can inside the target: the target's diagram knows the rest of the smaller one.
-DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m, const AccessibleArea& n) {
+/// Both tools sweep all they can inside the target: its own diagram knows what the smaller one has left.
+DecomposedArea insideTarget(const FeatureGround& ground, const CutterArea& m, const CutterArea& n) {
     const Tolerances& tol = ground.tolerances();
     DecomposedArea found;
     // Opening the target by half a sliver more is opening m's centres by that: see SureSweep.
@@ -40,7 +40,7 @@ DecomposedArea insideTarget(const FeatureGround& ground, const AccessibleArea& m
 
 }  // namespace
 
-DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea* m, const AccessibleArea& n) {
+DecomposedArea decomposedArea(const FeatureGround& ground, const CutterArea* m, const CutterArea& n) {
     if (!m || m->accessible.empty()) return {n.free_centres, n.accessible, {}, n.coverable_area_mm2};
     STEPMILL_CHECK(m->radius_mm >= n.radius_mm, "the first tool of a pair is the larger one");
     if (n.free_centres.empty()) return {};

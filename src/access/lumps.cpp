@@ -64,8 +64,7 @@ Region obstructionWithHolder(const FeatureGround& ground, const ToolAssembly& to
     return access::withoutHolder(ground, blockers, tool.radius_mm()).obstruction;
 }
 
-double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool,
-                           const AccessibleArea& area) {
+double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area) {
     const std::vector<access::Blocker> blockers = access::blockers(ground.feature(), tool);
     const auto isClear = [&](double diameter_mm) {
         return std::none_of(blockers.begin(), blockers.end(), [&](access::Blocker blocker) {

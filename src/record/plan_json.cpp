@@ -100,16 +100,19 @@ Json lumpJson(const BlockedLump& lump) {
             {"reason", lump.reason}};
 }
 
-Json toolAreasJson(const AccessibleArea& area) {
-    Json json{{"tool", area.tool_id},
-              {"accessible_area_mm2", number(area.accessible_area_mm2)},
-              {"coverable_area_mm2", number(area.coverable_area_mm2)},
-              {"collision_free_area_mm2", number(area.collision_free_area_mm2)},
-              {"access_volume_mm3", number(area.access_volume_mm3)},
-              {"blocked_lumps", listOf(area.blocked_lumps, lumpJson)},
+Json toolAreasJson(const ToolReach& reach) {
+    const CutterArea& accessible = reach.limited() != nullptr ? reach.own() : reach.cutter;
+    const CutterArea& cleared = reach.cleared();
+    const WithSurrogates* helped = reach.surrogates();
+    Json json{{"tool", reach.tool_id},
+              {"accessible_area_mm2", number(accessible.coverable_area_mm2)},
+              {"coverable_area_mm2", number(cleared.coverable_area_mm2)},
+              {"collision_free_area_mm2", number(reach.collision_free_area_mm2)},
+              {"access_volume_mm3", number(cleared.access_volume_mm3)},
+              {"blocked_lumps", helped != nullptr ? listOf(helped->lumps, lumpJson) : Json::array()},
               {"excluded", nullptr}};
-    if (area.excluded)
-        json["excluded"] = {{"reason", toString(area.excluded->reason)}, {"text", area.excluded->text}};
+    if (const Exclusion* excluded = reach.exclusion())
+        json["excluded"] = {{"reason", toString(excluded->reason)}, {"text", excluded->text}};
     return json;
 }
 

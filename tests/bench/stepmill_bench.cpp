@@ -38,14 +38,13 @@ struct StageTimes {
     double total() const { return load + slice + features + sequence; }
 };
 
-void timePaths(const FeatureGround& ground, const std::vector<AccessibleArea>& areas,
-               const ToolLibrary& library, const Machine& machine, const std::string& material,
-               const Tolerances& tol) {
-    for (std::size_t i = 0; i < areas.size(); ++i) {
+void timePaths(const FeatureGround& ground, const std::vector<ToolReach>& reaches, const ToolLibrary& library,
+               const Machine& machine, const std::string& material, const Tolerances& tol) {
+    for (std::size_t i = 0; i < reaches.size(); ++i) {
         const ToolAssembly& tool = library.tools[i];
-        if (areas[i].excluded || tool.isDrill()) continue;
-        const DecomposedArea all = decomposedArea(ground, nullptr, areas[i]);
-        const ClearingTask task = test::taskOf(ground.feature(), areas[i], all, machine);
+        if (reaches[i].exclusion() || tool.isDrill()) continue;
+        const DecomposedArea all = decomposedArea(ground, nullptr, reaches[i].cutter);
+        const ClearingTask task = test::taskOf(ground.feature(), reaches[i].cutter, all, machine);
         benchmark::DoNotOptimize(clearArea(task, tool, *tool.cuttingFor(material), machine, tol));
     }
 }
@@ -73,13 +72,13 @@ StageTimes planOnce(const std::string& file, const ToolLibrary& library, const M
     for (const Feature& feature : features.features) {
         start = Clock::now();
         const FeatureGround ground(feature, tol);
-        std::vector<AccessibleArea> areas;
+        std::vector<ToolReach> reaches;
         for (const ToolAssembly& tool : library.tools)
-            areas.push_back(accessibleArea(ground, tool, options.material));
+            reaches.push_back(toolReach(ground, tool, options.material));
         times.access += millisecondsSince(start);
 
         start = Clock::now();
-        timePaths(ground, areas, library, machine, options.material, tol);
+        timePaths(ground, reaches, library, machine, options.material, tol);
         times.paths += millisecondsSince(start);
 
         start = Clock::now();

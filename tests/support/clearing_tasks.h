@@ -42,16 +42,15 @@ inline Entry entryInto(const Region& component, const Region& target, double rad
 }
 
 /// What a tool with these areas has to do in a feature: all of its free centres, or a decomposed area's.
-inline ClearingTask taskOf(const Feature& feature, const AccessibleArea& tool,
-                           const DecomposedArea& decomposed, const Machine& machine,
-                           Pattern pattern = Pattern::Best) {
+inline ClearingTask taskOf(const Feature& feature, const CutterArea& tool, const DecomposedArea& decomposed,
+                           const Machine& machine, Pattern pattern = Pattern::Best) {
     ClearingTask task;
     task.free_centres = tool.free_centres;
     task.entries = tool.entries;
     task.centres = decomposed.centres;
     task.cleared_centres = decomposed.cleared_centres;
     task.target = feature.target;
-    task.obstruction = tool.obstruction ? *tool.obstruction : feature.obstruction;
+    task.obstruction = tool.obstructionIn(feature);
     task.top_z_mm = feature.top_z_mm;
     task.floor_z_mm = feature.floor_z_mm;
     task.retract_z_mm = machine.safe_height_mm;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "stepmill/access/swept.h"
@@ -77,6 +78,34 @@ class FeatureGround {
     std::unique_ptr<Impl> impl_;
 };
 
+/// What a disc can do in a feature: where its centre may stand and what it covers from there
+/// [docs/algorithms/accessibility.md]. A plain value; copies share what is made lazily.
+struct CutterArea {
+    double radius_mm = 0;
+    /// C_t: where the axis may stand, cutter clear of the obstruction, components without an entry left
+    /// out. May leave the target over open edges [Yao2000].
+    Region free_centres;
+    /// One per component of `free_centres`, in the order of components().
+    std::vector<Entry> entries;
+    /// A_t = offset(C_t, r).
+    Region accessible;
+    /// A_t n T, less ground that is given up.
+    Region coverable;
+    double coverable_area_mm2 = 0;
+    double access_volume_mm3 = 0;  ///< coverable area x depth of the feature [Lim2000]
+    /// Is `accessible` all a disc sweeps inside the target, so that pairs need no Booleans?
+    bool opens_target = false;
+    /// What the axis keeps its radius from, where that is more than the feature's obstruction.
+    std::optional<Region> wider_obstruction;
+    /// What its passes clear for sure: the pairs that start with this tool shrink it.
+    SureSweep swept;
+
+    /// What the axis keeps its radius from.
+    const Region& obstructionIn(const Feature& feature) const {
+        return wider_obstruction ? *wider_obstruction : feature.obstruction;
+    }
+};
+
 /// A piece of what a tool's cutter could reach but for its shank or holder, and other tools can reach.
 struct BlockedLump {
     Region region;  ///< its parts are nearer to each other than the cutter's diameter
@@ -87,59 +116,65 @@ struct BlockedLump {
     std::string reason;  ///< what keeps the tool off, in words with the numbers
 };
 
-/// Areas of one tool in one feature [accessibility.md].
-struct AccessibleArea {
-    std::string tool_id;
-    double radius_mm = 0;
-    /// C_t: where the axis may stand, cutter clear of the obstruction, components without an entry left
-    /// out. May leave the target over open edges [Yao2000].
-    Region free_centres;
-    /// One per component of `free_centres`, in the order of components().
-    std::vector<Entry> entries;
-    /// A_t = offset(C_t, r).
-    Region accessible;
-    /// A_t n T; of a tool with surrogates without what no tool at all reaches.
-    Region coverable;
-    /// Is `accessible` all a disc sweeps inside the target, so that pairs need no Booleans?
-    bool opens_target = false;
-    double accessible_area_mm2 = 0;  ///< within the target
-    double coverable_area_mm2 = 0;
-    double collision_free_area_mm2 = 0;  ///< A'_t within the target [DSouza2006, Alg. 3]
-    double access_volume_mm3 = 0;        ///< coverable area x depth [Lim2000]
-    /// What the axis keeps its radius from: the feature's obstruction, and around it where shank or holder
-    /// would touch. Null: the feature's obstruction alone.
-    std::shared_ptr<const Region> obstruction;
-    /// Where shank or holder hold the tool off part of what its cutter could reach, in words with the
-    /// numbers; empty when nothing does. Set by limitedArea().
-    std::string limited;
-    /// Where surrogates do part of the tool's area: A'_t with its own centres and entries, which is what the
-    /// tool itself may do. Null: all of the above.
-    std::shared_ptr<const AccessibleArea> clear_of_holder;
-    std::vector<BlockedLump> blocked_lumps;  ///< what the surrogates do [tool-dag.md, 'Surrogates']
-    /// Set when the tool cannot be used; the areas then tell what it could do without that.
-    std::optional<Exclusion> excluded;
-    /// What of `accessible` nobody clears: where surrogates do part of it, ground that none of them reaches.
-    Region given_up;
-    /// What the tool's passes clear for sure: the pairs that start with this tool shrink it.
-    SureSweep swept;
+/// The tool does all that its cutter reaches: shank and holder are clear everywhere.
+struct Unhindered {};
+
+/// Shank or holder keep the tool off part of what its cutter reaches, and nobody stands in for it there.
+struct Limited {
+    CutterArea
+        whole_tool;   ///< A'_t with its own centres and entries: what the tool does [DSouza2006, Alg. 3]
+    std::string why;  ///< what is in the way, with the numbers
 };
 
-/// A_t and its kin for one cutter. Never throws for a tool that does not fit: that is a result.
-AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool,
-                              const std::string& material);
+/// Shank or holder keep the tool off part of what its cutter reaches, and surrogates clear that part.
+struct WithSurrogates {
+    CutterArea whole_tool;  ///< A'_t: what the tool itself does
+    /// What tool and surrogates do together: all that its cutter reaches, but for ground that no tool
+    /// reaches.
+    CutterArea together;
+    std::vector<BlockedLump> lumps;  ///< what the surrogates do [docs/algorithms/tool-dag.md]
+};
 
-/// The areas of a tool that accessibleArea() excluded for collisions of its holder, shrunk to where the
-/// holder is clear, with `limited` instead of `excluded`. Nothing when the tool was turned down for
-/// something else, or when nothing is left for it.
-std::optional<AccessibleArea> limitedArea(const FeatureGround& ground, const ToolAssembly& tool,
-                                          const AccessibleArea& excluded);
+/// What one tool can do in one feature: what its cutter reaches, and what shank and holder make of that.
+struct ToolReach {
+    std::string tool_id;
+    CutterArea cutter;                   ///< A_t: the cutter alone
+    double collision_free_area_mm2 = 0;  ///< A'_t within the target: the whole tool [DSouza2006, Alg. 3]
+    /// How the tool takes part; an Exclusion where it takes none.
+    std::variant<Unhindered, Limited, WithSurrogates, Exclusion> use;
+
+    /// Null where the tool takes part in another way.
+    const Exclusion* exclusion() const { return std::get_if<Exclusion>(&use); }
+    const Limited* limited() const { return std::get_if<Limited>(&use); }
+    const WithSurrogates* surrogates() const { return std::get_if<WithSurrogates>(&use); }
+
+    /// What the tool itself does; of an excluded tool what its cutter could do.
+    const CutterArea& own() const;
+    /// What is cleared when the tool and its surrogates are done; of an excluded tool as own().
+    const CutterArea& cleared() const;
+};
+
+/// What the tool can do. Turns it down with the first thing that rules it out, but tells what it could do
+/// without that: a holder in the way somewhere is an Exclusion here, which collisionFreeArea() may lift.
+/// \return  Limited and WithSurrogates are never among the results. A tool that does not fit is a result, not
+///          an error, with empty areas.
+/// \see docs/algorithms/accessibility.md for the figures
+ToolReach toolReach(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material);
+
+/// A'_t: the areas of a tool that toolReach() excluded for collisions of its holder, shrunk to where the
+/// holder is clear. Nothing when the tool was turned down for something else, or when nothing is left for it.
+std::optional<CutterArea> collisionFreeArea(const FeatureGround& ground, const ToolAssembly& tool,
+                                            const ToolReach& reach);
+
+/// The reach of a tool that is Limited to this.
+ToolReach limitedTo(const ToolReach& excluded, CutterArea whole_tool);
 
 /// How deep a tool can go in a feature before its shank or holder keeps it off some of its free centres.
-struct Reach {
+struct DepthLimit {
     double floor_z_mm = 0;    ///< lowest floor at which nothing is lost; the feature's own if that is
     double stick_out_mm = 0;  ///< what would do for the feature's own floor
 };
-Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area);
+DepthLimit depthLimitOf(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area);
 
 /// Stick-outs of a range are tried in steps of this [mm].
 inline constexpr double kStickOutStepMm = 1;
@@ -147,7 +182,7 @@ inline constexpr double kStickOutStepMm = 1;
 /// The shortest stick-out of the tool's range, in whole steps from its shorter end, at which shank and holder
 /// touch nothing while the axis is on the area's free centres and at its entries; the longest where none is
 /// shorter. A tool without a range: its own. \pre a mill, its area made at the longest stick-out
-double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area);
+double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area);
 
 /// The same for every tool: the first of the range's steps at which `clears` the tool so set; longer ones do
 /// too, so O(log steps) questions.
@@ -168,6 +203,6 @@ struct DecomposedArea {
 /// D_mn for a pair; `m` null stands for tool 0, nothing used yet: D_0n = A_n.
 /// Empty when m reaches all that n does.
 /// \pre m == nullptr or m->radius_mm >= n.radius_mm
-DecomposedArea decomposedArea(const FeatureGround& ground, const AccessibleArea* m, const AccessibleArea& n);
+DecomposedArea decomposedArea(const FeatureGround& ground, const CutterArea* m, const CutterArea& n);
 
 }  // namespace stepmill

@@ -57,7 +57,7 @@ struct AccessCurveOptions {
 
 /// The coverable area for every diameter between `from_mm` and `to_mm`: geometry alone. How a tool gets in
 /// (plunge, ramp, helix, over an edge), its flutes and its holder do not count, so the curve belongs to the
-/// feature and not to a library; accessibleArea() of one tool may be less.
+/// feature and not to a library; toolReach() of one tool may be less.
 ///
 /// Jumps are enclosed by bisection on the area and on the number of centre regions to 2 `linear_mm`; necks
 /// and corner radii come exactly from the walls [docs/algorithms/access-curve.md]. Diameter 0 stands for the

@@ -24,7 +24,7 @@ Region obstructionWithHolder(const FeatureGround& ground, const ToolAssembly& to
 
 /// Widest diameter to which shank and holder would have to be turned down so that the cutter loses none of
 /// its free centres, in tenths and up to 0.2 mm too small [mm]; the cutter's own at least.
-double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area);
+double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area);
 
 /// `lump` as a feature: same heights, everything around it but `obstruction` is cleared ground. What stands
 /// farther than `reach_mm` from the lump is left out, as no tool is there below the feature's top, and so are

@@ -121,10 +121,10 @@ struct ToolSequence {
     std::string feature_id;
     /// Depth the steps cut to: the feature's floor, or higher where no tool gets down to that.
     double floor_z_mm = 0;
-    std::vector<AccessibleArea> tools;  ///< every tool of the library, falling diameter, with exclusions
-    std::vector<DagEdge> edges;         ///< evaluated edges, by from then to
-    std::vector<SequenceStep> steps;    ///< empty when no tool can machine anything
-    double time_s = 0;                  ///< with a tool change wherever the tool is another
+    std::vector<ToolReach> tools;     ///< every tool of the library, falling diameter, with exclusions
+    std::vector<DagEdge> edges;       ///< evaluated edges, by from then to
+    std::vector<SequenceStep> steps;  ///< empty when no tool can machine anything
+    double time_s = 0;                ///< with a tool change wherever the tool is another
     double cost = 0;
     double motion_s = 0;         ///< `time_s` with the machine's acceleration where that is given
     double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]
@@ -140,8 +140,8 @@ struct ToolSequence {
 /// every company. Empty where the sequence has no steps.
 std::vector<SequenceChoice> choicesOf(const ToolSequence& sequence);
 
-/// The sequence with its steps made anew along choicesOf(sequence)[index]. \pre what sequenceTools() was
-/// given still stands
+/// The sequence with its steps made anew along choicesOf(sequence)[index]; what sequenceTools() was given is
+/// not needed any more. \throws Error(Internal) if a path gouges
 ToolSequence withChoice(const ToolSequence& sequence, std::size_t index);
 
 /// Volume of all residuals of a feature [mm3].
@@ -161,7 +161,7 @@ EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Mach
 /// it, layers x area / (cutter diameter x feed), and one tool change per tool used. The diameter stands
 /// where a step-over would be quicker to write but wrong: a first pass cuts full width. 0 when no tool can
 /// machine anything. See docs/algorithms/costs.md.
-double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea>& tools,
+double lowerBoundS(const FeatureGround& ground, const std::vector<ToolReach>& tools,
                    const ToolLibrary& library, const SequenceOptions& options, const Machine& machine);
 
 /// The optimal tool sequence for a feature: areas of all tools, costs of all DAG edges on real paths

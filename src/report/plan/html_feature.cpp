@@ -21,23 +21,33 @@ std::vector<const Operation*> operationsOf(const PlannedSetup& setup, const std:
     return found;
 }
 
+/// What keeps the tool off the feature or part of it; empty where nothing does or surrogates do that part.
+std::string whyNotAll(const ToolReach& reach) {
+    if (const Exclusion* excluded = reach.exclusion()) return excluded->text;
+    return reach.limited() != nullptr ? reach.limited()->why : std::string();
+}
+
 Element toolsTable(const ToolSequence& sequence) {
     Table table({"tool", numbers("coverable mm²"), numbers("of it free of the holder"), numbers("volume cm³"),
                  "why not"});
-    for (const AccessibleArea& area : sequence.tools)
-        table.row(area.tool_id, fixed(area.coverable_area_mm2, 2), fixed(area.collision_free_area_mm2, 2),
-                  fixed(area.access_volume_mm3 / 1000, 3),
-                  area.excluded ? area.excluded->text : area.limited);
+    for (const ToolReach& reach : sequence.tools) {
+        const CutterArea& cleared = reach.cleared();
+        table.row(reach.tool_id, fixed(cleared.coverable_area_mm2, 2),
+                  fixed(reach.collision_free_area_mm2, 2), fixed(cleared.access_volume_mm3 / 1000, 3),
+                  whyNotAll(reach));
+    }
     return std::move(table).element();
 }
 
 /// What holders keep from tools, and who reaches it.
 std::optional<Element> lumpsTable(const ToolSequence& sequence) {
     Table table({"tool", numbers("kept from it mm²"), "surrogates that reach it", "why"});
-    for (const AccessibleArea& area : sequence.tools)
-        for (const BlockedLump& lump : area.blocked_lumps)
-            table.row(area.tool_id, fixed(lump.area_mm2, 2),
+    for (const ToolReach& reach : sequence.tools) {
+        if (reach.surrogates() == nullptr) continue;
+        for (const BlockedLump& lump : reach.surrogates()->lumps)
+            table.row(reach.tool_id, fixed(lump.area_mm2, 2),
                       lump.surrogates.empty() ? "several together" : listed(lump.surrogates), lump.reason);
+    }
     return std::move(table).elementIfAny();
 }
 

@@ -13,10 +13,11 @@ namespace {
 constexpr double kMm3PerCm3 = 1000;
 
 /// Of the access volume, what the whole tool may reach.
-double clearVolumeMm3(const AccessibleArea& area, double depth_mm) {
-    if (!area.excluded) return area.access_volume_mm3;
-    if (area.excluded->reason != ExclusionReason::HolderCollision) return 0;
-    return area.collision_free_area_mm2 * depth_mm;
+double clearVolumeMm3(const ToolReach& reach, double depth_mm) {
+    const Exclusion* excluded = reach.exclusion();
+    if (excluded == nullptr) return reach.cutter.access_volume_mm3;
+    if (excluded->reason != ExclusionReason::HolderCollision) return 0;
+    return reach.collision_free_area_mm2 * depth_mm;
 }
 
 bool leavesFlatFloor(const ToolAssembly& tool) {
@@ -41,9 +42,9 @@ std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const T
     for (const Feature& feature : features) {
         const FeatureGround ground(feature, tol);
         tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
-            const AccessibleArea area = areaFor(ground, *tools[i], options);
-            rows[i].volume_cm3 += area.access_volume_mm3 / kMm3PerCm3;
-            *rows[i].clear_volume_cm3 += clearVolumeMm3(area, feature.depth_mm()) / kMm3PerCm3;
+            const ToolReach reach = reachFor(ground, *tools[i], options);
+            rows[i].volume_cm3 += reach.cutter.access_volume_mm3 / kMm3PerCm3;
+            *rows[i].clear_volume_cm3 += clearVolumeMm3(reach, feature.depth_mm()) / kMm3PerCm3;
         });
     }
     return rows;

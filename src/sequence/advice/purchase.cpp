@@ -31,23 +31,24 @@ ToolLibrary withTool(ToolLibrary library, const ToolAssembly& tool) {
 }
 
 /// Areas over the feature's whole depth, by falling diameter. (A plan that ends higher tells areas up there.)
-std::vector<AccessibleArea> areasOf(const FeatureGround& ground, const ToolLibrary& library,
-                                    const SequenceOptions& options) {
+std::vector<ToolReach> reachesOf(const FeatureGround& ground, const ToolLibrary& library,
+                                 const SequenceOptions& options) {
     const std::vector<const ToolAssembly*> tools = byFallingDiameter(library);
-    std::vector<AccessibleArea> areas(tools.size());
+    std::vector<ToolReach> reaches(tools.size());
     tbb::parallel_for(std::size_t{0}, tools.size(),
-                      [&](std::size_t i) { areas[i] = areaFor(ground, *tools[i], options); });
-    return areas;
+                      [&](std::size_t i) { reaches[i] = reachFor(ground, *tools[i], options); });
+    return reaches;
 }
 
 /// What a tool may do: all it reaches, or what its holder leaves of that.
-AccessibleArea usableArea(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+ToolReach usableReach(const FeatureGround& ground, const ToolAssembly& tool, const ToolReach& reach) {
     if (tool.isDrill()) {
-        AccessibleArea drill = area;
-        drill.excluded.reset();  // usableTools() knows which holes it fits
+        ToolReach drill = reach;
+        drill.use = Unhindered{};  // usableTools() knows which holes it fits
         return drill;
     }
-    return limitedArea(ground, tool, area).value_or(area);
+    auto clear = collisionFreeArea(ground, tool, reach);
+    return clear ? limitedTo(reach, std::move(*clear)) : reach;
 }
 
 class Adviser {
@@ -61,9 +62,9 @@ class Adviser {
           tol_(tol),
           ground_(feature, tol),
           known_(sequenceTools(feature, library, machine, options, tol)),
-          areas_(areasOf(ground_, library, options)) {
-        for (const AccessibleArea& area : areas_)
-            usable_.push_back(usableArea(ground_, library.tool(area.tool_id), area));
+          reaches_(reachesOf(ground_, library, options)) {
+        for (const ToolReach& reach : reaches_)
+            usable_.push_back(usableReach(ground_, library.tool(reach.tool_id), reach));
     }
 
     PurchaseAdvice advise() const {
@@ -89,7 +90,7 @@ class Adviser {
         std::vector<TrialTool> trials = trialMills(ground_, library_, options_.material);
         if (auto drill = trialDrill(ground_, library_, options_.material))
             trials.push_back(std::move(*drill));
-        for (TrialTool& longer : longerTools(ground_, library_, areas_))
+        for (TrialTool& longer : longerTools(ground_, library_, reaches_))
             trials.push_back(std::move(longer));
         for (TrialTool& trial : trials)
             while (isInLibrary(trial.tool.id))
@@ -125,21 +126,21 @@ class Adviser {
 
     Forecast forecastWith(const ToolAssembly& tool) const {
         const ToolLibrary library = withTool(library_, tool);
-        std::vector<AccessibleArea> areas;
+        std::vector<ToolReach> reaches;
         auto known = usable_.begin();
         for (const ToolAssembly* each : byFallingDiameter(library)) {
             if (each == &library.tools.back())
-                areas.push_back(usableArea(ground_, tool, areaFor(ground_, tool, options_)));
+                reaches.push_back(usableReach(ground_, tool, reachFor(ground_, tool, options_)));
             else
-                areas.push_back(*known++);
+                reaches.push_back(*known++);
         }
-        return forecast(library, areas);
+        return forecast(library, reaches);
     }
 
-    Forecast forecast(const ToolLibrary& library, const std::vector<AccessibleArea>& areas) const {
+    Forecast forecast(const ToolLibrary& library, const std::vector<ToolReach>& reaches) const {
         std::vector<AreaModelTool> tools;
         Forecast forecast;
-        for (const Candidate& usable : usableTools(feature_, areas, library, options_, machine_, tol_)) {
+        for (const Candidate& usable : usableTools(feature_, reaches, library, options_, machine_, tol_)) {
             AreaModelTool tool;
             if (usable.drill()) {
                 tool.volume_mm3 = usable.coverable_mm2 * feature_.depth_mm();
@@ -199,8 +200,8 @@ class Adviser {
     const Tolerances& tol_;
     FeatureGround ground_;
     ToolSequence known_;
-    std::vector<AccessibleArea> areas_;   ///< of the library, by falling diameter
-    std::vector<AccessibleArea> usable_;  ///< the same tools, as far as their holders let them
+    std::vector<ToolReach> reaches_;  ///< of the library, by falling diameter
+    std::vector<ToolReach> usable_;   ///< the same tools, as far as their holders let them
 };
 
 }  // namespace

@@ -236,9 +236,10 @@ std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibra
 namespace {
 
 /// What clears obstacles and, for a tool that is too short, what it leaves of the feature itself.
-double stickOutThatDoes(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
-    const double beside_obstacles_mm = reachOf(ground, tool, area).stick_out_mm;
-    if (area.excluded->reason != ExclusionReason::TooShort) return beside_obstacles_mm;
+double stickOutThatDoes(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& cutter,
+                        ExclusionReason excluded_for) {
+    const double beside_obstacles_mm = depthLimitOf(ground, tool, cutter).stick_out_mm;
+    if (excluded_for != ExclusionReason::TooShort) return beside_obstacles_mm;
     const double lacks_mm = ground.feature().depth_mm() - access::freeReachMm(tool);
     return lacks_mm > 0 ? std::max(beside_obstacles_mm, tool.stick_out_mm + lacks_mm) : beside_obstacles_mm;
 }
@@ -246,15 +247,16 @@ double stickOutThatDoes(const FeatureGround& ground, const ToolAssembly& tool, c
 }  // namespace
 
 std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrary& library,
-                                   const std::vector<AccessibleArea>& areas) {
+                                   const std::vector<ToolReach>& reaches) {
     std::vector<TrialTool> trials;
-    for (const AccessibleArea& area : areas) {
-        const ToolAssembly& tool = library.tool(area.tool_id);
+    for (const ToolReach& reach : reaches) {
+        const ToolAssembly& tool = library.tool(reach.tool_id);
         if (tool.isDrill()) continue;
-        const bool kept_off = area.excluded && (area.excluded->reason == ExclusionReason::TooShort ||
-                                                area.excluded->reason == ExclusionReason::HolderCollision);
+        const Exclusion* excluded = reach.exclusion();
+        const bool kept_off = excluded != nullptr && (excluded->reason == ExclusionReason::TooShort ||
+                                                      excluded->reason == ExclusionReason::HolderCollision);
         if (!kept_off) continue;
-        auto longer = withStickOut(tool, stickOutThatDoes(ground, tool, area));
+        auto longer = withStickOut(tool, stickOutThatDoes(ground, tool, reach.cutter, excluded->reason));
         if (!longer) continue;
         std::string why = fmt::format("{} with {:.4g} instead of {:.4g} mm of stick-out clears its holder",
                                       tool.id, longer->stick_out_mm, tool.stick_out_mm);

@@ -25,9 +25,9 @@ std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibra
                                     const std::string& material);
 
 /// Tools of the library that reach or holder keep off the feature, with the stick-out that would do.
-/// \param areas  areaFor() of the library's tools, in any order
+/// \param reaches  reachFor() of the library's tools, in any order
 std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrary& library,
-                                   const std::vector<AccessibleArea>& areas);
+                                   const std::vector<ToolReach>& reaches);
 
 /// A tool of this type and diameter between its nearest neighbours of the library that stick out at least
 /// `reach_mm` and have data for the material: lengths, feeds, speed, price and life interpolated over the

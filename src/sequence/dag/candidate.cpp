@@ -10,19 +10,20 @@ namespace stepmill {
 namespace {
 
 /// The fastest tools that have any area free of collisions, and so may be surrogates.
-struct FastestHelpers {
+struct FastestSurrogates {
     double any = 0;
     double outsider = 0;  ///< of those that are no candidates
 };
 
-FastestHelpers fastestHelpers(const Feature& feature, const std::vector<AccessibleArea>& areas,
-                              const std::vector<Candidate>& candidates, const ToolLibrary& library,
-                              const SequenceOptions& options, const Machine& machine, const Tolerances& tol) {
-    FastestHelpers fastest;
-    for (const AccessibleArea& area : areas) {
-        const ToolAssembly& tool = library.tool(area.tool_id);
+FastestSurrogates fastestSurrogates(const Feature& feature, const std::vector<ToolReach>& reaches,
+                                    const std::vector<Candidate>& candidates, const ToolLibrary& library,
+                                    const SequenceOptions& options, const Machine& machine,
+                                    const Tolerances& tol) {
+    FastestSurrogates fastest;
+    for (const ToolReach& reach : reaches) {
+        const ToolAssembly& tool = library.tool(reach.tool_id);
         const CuttingData* cutting = tool.cuttingFor(options.material);
-        if (cutting == nullptr || tool.isDrill() || area.collision_free_area_mm2 <= tol.area_mm2) continue;
+        if (cutting == nullptr || tool.isDrill() || reach.collision_free_area_mm2 <= tol.area_mm2) continue;
         const double rate = volumeRate(feature, tool, limitedBy(machine, *cutting));
         const bool listed = std::any_of(candidates.begin(), candidates.end(),
                                         [&](const Candidate& other) { return other.tool == &tool; });
@@ -75,28 +76,29 @@ std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library) {
     return tools;
 }
 
-std::vector<Candidate> usableTools(const Feature& feature, const std::vector<AccessibleArea>& areas,
+std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,
                                    const Machine& machine, const Tolerances& tol) {
     std::vector<Candidate> usable;
-    for (const AccessibleArea& area : areas) {
-        const ToolAssembly& tool = library.tool(area.tool_id);
+    for (const ToolReach& reach : reaches) {
+        const ToolAssembly& tool = library.tool(reach.tool_id);
         const CuttingData* cutting = tool.cuttingFor(options.material);
-        if (cutting == nullptr || area.excluded) continue;
-        const double coverable = tool.isDrill() ? feature.area_mm2 : area.coverable_area_mm2;
+        if (cutting == nullptr || reach.exclusion() != nullptr) continue;
+        const double coverable = tool.isDrill() ? feature.area_mm2 : reach.cleared().coverable_area_mm2;
         if (coverable <= tol.area_mm2) continue;
         if (tool.isDrill() && !drillCheck(feature, tool, tol).fits) continue;
         const CuttingData limited = limitedBy(machine, *cutting);
         const double rate = volumeRate(feature, tool, limited);
-        usable.push_back({&tool, &area, limited, coverable, rate, rate});
+        usable.push_back({&tool, &reach, &reach.cleared(), &reach.own(), limited, coverable, rate, rate});
     }
-    const bool any_helped =
+    const bool any_with_surrogates =
         std::any_of(usable.begin(), usable.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
-    if (!any_helped) return usable;
-    const FastestHelpers fastest = fastestHelpers(feature, areas, usable, library, options, machine, tol);
+    if (!any_with_surrogates) return usable;
+    const FastestSurrogates fastest =
+        fastestSurrogates(feature, reaches, usable, library, options, machine, tol);
     for (Candidate& tool : usable) {
         if (!tool.hasSurrogates()) continue;
-        tool.helped_rate_mm3_per_s = std::max(tool.helped_rate_mm3_per_s, fastest.any);
+        tool.joint_rate_mm3_per_s = std::max(tool.joint_rate_mm3_per_s, fastest.any);
         tool.outsider_rate_mm3_per_s = fastest.outsider;
     }
     return usable;

@@ -10,22 +10,23 @@
 namespace stepmill {
 
 /// A node of a feature's tool DAG: a tool that can machine something there, with its cutting data held to
-/// what the machine can do. Points into the library and the list of areas it was made from.
+/// what the machine can do. Points into the library and the reaches it was made from, which stay in place
+/// with the job and the choices that hold the DAG.
 struct Candidate {
     const ToolAssembly* tool = nullptr;
-    const AccessibleArea* area = nullptr;
+    const ToolReach* reach = nullptr;
+    const CutterArea* cleared = nullptr;  ///< when the tool and its surrogates are done
+    const CutterArea* own = nullptr;      ///< where the tool itself goes
     CuttingData cutting;
     double coverable_mm2 = 0;          ///< of the target; a matching drill's is the whole target
     double volume_rate_mm3_per_s = 0;  ///< no move of this tool removes more per second
-    /// No move of this tool or, where it has surrogates, of any that may help it removes more per second.
-    double helped_rate_mm3_per_s = 0;
-    /// The same of those that may help it and are no candidates themselves; 0 without surrogates.
+    /// No move of this tool or, where it has surrogates, of any of them removes more per second.
+    double joint_rate_mm3_per_s = 0;
+    /// The same of its surrogates that are no candidates themselves; 0 without surrogates.
     double outsider_rate_mm3_per_s = 0;
 
     bool drill() const { return tool->isDrill(); }
-    bool hasSurrogates() const { return area->clear_of_holder != nullptr; }
-    /// What the tool itself may do.
-    const AccessibleArea& own() const { return hasSurrogates() ? *area->clear_of_holder : *area; }
+    bool hasSurrogates() const { return reach->surrogates() != nullptr; }
 };
 
 /// What a sequence makes least: seconds or money, with acceleration where the machine gives it.
@@ -45,9 +46,9 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
 /// 'Nodes and edges'].
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 
-/// The tools of `areas` that can machine something of the feature, in the order of `areas`.
-/// \pre `areas` are in the order of byFallingDiameter()
-std::vector<Candidate> usableTools(const Feature& feature, const std::vector<AccessibleArea>& areas,
+/// The tools of `reaches` that can machine something of the feature, in their order. They point into
+/// `reaches` and `library`. \pre `reaches` are in the order of byFallingDiameter()
+std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,
                                    const Machine& machine, const Tolerances& tol);
 

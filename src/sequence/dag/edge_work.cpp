@@ -40,7 +40,8 @@ std::optional<EdgeWork> edgeWork(const DagTask& task, const Candidate* m, const 
         if (step.path.moves.empty()) return std::nullopt;
         return EdgeWork{step.path.totals, area(step.area.area), step.area.new_area_mm2};
     }
-    const DecomposedArea decomposed = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
+    const DecomposedArea decomposed =
+        decomposedArea(task.ground, m != nullptr ? m->cleared : nullptr, *n.own);
     if (decomposed.centres.empty()) return std::nullopt;
     EdgeWork work;
     work.region_area_mm2 = area(decomposed.area);

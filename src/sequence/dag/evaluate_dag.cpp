@@ -18,13 +18,13 @@ namespace {
 /// A slot of the edge table. Weights are seconds or money, as the objective asks.
 struct EdgeSlot {
     DagEdge edge;
-    EdgeHelp help;
+    EdgeSurrogates surrogates;
     double weight = kNoEdge;        ///< kNoEdge until evaluated, and for good if there is no such edge
     double least_weight = kNoEdge;  ///< lower bound of the weight, whatever tool follows
     bool settled = false;           ///< evaluated or left out
 
     /// The weight before the tool that lets the edge save most.
-    double lowestWeight() const { return weight - help.largestSaving(); }
+    double lowestWeight() const { return weight - surrogates.largestSaving(); }
     /// What a path through it counts at least; kNoEdge where it need not be looked at any more.
     double bound() const { return settled ? lowestWeight() : least_weight; }
 };
@@ -55,14 +55,14 @@ class EdgeTable {
     }
 
     double weight(int m, int n) const { return slot(m, n).weight; }
-    double saving(int m, int n, int next) const { return slot(m, n).help.saving(next); }
+    double saving(int m, int n, int next) const { return slot(m, n).surrogates.saving(next); }
     const std::vector<SharedRings>& rings() const { return rings_; }
     std::vector<WeighedEdge> evaluated() const {
         std::vector<WeighedEdge> edges;
         for (int m = kSource; m < n_; ++m) {
             for (int n = m + 1; n < n_; ++n) {
                 const EdgeSlot& at = slot(m, n);
-                if (at.weight < kNoEdge) edges.push_back({m, n, at.edge, at.help, at.weight});
+                if (at.weight < kNoEdge) edges.push_back({m, n, at.edge, at.surrogates, at.weight});
             }
         }
         return edges;
@@ -141,7 +141,7 @@ class EdgeTable {
         const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
         const double new_mm2 = to.coverable_mm2 - from_mm2;
         if (new_mm2 <= sameArea(feature, task_.ground.tolerances())) return kNoEdge;
-        if (to.hasSurrogates()) return weightWithLumps(to, new_mm2, to.own().coverable_area_mm2 - from_mm2);
+        if (to.hasSurrogates()) return weightWithLumps(to, new_mm2, to.own->coverable_area_mm2 - from_mm2);
         PathTotals least;
         least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
         return weigh(edgeCost(least, *to.tool, task_.machine));
@@ -152,7 +152,7 @@ class EdgeTable {
         const double own_mm2 = std::clamp(own_new_mm2, 0.0, new_mm2);
         const double depth_mm = task_.ground.feature().depth_mm();
         const double least_s = own_mm2 * depth_mm / to.volume_rate_mm3_per_s +
-                               (new_mm2 - own_mm2) * depth_mm / to.helped_rate_mm3_per_s;
+                               (new_mm2 - own_mm2) * depth_mm / to.joint_rate_mm3_per_s;
         return changeWeight(to) + weigh(machineCost(least_s, task_.machine));
     }
 
@@ -164,7 +164,7 @@ class EdgeTable {
         const Candidate& to = task_.tools[n];
         const double from_mm2 = m == kSource ? 0 : task_.tools[m].coverable_mm2;
         const double lumps_mm2 = std::max(0.0, to.coverable_mm2 - from_mm2 - own_new_mm2);
-        const double lumps_s = lumps_mm2 * task_.ground.feature().depth_mm() / to.helped_rate_mm3_per_s;
+        const double lumps_s = lumps_mm2 * task_.ground.feature().depth_mm() / to.joint_rate_mm3_per_s;
         const double before = m == kSource ? 0 : to_tool_[m];
         return before + own_weight + weigh(machineCost(lumps_s, task_.machine)) + to_sink_[n] <= known;
     }
@@ -178,8 +178,8 @@ class EdgeTable {
         const EdgeCost cost = edgeCost(work->totals, *to.tool, task_.machine);
         if (to.hasSurrogates() && task_.surrogates != nullptr) {
             if (!mayBeatWithLumps(m, n, weigh(cost), work->new_area_mm2, known)) return false;
-            into.help = findHelp(*task_.surrogates, task_.tools, from, n, changeWeight(to));
-            if (!into.help.possible()) return true;
+            into.surrogates = surrogatesOfEdge(*task_.surrogates, task_.tools, from, n, changeWeight(to));
+            if (!into.surrogates.possible()) return true;
         }
         into.edge.from = from != nullptr ? from->tool->id : std::string();
         into.edge.to = to.tool->id;
@@ -188,7 +188,7 @@ class EdgeTable {
         into.edge.time_s = cost.time_s;
         into.edge.cost = cost.cost;
         into.edge.motion_s = cost.motion_s;
-        into.weight = weigh(cost) + into.help.plain.weight;
+        into.weight = weigh(cost) + into.surrogates.plain.weight;
         return true;
     }
 
@@ -220,33 +220,42 @@ std::vector<std::pair<int, int>> takeMostPromising(const EdgeTable& table, std::
     for (std::size_t i = 0; i < count; ++i)
         chosen[order[i].second] = 1;
     std::vector<std::pair<int, int>> taken;
-    std::vector<std::pair<int, int>> left;
+    std::vector<std::pair<int, int>> later;
     for (std::size_t i = 0; i < open.size(); ++i)
-        (chosen[i] != 0 ? taken : left).push_back(open[i]);
-    open = std::move(left);
+        (chosen[i] != 0 ? taken : later).push_back(open[i]);
+    open = std::move(later);
     return taken;
 }
 
 }  // namespace
 
+const WeighedEdge* edgeBetween(const DagResult& dag, int from, int to) {
+    const auto found = std::lower_bound(dag.edges.begin(), dag.edges.end(), std::pair(from, to),
+                                        [](const WeighedEdge& edge, const std::pair<int, int>& wanted) {
+                                            return std::pair(edge.from, edge.to) < wanted;
+                                        });
+    const bool is_there = found != dag.edges.end() && found->from == from && found->to == to;
+    return is_there ? &*found : nullptr;
+}
+
 DagResult evaluateDag(const DagTask& task) {
     const int n_tools = static_cast<int>(task.tools.size());
     EdgeTable table(task);
     DagResult result;
-    const bool any_helped = std::any_of(task.tools.begin(), task.tools.end(),
-                                        [](const Candidate& tool) { return tool.hasSurrogates(); });
+    const bool any_with_surrogates = std::any_of(task.tools.begin(), task.tools.end(),
+                                                 [](const Candidate& tool) { return tool.hasSurrogates(); });
     const auto cheapest = [&] {
         const auto weight = [&](int m, int n) { return table.weight(m, n); };
         const auto saving = [&](int m, int n, int next) { return table.saving(m, n, next); };
-        return cheapestPath(n_tools, weight, task.ends, any_helped ? Saving(saving) : Saving());
+        return cheapestPath(n_tools, weight, task.ends, any_with_surrogates ? Saving(saving) : Saving());
     };
-    const auto isHelped = [&](int n) { return task.tools[n].hasSurrogates(); };
+    const auto hasSurrogates = [&](int n) { return task.tools[n].hasSurrogates(); };
 
     // First every tool that can do the whole feature alone: that gives a complete path to beat.
     const bool alone_known = task.alone_weight < kNoEdge;
     std::vector<std::pair<int, int>> round;
     for (int n = 0; n < n_tools; ++n) {
-        if (!task.ends[n] || isHelped(n)) continue;
+        if (!task.ends[n] || hasSurrogates(n)) continue;
         if (alone_known)
             table.leaveOut(kSource, n);
         else
@@ -273,14 +282,15 @@ DagResult evaluateDag(const DagTask& task) {
             result.pruned += table.evaluate(round, known);
         }
     };
-    addRound(kSource, kSource, [&](int n) { return !task.ends[n] && !isHelped(n); });
-    // Where only helped tools can end the feature, the one that promises most gives the plan to beat.
-    const int promising = table.mostPromising([&](int n) { return task.ends[n] && isHelped(n); });
+    addRound(kSource, kSource, [&](int n) { return !task.ends[n] && !hasSurrogates(n); });
+    // Where only tools with surrogates can end the feature, the one that promises most gives the plan to
+    // beat.
+    const int promising = table.mostPromising([&](int n) { return task.ends[n] && hasSurrogates(n); });
     addRound(kSource, kSource, [&](int n) { return n == promising; });
-    addRound(kSource, kSource, [&](int n) { return n != promising && task.ends[n] && isHelped(n); });
-    addRound(kSource, kSource, [&](int n) { return !task.ends[n] && isHelped(n); });
-    addRound(0, n_tools - 1, [&](int n) { return !isHelped(n); });
-    addRound(0, n_tools - 1, isHelped);
+    addRound(kSource, kSource, [&](int n) { return n != promising && task.ends[n] && hasSurrogates(n); });
+    addRound(kSource, kSource, [&](int n) { return !task.ends[n] && hasSurrogates(n); });
+    addRound(0, n_tools - 1, [&](int n) { return !hasSurrogates(n); });
+    addRound(0, n_tools - 1, hasSurrogates);
 
     CheapestPath best = cheapest();
     if (alone_known && best.cost >= task.alone_weight) best = {};
@@ -298,12 +308,12 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
                           Pattern pattern, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     ClearingTask clearing;
-    clearing.free_centres = n.own().free_centres;
-    clearing.entries = n.own().entries;
+    clearing.free_centres = n.own->free_centres;
+    clearing.entries = n.own->entries;
     clearing.centres = decomposed.centres;
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;
-    clearing.obstruction = n.own().obstruction ? *n.own().obstruction : feature.obstruction;
+    clearing.obstruction = n.own->obstructionIn(feature);
     // The plan may set the tool out less far than it can be, and then takes the shortest that will do.
     addHolder(feature, *n.tool, clearing);
     clearing.top_z_mm = feature.top_z_mm;
@@ -319,7 +329,7 @@ SequenceStep stepOf(const DagTask& task, const Candidate* m, const Candidate& n)
     SequenceStep step;
     step.tool_id = n.tool->id;
     step.speed_rpm = n.cutting.speed_rpm;
-    step.area = decomposedArea(task.ground, m != nullptr ? m->area : nullptr, n.own());
+    step.area = decomposedArea(task.ground, m != nullptr ? m->cleared : nullptr, *n.own);
     return step;
 }
 

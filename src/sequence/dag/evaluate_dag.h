@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "sequence/dag/candidate.h"
-#include "sequence/surrogates/edge_help.h"
+#include "sequence/surrogates/edge_surrogates.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
@@ -19,7 +19,7 @@ struct DagTask {
     const SequenceOptions& options;
     const Machine& machine;
     double retract_z_mm = 0;
-    /// Who helps tools that have lumps; null: none of the tools has any.
+    /// Finds the surrogates of tools that have lumps; null: none of the tools has any.
     const SurrogateFinder* surrogates = nullptr;
     /// Weight of the cheapest tool that does all alone, where that is known: then only cheaper sequences of
     /// several tools are sought. kNoEdge: not known.
@@ -31,11 +31,11 @@ struct WeighedEdge {
     int from = 0;  ///< node numbers
     int to = 0;
     DagEdge edge;  ///< without its surrogates
-    EdgeHelp help;
+    EdgeSurrogates surrogates;
     double weight = 0;  ///< seconds or money, changes included
 
     /// The same when that node follows.
-    double weightBefore(int next) const { return weight - help.saving(next); }
+    double weightBefore(int next) const { return weight - surrogates.saving(next); }
 };
 
 /// All evaluated edges of a feature's tool DAG and its cheapest path.
@@ -46,6 +46,9 @@ struct DagResult {
     int pruned = 0;
     double weight = kNoEdge;  ///< of the path: seconds or money
 };
+
+/// The edge between two nodes; null where none was evaluated.
+const WeighedEdge* edgeBetween(const DagResult& dag, int from, int to);
 
 /// Evaluates the edges on real tool paths, in parallel, and finds the cheapest path. The result is the
 /// same for any number of threads: every edge has a slot of its own and what is pruned depends on earlier

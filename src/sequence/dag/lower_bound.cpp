@@ -26,7 +26,8 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
         if (tool.drill()) {
             reached_mm2 = feature.area_mm2;
         } else if (reached_mm2 < feature.area_mm2 - sameArea(feature, tol)) {
-            reached = reached.empty() ? tool.area->coverable : unite(reached, tool.area->coverable, tol);
+            reached =
+                reached.empty() ? tool.cleared->coverable : unite(reached, tool.cleared->coverable, tol);
             reached_mm2 = std::max({reached_mm2, area(reached), tool.coverable_mm2});
         }
         areas.push_back(std::min(reached_mm2, end_mm2));
@@ -34,7 +35,7 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
     return areas;
 }
 
-/// The fastest of the tools k, k+1, ..., and of those that help and are no candidates.
+/// The fastest of the tools k, k+1, ..., and of the surrogates that are no candidates.
 std::vector<double> fastestFrom(const std::vector<Candidate>& tools) {
     double fastest = 0;
     for (const Candidate& tool : tools)
@@ -47,11 +48,11 @@ std::vector<double> fastestFrom(const std::vector<Candidate>& tools) {
     return rates;
 }
 
-/// The smallest tool that is used, as a surrogate maybe, is one that ends the feature or a smaller one.
+/// The smallest tool in use ends the feature, or is a surrogate of a tool that does and smaller than it.
 std::vector<bool> smallestUsed(const std::vector<Candidate>& tools, std::vector<bool> ends) {
-    const bool helped =
+    const bool any_with_surrogates =
         std::any_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
-    for (std::size_t k = 1; helped && k < ends.size(); ++k)
+    for (std::size_t k = 1; any_with_surrogates && k < ends.size(); ++k)
         ends[k] = ends[k] || ends[k - 1];
     return ends;
 }
@@ -79,7 +80,7 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
     return bounds;
 }
 
-double lowerBoundS(const FeatureGround& ground, const std::vector<AccessibleArea>& tools,
+double lowerBoundS(const FeatureGround& ground, const std::vector<ToolReach>& tools,
                    const ToolLibrary& library, const SequenceOptions& options, const Machine& machine) {
     const Feature& feature = ground.feature();
     const Tolerances& tol = ground.tolerances();

@@ -5,59 +5,52 @@
 #include <vector>
 
 #include "sequence/dag/evaluate_dag.h"
-#include "sequence/holder/holder_limits.h"
-#include "sequence/surrogates/surrogates.h"
+#include "sequence/dag/lower_bound.h"
+#include "sequence/dag/ways.h"
+#include "sequence/surrogates/admission.h"
 
 namespace stepmill {
 
-/// A feature's evaluated tool DAG with all it was made from, to take other ways through it later.
+/// A feature's evaluated tool DAG with all it was made from, to take other ways through it later. Owns or
+/// shares all it points to; safe to share between threads.
 class SequenceChoices {
   public:
-    /// \param machine, library  must outlive this
-    SequenceChoices(FeatureGround ground, const SequenceOptions& options, const Machine& machine,
-                    const ToolLibrary& library, double retract_z_mm);
+    /// Evaluates the DAG.
+    /// \param withheld  what the cutter that reaches most is kept off, for the residuals' reasons
+    SequenceChoices(std::shared_ptr<const SequenceJob> job, Admission admission,
+                    std::optional<Withheld> withheld);
 
-    // What the DAG is made from, filled in step by step.
-    const FeatureGround ground;
-    const SequenceOptions options;
-    const Machine& machine;
-    const ToolLibrary& library;
-    const double retract_z_mm;
-    std::vector<AccessibleArea> areas;
-    std::unique_ptr<SurrogateFinder> finder;  ///< points into areas
-    std::vector<Candidate> tools;             ///< point into areas
-    std::vector<bool> ends;
-    std::optional<Withheld> withheld;
-    DagResult dag;
+    /// No tool can machine anything: there is nothing to choose from.
+    bool empty() const { return dag_.path.empty(); }
+    /// The DAG's nodes, by falling diameter.
+    const std::vector<Candidate>& tools() const { return tools_; }
+    const DagResult& dag() const { return dag_; }
+    TimeBounds bounds() const;
+    /// What stays after the cheapest way, and so after each of choices().
+    const std::vector<Residual>& residuals() const { return residuals_; }
 
-    DagTask task() const { return {ground, tools, ends, options, machine, retract_z_mm, finder.get()}; }
-
-    /// The ways to choose from, listed when first asked for; the first is the DAG's cheapest. \pre the DAG is
-    /// evaluated and has a path
-    const std::vector<SequenceChoice>& choices() const;
-
+    /// The ways to choose from, listed when first asked for; the first is the DAG's cheapest. \pre !empty()
+    std::vector<SequenceChoice> choices() const;
     /// Fills in steps, edges, times and costs of the sequence for that one of choices(). \throws
     /// Error(Internal) if a path gouges
     void take(std::size_t index, ToolSequence& sequence) const;
-    /// What stays after the cheapest way, and so after each of choices().
-    const std::vector<Residual>& left() const;
 
   private:
-    std::vector<SequenceStep> stepsOn(const std::vector<int>& path) const;
+    DagTask task() const;
+    const std::vector<Way>& ways() const;
     std::vector<const Candidate*> usedOn(const std::vector<int>& path) const;
-    const WeighedEdge* edgeBetween(int from, int to) const;
-    std::vector<std::string> visitsOn(const std::vector<int>& path) const;
     bool leavesTheSame(const std::vector<int>& path) const;
-    void list() const;
-    void addWays(std::vector<int>& path, double weight) const;
-    void addChoice(const std::vector<int>& path, double weight) const;
+    std::vector<SequenceStep> stepsOn(const std::vector<int>& path) const;
 
-    mutable std::once_flag left_once_;
-    mutable std::vector<Residual> left_;
+    const std::shared_ptr<const SequenceJob> job_;
+    const Admission admission_;
+    const std::optional<Withheld> withheld_;
+    const std::vector<Candidate> tools_;  ///< point into job_ and admission_
+    const std::vector<bool> ends_;
+    const DagResult dag_;
+    const std::vector<Residual> residuals_;
     mutable std::once_flag listed_;
-    mutable std::vector<SequenceChoice> choices_;
-    mutable std::vector<std::vector<int>> paths_;  ///< of choices_
-    mutable int seen_ = 0;
+    mutable std::vector<Way> ways_;
 };
 
 }  // namespace stepmill

@@ -13,8 +13,13 @@ namespace {
 /// Going less deep must machine this much more of the feature to be worth it.
 constexpr double kWorthShare = 0.01;
 
-bool isShortOfReach(const AccessibleArea& area) {
-    return isHeldOff(area) || (area.excluded && area.excluded->reason == ExclusionReason::TooShort);
+bool isExcludedFor(const ToolReach& reach, ExclusionReason reason) {
+    const Exclusion* excluded = reach.exclusion();
+    return excluded != nullptr && excluded->reason == reason;
+}
+
+bool isShortOfReach(const ToolReach& reach) {
+    return isHeldOff(reach) || isExcludedFor(reach, ExclusionReason::TooShort);
 }
 
 /// A drill of the hole's size, however long it is: others are turned down for their type.
@@ -28,17 +33,17 @@ Shallower depthOfDrill(const Feature& feature, const ToolAssembly& drill) {
     return found;
 }
 
-Shallower depthOf(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+Shallower depthOf(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area) {
     const Feature& feature = ground.feature();
     Shallower found;
     if (tool.isDrill()) {
         found = depthOfDrill(feature, tool);
     } else {
-        const Reach reach = reachOf(ground, tool, area);
+        const DepthLimit limit = depthLimitOf(ground, tool, area);
         // Off the height where the holder would graze what stands.
-        found.floor_z_mm = reach.floor_z_mm + ground.tolerances().linear_mm;
+        found.floor_z_mm = limit.floor_z_mm + ground.tolerances().linear_mm;
         found.volume_mm3 = area.coverable_area_mm2 * (feature.top_z_mm - found.floor_z_mm);
-        found.stick_out_mm = reach.stick_out_mm;
+        found.stick_out_mm = limit.stick_out_mm;
     }
     found.diameter_mm = tool.diameter_mm;
     return found;
@@ -46,58 +51,62 @@ Shallower depthOf(const FeatureGround& ground, const ToolAssembly& tool, const A
 
 }  // namespace
 
-bool isHeldOff(const AccessibleArea& area) {
-    return area.excluded && area.excluded->reason == ExclusionReason::HolderCollision;
+bool isHeldOff(const ToolReach& reach) {
+    return isExcludedFor(reach, ExclusionReason::HolderCollision);
 }
 
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
-                                     const std::vector<AccessibleArea>& areas) {
+                                     const std::vector<ToolReach>& reaches) {
     const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
     double widest_mm2 = most_mm2 + same_mm2;
-    for (const AccessibleArea& area : areas)
-        if (isHeldOff(area)) widest_mm2 = std::max(widest_mm2, area.coverable_area_mm2);
-    const AccessibleArea* found = nullptr;
+    for (const ToolReach& reach : reaches)
+        if (isHeldOff(reach)) widest_mm2 = std::max(widest_mm2, reach.cutter.coverable_area_mm2);
+    const ToolReach* found = nullptr;
     double longer_mm = 0;
     Withheld withheld;
-    for (const AccessibleArea& area : areas) {
-        const bool reaches = area.coverable_area_mm2 >= widest_mm2 - same_mm2;
-        if (!isHeldOff(area) || !reaches || area.coverable_area_mm2 <= most_mm2 + same_mm2) continue;
-        const ToolAssembly& tool = library.tool(area.tool_id);
-        const double stick_out_mm = reachOf(ground, tool, area).stick_out_mm;
+    for (const ToolReach& reach : reaches) {
+        const double could_mm2 = reach.cutter.coverable_area_mm2;
+        if (!isHeldOff(reach) || could_mm2 < widest_mm2 - same_mm2 || could_mm2 <= most_mm2 + same_mm2)
+            continue;
+        const ToolAssembly& tool = library.tool(reach.tool_id);
+        const double stick_out_mm = depthLimitOf(ground, tool, reach.cutter).stick_out_mm;
         if (found != nullptr && stick_out_mm - tool.stick_out_mm >= longer_mm) continue;
-        found = &area;
+        found = &reach;
         longer_mm = stick_out_mm - tool.stick_out_mm;
         withheld.diameter_mm = tool.diameter_mm;
         withheld.stick_out_mm = stick_out_mm;
         withheld.has_stick_out_mm = tool.stick_out_mm;
     }
     if (found == nullptr) return std::nullopt;
-    withheld.coverable = found->coverable;
-    const double slim_mm = widestClearHolderMm(ground, library.tool(found->tool_id), *found);
+    withheld.coverable = found->cutter.coverable;
+    const double slim_mm = widestClearHolderMm(ground, library.tool(found->tool_id), found->cutter);
     if (slim_mm > withheld.diameter_mm) withheld.holder_diameter_mm = slim_mm;
     return withheld;
 }
 
 void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
-                  std::vector<AccessibleArea>& areas) {
+                  std::vector<ToolReach>& reaches) {
     const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
-    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        if (!isHeldOff(areas[i]) || areas[i].collision_free_area_mm2 <= most_mm2 + same_mm2) return;
-        auto limited = limitedArea(ground, library.tool(areas[i].tool_id), areas[i]);
-        if (limited && limited->coverable_area_mm2 > most_mm2 + same_mm2) areas[i] = std::move(*limited);
+    tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
+        ToolReach& reach = reaches[i];
+        if (!isHeldOff(reach) || reach.collision_free_area_mm2 <= most_mm2 + same_mm2) return;
+        auto clear = collisionFreeArea(ground, library.tool(reach.tool_id), reach);
+        if (clear && clear->coverable_area_mm2 > most_mm2 + same_mm2)
+            reach = limitedTo(reach, std::move(*clear));
     });
 }
 
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,
-                                   const std::vector<AccessibleArea>& areas, double known_mm3) {
+                                   const std::vector<ToolReach>& reaches, double known_mm3) {
     const Feature& feature = ground.feature();
     const double least_mm3 = known_mm3 + kWorthShare * feature.area_mm2 * feature.depth_mm();
-    std::vector<std::optional<Shallower>> found(areas.size());
-    tbb::parallel_for(std::size_t{0}, areas.size(), [&](std::size_t i) {
-        if (!isShortOfReach(areas[i])) return;
-        const ToolAssembly& tool = library.tool(areas[i].tool_id);
-        const double area_mm2 = tool.isDrill() ? feature.area_mm2 : areas[i].coverable_area_mm2;
-        if (area_mm2 * feature.depth_mm() > least_mm3) found[i] = depthOf(ground, tool, areas[i]);
+    std::vector<std::optional<Shallower>> found(reaches.size());
+    tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
+        if (!isShortOfReach(reaches[i])) return;
+        const ToolAssembly& tool = library.tool(reaches[i].tool_id);
+        const CutterArea& cutter = reaches[i].cutter;
+        const double area_mm2 = tool.isDrill() ? feature.area_mm2 : cutter.coverable_area_mm2;
+        if (area_mm2 * feature.depth_mm() > least_mm3) found[i] = depthOf(ground, tool, cutter);
     });
     std::optional<Shallower> best;
     for (const auto& candidate : found) {

@@ -8,7 +8,7 @@
 namespace stepmill {
 
 /// Was the tool turned down because its shank or holder is in the way?
-bool isHeldOff(const AccessibleArea& area);
+bool isHeldOff(const ToolReach& reach);
 
 /// What the cutter that reaches most of a feature could clear, were it not for its holder, and what would let
 /// it. Of cutters that reach the same, the one that needs the least longer stick-out.
@@ -29,21 +29,21 @@ struct Shallower {
 };
 
 /// What the cutter that reaches most of a feature is kept off; nothing when tools that take part clear as
-/// much. \param areas    as the cutters and holders have them, before anything was admitted \param most_mm2
-/// most that a tool that takes part covers
+/// much. \param reaches  as the cutters and holders have them, before anything was admitted
+/// \param most_mm2  most that a tool that takes part covers
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
-                                     const std::vector<AccessibleArea>& areas);
+                                     const std::vector<ToolReach>& reaches);
 
-/// Replaces the areas of tools that their holder keeps off part of the feature by what is left for them,
+/// Limits the tools that their holder keeps off part of the feature by what is left for them,
 /// where that is more than every tool reaches that takes part already.
 /// \param most_mm2  most that a tool that takes part covers
 void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
-                  std::vector<AccessibleArea>& areas);
+                  std::vector<ToolReach>& reaches);
 
 /// The depth at which some tool of `areas` that was turned down for its reach clears most; nothing when
 /// none clears noticeably more than `known_mm3`.
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,
-                                   const std::vector<AccessibleArea>& areas, double known_mm3);
+                                   const std::vector<ToolReach>& reaches, double known_mm3);
 
 /// The feature down to a higher floor only; target, obstruction and obstacles stay, which is on the safe
 /// side since what stands shrinks upwards.

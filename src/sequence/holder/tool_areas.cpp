@@ -4,12 +4,11 @@
 
 namespace stepmill {
 
-AccessibleArea areaFor(const FeatureGround& ground, const ToolAssembly& tool,
-                       const SequenceOptions& options) {
-    AccessibleArea area = accessibleArea(ground, tool, options.material);
+ToolReach reachFor(const FeatureGround& ground, const ToolAssembly& tool, const SequenceOptions& options) {
+    ToolReach reach = toolReach(ground, tool, options.material);
     if (options.clear_of_own_material)
-        if (auto trouble = access::ownMaterialTrouble(ground, tool, area)) area.excluded = std::move(trouble);
-    return area;
+        if (auto trouble = access::ownMaterialTrouble(ground, tool, reach)) reach.use = std::move(*trouble);
+    return reach;
 }
 
 void addHolder(const Feature& feature, const ToolAssembly& tool, ClearingTask& clearing) {

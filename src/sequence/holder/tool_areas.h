@@ -5,9 +5,9 @@
 
 namespace stepmill {
 
-/// accessibleArea() of the tool by these options: with `clear_of_own_material` a tool that would meet what it
+/// toolReach() of the tool by these options: with `clear_of_own_material` a tool that would meet what it
 /// leaves of the feature is excluded.
-AccessibleArea areaFor(const FeatureGround& ground, const ToolAssembly& tool, const SequenceOptions& options);
+ToolReach reachFor(const FeatureGround& ground, const ToolAssembly& tool, const SequenceOptions& options);
 
 /// Tells the task what shank and holder keep off, as far in as the tool may be set: set out farther, it only
 /// has more room.

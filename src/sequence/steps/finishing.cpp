@@ -60,11 +60,11 @@ class AllowanceTrial {
             addStep(steps, roughStep(before, candidates_[i]), i);
             if (allowance_.floors_mm <= 0) continue;
             SequenceStep floor = floorStep(before, candidates_[i]);
-            left_on_floor_ = toolpath::leftBy(floor.path, left_on_floor_, feature_.floor_z_mm,
-                                              candidates_[i].tool->radius_mm(), tol_);
+            floor_residual_ = toolpath::leftBy(floor.path, floor_residual_, feature_.floor_z_mm,
+                                               candidates_[i].tool->radius_mm(), tol_);
             addStep(steps, std::move(floor), i);
         }
-        if (isMuch(left_on_floor_)) {
+        if (isMuch(floor_residual_)) {
             trouble_ = "passes over the floor leave some of it";
             return {};
         }
@@ -93,36 +93,38 @@ class AllowanceTrial {
             trouble_ = "it is too narrow for one";
             return false;
         }
-        areas_.reserve(used_.size());
+        reaches_.reserve(used_.size());
         for (const Candidate* tool : used_) {
-            areas_.push_back(accessibleArea(moved_in_, *tool->tool, task_.options.material));
-            AccessibleArea& area = areas_.back();
-            if (!area.excluded && task_.options.clear_of_own_material)
-                area.excluded = access::ownMaterialTrouble(moved_in_, *tool->tool, area);
-            if (area.excluded) {
-                trouble_ = fmt::format("with one {} would not do: {}", tool->tool->id, area.excluded->text);
+            reaches_.push_back(toolReach(moved_in_, *tool->tool, task_.options.material));
+            ToolReach& reach = reaches_.back();
+            if (reach.exclusion() == nullptr && task_.options.clear_of_own_material)
+                if (auto trouble = access::ownMaterialTrouble(moved_in_, *tool->tool, reach))
+                    reach.use = std::move(*trouble);
+            if (const Exclusion* excluded = reach.exclusion()) {
+                trouble_ = fmt::format("with one {} would not do: {}", tool->tool->id, excluded->text);
                 return false;
             }
             candidates_.push_back(*tool);
-            candidates_.back().area = &areas_.back();
-            candidates_.back().coverable_mm2 = areas_.back().coverable_area_mm2;
+            candidates_.back().reach = &reach;
+            candidates_.back().cleared = candidates_.back().own = &reach.cutter;
+            candidates_.back().coverable_mm2 = reach.cutter.coverable_area_mm2;
         }
         return true;
     }
 
-    bool isMuch(const Region& left) const {
-        return area(access::withoutSliverComponents(left, tol_)) > sameArea(feature_, tol_);
+    bool isMuch(const Region& residual) const {
+        return area(access::withoutSliverComponents(residual, tol_)) > sameArea(feature_, tol_);
     }
 
     /// What roughing leaves on the floor, and along the walls where the last tool can reach.
     bool findStrip() {
         std::vector<Region> coverable;
-        for (const AccessibleArea& area : areas_)
-            coverable.push_back(area.coverable);
+        for (const ToolReach& reach : reaches_)
+            coverable.push_back(reach.cutter.coverable);
         const Region roughed = unite(coverable, tol_);
-        if (allowance_.floors_mm > 0) left_on_floor_ = roughed;
+        if (allowance_.floors_mm > 0) floor_residual_ = roughed;
         if (allowance_.walls_mm <= 0) return true;
-        strip_ = access::withoutSliverComponents(subtract(last().area->coverable, roughed, tol_), tol_);
+        strip_ = access::withoutSliverComponents(subtract(last().cleared->coverable, roughed, tol_), tol_);
         if (strip_.empty()) return true;
         const auto widest = ClearanceDiagram(strip_, tol_).largestInscribedDisc();
         if (!widest || 2 * widest->radius_mm <= kWidestFinishAllowances * allowance_.walls_mm) return true;
@@ -141,8 +143,8 @@ class AllowanceTrial {
     }
 
     double stickOut(std::size_t tool) const {
-        return std::max(leastStickOutMm(task_.ground, *used_[tool]->tool, used_[tool]->own()),
-                        leastStickOutMm(moved_in_, *used_[tool]->tool, areas_[tool]));
+        return std::max(leastStickOutMm(task_.ground, *used_[tool]->tool, *used_[tool]->own),
+                        leastStickOutMm(moved_in_, *used_[tool]->tool, reaches_[tool].cutter));
     }
 
     DagTask on(const FeatureGround& ground) const {
@@ -157,12 +159,12 @@ class AllowanceTrial {
 
     /// The tool's own ground down to the floor. What it has not roughed may stand up to the feature's top.
     SequenceStep floorStep(const Candidate* before, Candidate tool) const {
-        AccessibleArea beside = *tool.area;
-        const Region& stays = beside.obstruction ? *beside.obstruction : rough_.feature().obstruction;
+        CutterArea beside = *tool.own;
+        const Region& stays = beside.obstructionIn(rough_.feature());
         const Region stands =
             access::withoutSliverComponents(subtract(rough_.feature().target, beside.accessible, tol_), tol_);
-        if (!stands.empty()) beside.obstruction = std::make_shared<const Region>(unite(stays, stands, tol_));
-        tool.area = &beside;
+        if (!stands.empty()) beside.wider_obstruction = unite(stays, stands, tol_);
+        tool.cleared = tool.own = &beside;
         SequenceStep step = makeStep(on(layer_), before, tool);
         step.role = Role::Finish;
         step.path.pattern = "floor, " + step.path.pattern;
@@ -172,12 +174,12 @@ class AllowanceTrial {
 
     /// Sets `trouble_` where the moves are not proven.
     SequenceStep wallStep() {
-        const AccessibleArea& reached = last().own();
+        const CutterArea& reached = *last().own;
         ClearingTask clearing;
         clearing.free_centres = reached.free_centres;
-        clearing.cleared_centres = areas_.back().free_centres;
+        clearing.cleared_centres = reaches_.back().cutter.free_centres;
         clearing.target = feature_.target;
-        clearing.obstruction = reached.obstruction ? *reached.obstruction : feature_.obstruction;
+        clearing.obstruction = reached.obstructionIn(feature_);
         clearing.top_z_mm = feature_.top_z_mm;
         clearing.floor_z_mm = feature_.floor_z_mm;
         clearing.retract_z_mm = task_.retract_z_mm;
@@ -208,9 +210,9 @@ class AllowanceTrial {
     FeatureGround moved_in_;
     FeatureGround rough_;
     FeatureGround layer_;
-    std::vector<AccessibleArea> areas_;  ///< on moved_in_, of each tool; candidates point into it
+    std::vector<ToolReach> reaches_;  ///< on moved_in_, of each tool; candidates point into it
     std::vector<Candidate> candidates_;
-    Region left_on_floor_;  ///< until the floor steps are made: all of it
+    Region floor_residual_;  ///< until the floor steps are made: all of it
     Region strip_;
     std::string trouble_;
 };
@@ -241,11 +243,11 @@ FinishAllowance allowanceFor(const DagTask& task, const std::vector<const Candid
 }
 
 /// Do all tools do alone what they reach, so that the last one reaches all?
-std::string helpNeeded(const std::vector<const Candidate*>& used) {
+std::string othersNeeded(const std::vector<const Candidate*>& used) {
     for (const Candidate* tool : used) {
         if (tool->hasSurrogates())
             return fmt::format("none: other tools clear what the holder keeps {} from", tool->tool->id);
-        if (!tool->area->limited.empty())
+        if (tool->reach->limited() != nullptr)
             return fmt::format("none: the holder keeps {} off part of it", tool->tool->id);
     }
     return {};
@@ -256,7 +258,7 @@ std::string helpNeeded(const std::vector<const Candidate*>& used) {
 AllowanceSteps stepsWithAllowance(const DagTask& task, const std::vector<const Candidate*>& used) {
     AllowanceSteps made;
     if (!task.options.finish.any() || used.empty() || used.back()->drill()) return made;
-    made.less = helpNeeded(used);
+    made.less = othersNeeded(used);
     if (!made.less.empty()) return made;
     FinishAllowance allowance = allowanceFor(task, used, made.less);
     while (allowance.any()) {

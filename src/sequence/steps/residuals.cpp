@@ -62,9 +62,9 @@ std::string whatWouldClear(const Withheld& withheld) {
 /// What the last tool covers on paper and no pass sweeps: there its centres are thinner than a sliver.
 Region beyondPasses(const std::vector<const Candidate*>& used, const Tolerances& tol) {
     const Candidate& last = *used.back();
-    Region missed = subtract(last.area->coverable, last.area->swept.region(), tol);
+    Region missed = subtract(last.cleared->coverable, last.cleared->swept.region(), tol);
     for (const Candidate* tool : used)
-        if (tool != &last && !missed.empty()) missed = subtract(missed, tool->area->swept.region(), tol);
+        if (tool != &last && !missed.empty()) missed = subtract(missed, tool->cleared->swept.region(), tol);
     Region beyond;
     for (const Region& piece : toolpath::piecesBeyondSkins(missed, tol))
         beyond.loops.insert(beyond.loops.end(), piece.loops.begin(), piece.loops.end());
@@ -77,8 +77,8 @@ struct Vote {
 };
 
 /// Could the cutter stand in the feature at all?
-bool isNarrowEnough(const AccessibleArea& area, double widest_mm) {
-    return 2 * area.radius_mm <= widest_mm;
+bool isNarrowEnough(const ToolReach& tool, double widest_mm) {
+    return 2 * tool.cutter.radius_mm <= widest_mm;
 }
 
 Reason reasonFor(ExclusionReason reason) {
@@ -119,8 +119,8 @@ std::string adviceFor(ExclusionReason reason, double widest_mm, double depth_mm)
 
 }  // namespace
 
-std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<const Candidate*>& used,
-                               const std::optional<Withheld>& withheld) {
+std::vector<Residual> residualsOf(const FeatureGround& ground, const std::vector<const Candidate*>& used,
+                                  const std::optional<Withheld>& withheld) {
     const Feature& feature = ground.feature();
     const Tolerances& tol = ground.tolerances();
     const Candidate& last = *used.back();
@@ -131,8 +131,8 @@ std::vector<Residual> leftOver(const FeatureGround& ground, const std::vector<co
     Region rest = feature.target;
     // With a free holder the last tool's area holds those of all before it.
     for (const Candidate* tool : used) {
-        if (tool == &last || !tool->area->limited.empty() || !last.area->limited.empty())
-            rest = subtract(rest, tool->area->coverable, tol);
+        if (tool == &last || tool->reach->limited() || last.reach->limited())
+            rest = subtract(rest, tool->cleared->coverable, tol);
     }
     if (!missed.empty()) rest = unite(rest, missed, tol);
     Residual held_off;
@@ -186,16 +186,17 @@ Residual belowReach(const Feature& feature, const Shallower& reached) {
     return below;
 }
 
-Residual wholeFeature(const FeatureGround& ground, const std::vector<AccessibleArea>& areas,
+Residual wholeFeature(const FeatureGround& ground, const std::vector<ToolReach>& reaches,
                       const ToolLibrary& library) {
     const Feature& feature = ground.feature();
     const double widest_mm = ground.widestCutterMm();
     std::map<ExclusionReason, Vote> votes;
-    for (const AccessibleArea& tool : areas) {
-        if (!tool.excluded || tool.excluded->reason == ExclusionReason::WrongType) continue;
-        if (!isNarrowEnough(tool, widest_mm) || tool.excluded->reason == ExclusionReason::TooWide) continue;
-        Vote& vote = votes[tool.excluded->reason];
-        if (vote.count++ == 0) vote.text = library.tool(tool.tool_id).id + " " + tool.excluded->text;
+    for (const ToolReach& tool : reaches) {
+        const Exclusion* excluded = tool.exclusion();
+        if (excluded == nullptr || excluded->reason == ExclusionReason::WrongType) continue;
+        if (!isNarrowEnough(tool, widest_mm) || excluded->reason == ExclusionReason::TooWide) continue;
+        Vote& vote = votes[excluded->reason];
+        if (vote.count++ == 0) vote.text = library.tool(tool.tool_id).id + " " + excluded->text;
     }
     const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
         return a.second.count < b.second.count;

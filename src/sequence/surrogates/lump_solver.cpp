@@ -28,27 +28,27 @@ constexpr std::size_t kMostSetsWeighed = 12;
 
 }  // namespace
 
-LumpSolver::LumpSolver(const LumpSettings& settings, Region lump, std::vector<Region> standing,
+LumpSolver::LumpSolver(std::shared_ptr<const SurrogateTools> tools, Region lump, std::vector<Region> standing,
                        std::string held_off_id)
-    : settings_(settings),
-      tol_(settings.ground.tolerances()),
+    : surrogates_(std::move(tools)),
+      tol_(job().tolerances()),
       lump_(std::move(lump)),
       standing_(std::move(standing)),
       held_off_id_(std::move(held_off_id)),
       // What stands differs from tool to tool, by its holder: it comes with the tools' areas.
-      ground_(lumpFeature(settings.ground.feature(), lump_, {}, 0, tol_), tol_) {
-    sortHelpers();
+      ground_(lumpFeature(job().feature(), lump_, {}, 0, tol_), tol_) {
+    sortSurrogates();
     servable_ = anyReachesAll();
     if (servable_) return;
-    areas_.clear();
+    reaches_.clear();
     numbers_.clear();
-    offer(thoseWhoReachSome());
+    offer(partialSurrogates());
     if (sequencesCount())
         visitSets([&](const std::vector<int>& nodes) {
             servable_ = servable_ || reachAllTogether(nodes);
             return !servable_;
         });
-    if (!servable_) unserved_ = leftByTheBest();
+    if (!servable_) unserved_ = residualOfTheBest();
 }
 
 void LumpSolver::weigh() {
@@ -56,24 +56,25 @@ void LumpSolver::weigh() {
     const bool one_does = offered_ > 0;
     if (!one_does) return weighSets();
     offer({whole_.begin() + static_cast<std::ptrdiff_t>(offered_), whole_.end()});
-    keepThoseWhoReachAll();
+    keepWholeSurrogates();
     weighSingles();
     if (sequencesCount() && mayPayTwo()) weighSequences();
 }
 
-void LumpSolver::sortHelpers() {
-    for (int i = 0; i < static_cast<int>(settings_.helpers.size()); ++i) {
-        const AccessibleArea& reach = *settings_.helpers[i].reach;
-        if (reach.tool_id == held_off_id_) continue;
+void LumpSolver::sortSurrogates() {
+    for (int i = 0; i < static_cast<int>(surrogates_->all().size()); ++i) {
+        if (surrogate(i).tool->id == held_off_id_) continue;
         // Other lumps and the rest of this one stand beside it up to the feature's top.
-        if (settings_.options.clear_of_own_material &&
-            access::freeReachMm(*settings_.helpers[i].tool) < settings_.ground.feature().depth_mm())
+        if (job().options.clear_of_own_material &&
+            access::freeReachMm(*surrogate(i).tool) < job().feature().depth_mm())
             continue;
-        (covers(reach.coverable, lump_, tol_.sliver_mm, tol_) ? whole_ : partial_).push_back(i);
+        const bool whole = covers(surrogate(i).reach.coverable, lump_, tol_.sliver_mm, tol_);
+        (whole ? whole_ : partial_).push_back(i);
     }
 }
 
-/// Mostly the first that does in the whole feature does in the lump, where more may stand around.
+/// Offers the surrogates that reach all of the lump in the whole feature, one by one, until one does so with
+/// what stands around the lump too: mostly the first.
 bool LumpSolver::anyReachesAll() {
     while (offered_ < whole_.size()) {
         offer({whole_[offered_++]});
@@ -83,92 +84,93 @@ bool LumpSolver::anyReachesAll() {
     return false;
 }
 
-/// The area of a helper in the lump, holder clear, nothing that stands around it touched.
-AccessibleArea LumpSolver::areaIn(int helper) const {
-    const ToolAssembly& tool = *settings_.helpers[helper].tool;
+/// The reach of a surrogate in the lump, holder clear, nothing that stands around it touched.
+ToolReach LumpSolver::reachIn(int number) const {
+    const ToolAssembly& tool = *surrogate(number).tool;
     std::vector<Region> obstruction = standing_;
-    obstruction.push_back(settings_.obstruction(helper));
+    obstruction.push_back(surrogates_->obstruction(number));
     const Feature feature =
-        lumpFeature(settings_.ground.feature(), lump_, obstruction, tool.diameter_mm + kBesideMm, tol_);
+        lumpFeature(job().feature(), lump_, obstruction, tool.diameter_mm + kBesideMm, tol_);
     const FeatureGround ground(feature, tol_);
-    AccessibleArea found = accessibleArea(ground, tool, settings_.options.material);
-    found.obstruction = std::make_shared<const Region>(feature.obstruction);
-    found.opens_target = false;
+    ToolReach found = toolReach(ground, tool, job().options.material);
+    found.cutter.wider_obstruction = feature.obstruction;
+    found.cutter.opens_target = false;
     return found;
 }
 
-/// Adds the helpers' areas to those there are, all by rising number.
-void LumpSolver::offer(const std::vector<int>& helpers) {
-    std::vector<AccessibleArea> found(helpers.size());
-    tbb::parallel_for(std::size_t{0}, helpers.size(), [&](std::size_t i) { found[i] = areaIn(helpers[i]); });
-    std::vector<std::pair<int, AccessibleArea>> all;
-    for (std::size_t i = 0; i < areas_.size(); ++i)
-        all.emplace_back(numbers_[i], std::move(areas_[i]));
-    for (std::size_t i = 0; i < helpers.size(); ++i)
-        all.emplace_back(helpers[i], std::move(found[i]));
+/// Adds the surrogates' reaches to those there are, all by rising number.
+void LumpSolver::offer(const std::vector<int>& surrogates) {
+    std::vector<ToolReach> found(surrogates.size());
+    tbb::parallel_for(std::size_t{0}, surrogates.size(),
+                      [&](std::size_t i) { found[i] = reachIn(surrogates[i]); });
+    std::vector<std::pair<int, ToolReach>> all;
+    for (std::size_t i = 0; i < reaches_.size(); ++i)
+        all.emplace_back(numbers_[i], std::move(reaches_[i]));
+    for (std::size_t i = 0; i < surrogates.size(); ++i)
+        all.emplace_back(surrogates[i], std::move(found[i]));
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     numbers_.clear();
-    areas_.clear();
-    for (auto& [helper, area] : all) {
-        numbers_.push_back(helper);
-        areas_.push_back(std::move(area));
+    reaches_.clear();
+    for (auto& [surrogate, reach] : all) {
+        numbers_.push_back(surrogate);
+        reaches_.push_back(std::move(reach));
     }
     listTools();
 }
 
 void LumpSolver::listTools() {
-    tools_ =
-        usableTools(ground_.feature(), areas_, settings_.library, settings_.options, settings_.machine, tol_);
-    helpers_.clear();
+    tools_ = usableTools(ground_.feature(), reaches_, job().library, job().options, job().machine, tol_);
+    surrogate_of_.clear();
     ends_.clear();
     for (const Candidate& tool : tools_) {
-        helpers_.push_back(helperOf(tool));
-        ends_.push_back(covers(tool.area->coverable, lump_, tol_.sliver_mm, tol_));
+        surrogate_of_.push_back(surrogateOf(tool));
+        ends_.push_back(covers(tool.cleared->coverable, lump_, tol_.sliver_mm, tol_));
     }
     rings_.assign(tools_.size(), nullptr);
 }
 
-std::size_t LumpSolver::nodeOf(int helper) const {
-    const auto found = std::find(helpers_.begin(), helpers_.end(), helper);
-    STEPMILL_CHECK(found != helpers_.end(), "only tools of a lump's ways work in it");
-    return static_cast<std::size_t>(found - helpers_.begin());
+std::size_t LumpSolver::nodeOf(int surrogate) const {
+    const auto found = std::find(surrogate_of_.begin(), surrogate_of_.end(), surrogate);
+    STEPMILL_CHECK(found != surrogate_of_.end(), "only tools of a lump's ways work in it");
+    return static_cast<std::size_t>(found - surrogate_of_.begin());
 }
 
-void LumpSolver::keepThoseWhoReachAll() {
-    std::vector<AccessibleArea> areas;
+void LumpSolver::keepWholeSurrogates() {
+    std::vector<ToolReach> reaches;
     std::vector<int> numbers;
     for (std::size_t i = 0; i < tools_.size(); ++i) {
         if (!ends_[i]) continue;
-        numbers.push_back(helpers_[i]);
-        areas.push_back(*tools_[i].area);
+        numbers.push_back(surrogate_of_[i]);
+        reaches.push_back(*tools_[i].reach);
     }
     numbers_ = std::move(numbers);
-    areas_ = std::move(areas);
+    reaches_ = std::move(reaches);
     listTools();
 }
 
-std::vector<int> LumpSolver::thoseWhoReachSome() const {
+std::vector<int> LumpSolver::partialSurrogates() const {
     std::vector<int> found;
-    for (const int helper : partial_) {
-        const Region& reach = settings_.helpers[helper].reach->coverable;
-        if (area(intersect(reach, lump_, tol_)) > tol_.area_mm2) found.push_back(helper);
+    for (const int surrogate : partial_) {
+        const Region& reach = this->surrogate(surrogate).reach.coverable;
+        if (area(intersect(reach, lump_, tol_)) > tol_.area_mm2) found.push_back(surrogate);
     }
     return found;
 }
 
-/// Those that leave least one after another, as many as may work together.
-Region LumpSolver::leftByTheBest() const {
-    Region left = lump_;
+/// What stays of the lump after as many tools as may work together, chosen one after another so that each
+/// leaves least.
+Region LumpSolver::residualOfTheBest() const {
+    Region residual = lump_;
     const std::size_t most = sequencesCount() ? kMostTogether : 1;
-    for (std::size_t i = 0; i < most && !left.empty(); ++i) {
-        Region least = left;
+    for (std::size_t i = 0; i < most && !residual.empty(); ++i) {
+        Region least = residual;
         for (const Candidate& tool : tools_) {
-            Region rest = withoutCrumbs(subtract(left, tool.area->coverable, tol_), tol_);
+            Region rest = withoutCrumbs(subtract(residual, tool.cleared->coverable, tol_), tol_);
             if (area(rest) < area(least)) least = std::move(rest);
         }
-        left = std::move(least);
+        residual = std::move(least);
     }
-    return left;
+    return residual;
 }
 
 /// Shows all sets of two tools, then of three, until `visit` says no or enough were seen.
@@ -195,25 +197,25 @@ void LumpSolver::visitSets(const Visit& visit) const {
 bool LumpSolver::reachAllTogether(const std::vector<int>& nodes) const {
     std::vector<Region> areas;
     for (const int node : nodes)
-        areas.push_back(tools_[node].area->coverable);
+        areas.push_back(tools_[node].cleared->coverable);
     return covers(unite(areas, tol_), lump_, tol_.sliver_mm, tol_);
 }
 
 double LumpSolver::weight(const EdgeCost& cost) const {
-    return weightOf(cost, settings_.options.objective);
+    return weightOf(cost, job().options.objective);
 }
 
 double LumpSolver::changeWeight() const {
-    return weight(edgeCost({}, *tools_.front().tool, settings_.machine));
+    return weight(edgeCost({}, *tools_.front().tool, job().machine));
 }
 
 void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> totals) {
     LumpWay way;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const ToolAssembly& tool = *tools_[nodes[i]].tool;
-        way.tools.push_back(helpers_[nodes[i]]);
-        way.weight += weight(edgeCost(totals[i], tool, settings_.machine)) -
-                      weight(edgeCost({}, tool, settings_.machine));
+        way.tools.push_back(surrogate_of_[nodes[i]]);
+        way.weight +=
+            weight(edgeCost(totals[i], tool, job().machine)) - weight(edgeCost({}, tool, job().machine));
     }
     ways_.push_back(std::move(way));
     totals_.push_back(std::move(totals));
@@ -250,17 +252,16 @@ bool LumpSolver::mayPayTwo() const {
     for (const LumpWay& way : ways_)
         cheapest = std::min(cheapest, way.weight);
     double fastest = 0;
-    for (const Helper& helper : settings_.helpers)
-        fastest = std::max(fastest, helperRate(helper));
+    for (const Surrogate& surrogate : surrogates_->all())
+        fastest = std::max(fastest, rateOf(surrogate));
     const double least_s = fastest > 0 ? ground_.feature().volume_mm3 / fastest : 0;
     // Two tools are one change more.
-    return changeWeight() + weight(machineCost(least_s, settings_.machine)) < cheapest;
+    return changeWeight() + weight(machineCost(least_s, job().machine)) < cheapest;
 }
 
-double LumpSolver::helperRate(const Helper& helper) const {
-    const CuttingData cutting =
-        limitedBy(settings_.machine, *helper.tool->cuttingFor(settings_.options.material));
-    return volumeRate(settings_.ground.feature(), *helper.tool, cutting);
+double LumpSolver::rateOf(const Surrogate& surrogate) const {
+    const CuttingData cutting = limitedBy(job().machine, *surrogate.tool->cuttingFor(job().options.material));
+    return volumeRate(job().feature(), *surrogate.tool, cutting);
 }
 
 /// The cheapest sequence, where it has more than one tool. A tool that reaches all comes last, so what it
@@ -269,7 +270,7 @@ void LumpSolver::weighSequences() {
     double alone = kNoEdge;
     for (const LumpWay& way : ways_)
         alone = std::min(alone, way.weight);
-    offer(thoseWhoReachSome());
+    offer(partialSurrogates());
     DagTask several = task();
     several.alone_weight = changeWeight() + alone;
     const DagResult dag = evaluateDag(several);
@@ -305,7 +306,7 @@ SequenceStep LumpSolver::step(int way, std::size_t place) const {
     const std::size_t node = nodeOf(tools[place]);
     SequenceStep step = makeStep(task(), before, tools_[node]);
     // The lump knows no obstacles of its own; the feature does.
-    step.least_stick_out_mm = leastStickOutMm(settings_.ground, *tools_[node].tool, tools_[node].own());
+    step.least_stick_out_mm = leastStickOutMm(job().ground, *tools_[node].tool, *tools_[node].own);
     return step;
 }
 
@@ -324,8 +325,8 @@ double SolvedLump::area_mm2() const {
     return solver_->area_mm2();
 }
 
-const ToolAssembly& SolvedLump::tool(int helper) const {
-    return solver_->toolOf(helper);
+const ToolAssembly& SolvedLump::tool(int surrogate) const {
+    return solver_->toolOf(surrogate);
 }
 
 const std::vector<LumpWay>& SolvedLump::ways() const {

@@ -44,10 +44,10 @@ TEST(DieCavityLayers, AreCutInTheBestOfBothPatternsEach) {
         double best_of_both = 0;
         for (const Feature& feature : features.features) {
             const FeatureGround ground(feature, kTol);
-            const AccessibleArea area = accessibleArea(ground, tool, "aluminium");
-            if (area.excluded) continue;
-            const DecomposedArea all = decomposedArea(ground, nullptr, area);
-            const LayerTimes layer = timesOf(taskOf(feature, area, all, machine), tool, machine);
+            const ToolReach reach = toolReach(ground, tool, "aluminium");
+            if (reach.exclusion()) continue;
+            const DecomposedArea all = decomposedArea(ground, nullptr, reach.cutter);
+            const LayerTimes layer = timesOf(taskOf(feature, reach.cutter, all, machine), tool, machine);
             sum.parallel_s += layer.parallel_s;
             sum.offset_s += layer.offset_s;
             sum.chosen_s += layer.chosen_s;

@@ -39,8 +39,8 @@ class AreaLaws : public testing::TestWithParam<unsigned> {
           trace_(__FILE__, __LINE__, "seed " + std::to_string(GetParam())) {
         double a = random_.number(2, 16);
         double b = random_.number(2, 16);
-        m_ = accessibleArea(ground_, endMill(std::max(a, b)), kMaterial);
-        n_ = accessibleArea(ground_, endMill(std::min(a, b)), kMaterial);
+        m_ = toolReach(ground_, endMill(std::max(a, b)), kMaterial).cutter;
+        n_ = toolReach(ground_, endMill(std::min(a, b)), kMaterial).cutter;
     }
 
     ~AreaLaws() override {
@@ -54,8 +54,8 @@ class AreaLaws : public testing::TestWithParam<unsigned> {
 
     RandomGround random_;
     FeatureGround ground_;
-    AccessibleArea m_;
-    AccessibleArea n_;
+    CutterArea m_;
+    CutterArea n_;
     testing::ScopedTrace trace_;
 };
 
@@ -85,7 +85,7 @@ TEST_P(AreaLaws, PairIsEmptyIfAndOnlyIfBothReachTheSame) {
 }
 
 TEST_P(AreaLaws, SweptToolNeverEntersTheObstruction) {
-    for (const AccessibleArea* tool : {&m_, &n_}) {
+    for (const CutterArea* tool : {&m_, &n_}) {
         for (const Loop& loop : tool->free_centres.loops) {
             for (const Vec2& centre : tessellate(loop, 0.05)) {
                 ASSERT_FALSE(contains(ground_.feature().obstruction, centre));
@@ -98,7 +98,7 @@ TEST_P(AreaLaws, SweptToolNeverEntersTheObstruction) {
 }
 
 TEST_P(AreaLaws, EveryComponentHasItsEntryClearOfTheObstruction) {
-    for (const AccessibleArea* tool : {&m_, &n_}) {
+    for (const CutterArea* tool : {&m_, &n_}) {
         ASSERT_EQ(tool->entries.size(), components(tool->free_centres).size());
         for (const Entry& entry : tool->entries) {
             const double clear_mm = distanceToBoundary(ground_.feature().obstruction, entry.at);
@@ -116,7 +116,7 @@ TEST_P(AreaLaws, FatterHolderNeverReachesMore) {
         ToolAssembly tool = endMill(2 * n_.radius_mm);
         tool.flute_length_mm = tool.stick_out_mm = 6;
         tool.holder = {{holder_mm, 6, 60}};
-        const double now_mm2 = accessibleArea(ground_, tool, kMaterial).collision_free_area_mm2;
+        const double now_mm2 = toolReach(ground_, tool, kMaterial).collision_free_area_mm2;
         EXPECT_LE(now_mm2, before_mm2 + 1e-2) << holder_mm;
         before_mm2 = now_mm2;
     }

@@ -29,14 +29,11 @@ class EveryOrder {
                const SequenceOptions& options)
         : machine_(machine), options_(options), ground_(feature, tol_) {
         for (const ToolAssembly* tool : byFallingDiameter(library)) {
-            AccessibleArea area = accessibleArea(ground_, *tool, options.material);
-            if (area.excluded) {
-                auto limited = limitedArea(ground_, *tool, area);
-                if (!limited) continue;
-                area = std::move(*limited);
-            }
+            const ToolReach reach = toolReach(ground_, *tool, options.material);
+            const auto clear = reach.exclusion() ? collisionFreeArea(ground_, *tool, reach) : reach.cutter;
+            if (!clear) continue;
             tools_.push_back(tool);
-            areas_.push_back(std::move(area));
+            areas_.push_back(*clear);
         }
         cleared_.resize(std::size_t{1} << tools_.size());
         for (std::size_t set = 1; set < cleared_.size(); ++set)
@@ -68,8 +65,8 @@ class EveryOrder {
     static constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
     /// The set's areas as those of one tool; the tool's own where it reaches all that the set does.
-    AccessibleArea clearedBy(std::size_t set) const {
-        AccessibleArea all;
+    CutterArea clearedBy(std::size_t set) const {
+        CutterArea all;
         std::vector<Region> swept;
         for (std::size_t n = 0; n < tools_.size(); ++n) {
             if ((set >> n & 1U) == 0) continue;
@@ -102,7 +99,7 @@ class EveryOrder {
         return steps_[{set, n}] = least;
     }
 
-    double sweep(AccessibleArea before, std::size_t n) const {
+    double sweep(CutterArea before, std::size_t n) const {
         if (before.radius_mm < areas_[n].radius_mm) {
             // A wider tool, or one after several: only what is swept counts.
             before.radius_mm = areas_[n].radius_mm;
@@ -126,8 +123,8 @@ class EveryOrder {
     const SequenceOptions& options_;
     FeatureGround ground_;
     std::vector<const ToolAssembly*> tools_;
-    std::vector<AccessibleArea> areas_;
-    std::vector<AccessibleArea> cleared_;  ///< by each set of tools
+    std::vector<CutterArea> areas_;
+    std::vector<CutterArea> cleared_;  ///< by each set of tools
     std::map<std::pair<std::size_t, std::size_t>, double> steps_;
 };
 

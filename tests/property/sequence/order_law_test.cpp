@@ -43,13 +43,13 @@ struct Comparison {
 };
 
 bool hasSurrogates(const ToolSequence& sequence) {
-    return std::any_of(sequence.choices->tools.begin(), sequence.choices->tools.end(),
+    return std::any_of(sequence.choices->tools().begin(), sequence.choices->tools().end(),
                        [](const Candidate& tool) { return tool.hasSurrogates(); });
 }
 
 double mostCoveredMm2(const ToolSequence& sequence) {
     double most_mm2 = 0;
-    for (const Candidate& tool : sequence.choices->tools)
+    for (const Candidate& tool : sequence.choices->tools())
         most_mm2 = std::max(most_mm2, tool.coverable_mm2);
     return most_mm2;
 }
@@ -61,7 +61,7 @@ void compare(const Feature& feature, const ToolLibrary& library, unsigned seed, 
     const ToolSequence sequence = sequenceTools(feature, library, machine, options, kTol);
     if (sequence.steps.empty() || sequence.floor_z_mm != feature.floor_z_mm) return;
     EveryOrder every(feature, library, machine, options);
-    const double dag = sequence.choices->dag.weight;
+    const double dag = sequence.choices->dag().weight;
     const double covered_mm2 = mostCoveredMm2(sequence);
     const double enough_mm2 = covered_mm2 - sameArea(feature, kTol);
     const double any_order = every.cheapest(enough_mm2);

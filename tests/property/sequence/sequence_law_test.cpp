@@ -50,15 +50,14 @@ class EveryEdge {
             return a->diameter_mm > b->diameter_mm;
         });
         for (const ToolAssembly* tool : order_)
-            areas_.push_back(accessibleArea(ground_, *tool, options.material));
+            reaches_.push_back(toolReach(ground_, *tool, options.material));
     }
 
     /// The least weight over all subsets, each used in falling diameter; infinite when none finishes.
     double cheapest() const {
         double best_mm2 = 0;
-        for (const AccessibleArea& tool : areas_) {
-            if (!tool.excluded) best_mm2 = std::max(best_mm2, tool.coverable_area_mm2);
-        }
+        for (const ToolReach& tool : reaches_)
+            if (tool.exclusion() == nullptr) best_mm2 = std::max(best_mm2, tool.cutter.coverable_area_mm2);
         const double same_mm2 = std::max(kTol.area_mm2, 1e-5 * feature_.area_mm2);
         double least = std::numeric_limits<double>::infinity();
         for (unsigned subset = 1; subset < (1U << order_.size()); ++subset) {
@@ -69,7 +68,7 @@ class EveryEdge {
                 sum += weight(last, k);
                 last = k;
             }
-            if (areas_[last].coverable_area_mm2 < best_mm2 - same_mm2) continue;
+            if (reaches_[last].cutter.coverable_area_mm2 < best_mm2 - same_mm2) continue;
             least = std::min(least, sum);
         }
         return least;
@@ -78,10 +77,11 @@ class EveryEdge {
   private:
     double weight(int m, int n) const {
         const auto [found, is_new] = known_.emplace(std::pair(m, n), std::numeric_limits<double>::infinity());
-        if (!is_new || areas_[n].excluded || (m >= 0 && areas_[m].excluded)) return found->second;
-        const DecomposedArea area = decomposedArea(ground_, m < 0 ? nullptr : &areas_[m], areas_[n]);
+        if (!is_new || reaches_[n].exclusion() || (m >= 0 && reaches_[m].exclusion())) return found->second;
+        const CutterArea& now = reaches_[n].cutter;
+        const DecomposedArea area = decomposedArea(ground_, m < 0 ? nullptr : &reaches_[m].cutter, now);
         // Patterns as edges are weighed.
-        const ClearingTask task = taskOf(feature_, areas_[n], area, machine_, Pattern::ContourInsideOut);
+        const ClearingTask task = taskOf(feature_, now, area, machine_, Pattern::ContourInsideOut);
         const Toolpath path =
             clearArea(task, *order_[n], *order_[n]->cuttingFor(options_.material), machine_, kTol);
         if (path.moves.empty()) return found->second;
@@ -95,7 +95,7 @@ class EveryEdge {
     const SequenceOptions& options_;
     FeatureGround ground_;
     std::vector<const ToolAssembly*> order_;
-    std::vector<AccessibleArea> areas_;
+    std::vector<ToolReach> reaches_;
     mutable std::map<std::pair<int, int>, double> known_;
 };
 
@@ -112,7 +112,7 @@ TEST(SequenceLaw, IsAsCheapAsTheBestOfAllSequences) {
             EXPECT_EQ(expected, std::numeric_limits<double>::infinity()) << "seed " << seed;
             continue;
         }
-        const double found = sequence.choices->dag.weight;
+        const double found = sequence.choices->dag().weight;
         EXPECT_NEAR(found, expected, 1e-9 * expected) << "seed " << seed;
         // The steps themselves take the quickest patterns.
         EXPECT_LE(options.objective == Objective::Time ? sequence.time_s : sequence.cost, found * (1 + 1e-9))
@@ -157,9 +157,8 @@ TEST(SequenceLaw, WhatIsClearedAndWhatStaysMakeTheFeature) {
         for (const Residual& residual : sequence.residual)
             left_mm2 += residual.area_mm2;
         double cleared_mm2 = 0;
-        for (const AccessibleArea& tool : sequence.tools) {
-            if (!tool.excluded) cleared_mm2 = std::max(cleared_mm2, tool.coverable_area_mm2);
-        }
+        for (const ToolReach& tool : sequence.tools)
+            if (!tool.exclusion()) cleared_mm2 = std::max(cleared_mm2, tool.cleared().coverable_area_mm2);
         EXPECT_NEAR(left_mm2 + cleared_mm2, pocket.area_mm2, 1e-3 * pocket.area_mm2) << "seed " << seed;
     }
 }

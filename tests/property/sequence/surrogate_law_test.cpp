@@ -22,15 +22,13 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 class EverySequence {
   public:
     EverySequence(const Feature& feature, const ToolLibrary& library, const Machine& machine,
-                  const SequenceOptions& options, const std::vector<AccessibleArea>& areas)
-        : library_(library),
-          machine_(machine),
+                  const SequenceOptions& options, const std::vector<ToolReach>& reaches)
+        : machine_(machine),
           options_(options),
-          ground_(feature, kTol),
-          areas_(areas),
-          tools_(usableTools(feature, areas_, library, options, machine, kTol)),
+          job_(std::make_shared<const SequenceJob>(feature, library, machine, options, kTol)),
+          tools_(usableTools(feature, reaches, job_->library, options, machine, kTol)),
           ends_(endTools(feature, tools_, kTol)),
-          finder_(ground_, areas_, library, options, machine, machine.safe_height_mm) {}
+          finder_(job_, reaches) {}
 
     double cheapest() {
         double least = kInfinite;
@@ -65,12 +63,12 @@ class EverySequence {
     double own(int m, int n) {
         const auto [found, is_new] = own_.emplace(std::pair(m, n), kInfinite);
         if (!is_new) return found->second;
-        const AccessibleArea& n_own = tools_[n].own();
-        const DecomposedArea area = decomposedArea(ground_, m < 0 ? nullptr : tools_[m].area, n_own);
-        if (area.new_area_mm2 <= sameArea(ground_.feature(), kTol) && !tools_[n].hasSurrogates())
+        const CutterArea& n_own = *tools_[n].own;
+        const DecomposedArea area = decomposedArea(job_->ground, m < 0 ? nullptr : tools_[m].cleared, n_own);
+        if (area.new_area_mm2 <= sameArea(job_->feature(), kTol) && !tools_[n].hasSurrogates())
             return kInfinite;
         // Patterns as edges are weighed.
-        const ClearingTask task = taskOf(ground_.feature(), n_own, area, machine_, Pattern::ContourInsideOut);
+        const ClearingTask task = taskOf(job_->feature(), n_own, area, machine_, Pattern::ContourInsideOut);
         const Toolpath path = clearArea(task, *tools_[n].tool, tools_[n].cutting, machine_, kTol);
         if (path.moves.empty()) return kInfinite;
         return found->second = weigh(edgeCost(path.totals, *tools_[n].tool, machine_));
@@ -79,8 +77,8 @@ class EverySequence {
     const Lumps& lumpsOf(int m, int n) {
         const auto found = lumps_.find({m, n});
         if (found != lumps_.end()) return found->second;
-        const AccessibleArea* from = m < 0 ? nullptr : tools_[m].area;
-        return lumps_[{m, n}] = tools_[n].hasSurrogates() ? finder_.lumpsOf(from, *tools_[n].area) : Lumps{};
+        const CutterArea* from = m < 0 ? nullptr : tools_[m].cleared;
+        return lumps_[{m, n}] = finder_.lumpsOf(from, *tools_[n].reach);
     }
 
     /// Surrogates' paths and changes, the least over all combinations.
@@ -115,11 +113,9 @@ class EverySequence {
         return least;
     }
 
-    const ToolLibrary& library_;
     const Machine& machine_;
     const SequenceOptions& options_;
-    FeatureGround ground_;
-    const std::vector<AccessibleArea>& areas_;
+    std::shared_ptr<const SequenceJob> job_;
     std::vector<Candidate> tools_;
     std::vector<bool> ends_;
     SurrogateFinder finder_;
@@ -136,7 +132,7 @@ struct Planned {
     bool toItsFloor() const { return sequence.floor_z_mm == feature.floor_z_mm; }
     bool hasSurrogates() const {
         return std::any_of(sequence.tools.begin(), sequence.tools.end(),
-                           [](const AccessibleArea& tool) { return !tool.blocked_lumps.empty(); });
+                           [](const ToolReach& tool) { return tool.surrogates() != nullptr; });
     }
 };
 
@@ -161,7 +157,7 @@ TEST(SurrogateLaw, IsAsCheapAsTheBestOfAllSequences) {
         EverySequence every(planned.feature, planned.library, machine, planned.options, sequence.tools);
         const double expected = every.cheapest();
         const Objective objective = planned.options.objective;
-        const double found = sequence.choices->dag.weight;
+        const double found = sequence.choices->dag().weight;
         EXPECT_NEAR(found, expected, 1e-9 * expected) << "seed " << seed;
         // The steps themselves take the quickest patterns.
         EXPECT_LE(objective == Objective::Time ? sequence.time_s : sequence.cost, found * (1 + 1e-9))
@@ -279,7 +275,7 @@ TEST(SurrogateLaw, AFatterOrLowerHolderNeverReachesMore) {
         tool.stick_out_mm = uniform(random, 11, 35);
         tool.holder.push_back(
             {tool.diameter_mm + uniform(random, 4, 30), tool.stick_out_mm, tool.stick_out_mm + 20});
-        const double free_mm2 = accessibleArea(ground, tool, "aluminium").collision_free_area_mm2;
+        const double free_mm2 = toolReach(ground, tool, "aluminium").collision_free_area_mm2;
         ToolAssembly fatter = tool;
         fatter.holder[0].diameter_mm += uniform(random, 0, 10);
         ToolAssembly lower = tool;
@@ -287,8 +283,7 @@ TEST(SurrogateLaw, AFatterOrLowerHolderNeverReachesMore) {
         lower.holder[0].bottom_mm = lower.stick_out_mm;
         const double slack_mm2 = 1e-5 * ground.feature().area_mm2;
         for (const ToolAssembly& worse : {fatter, lower})
-            EXPECT_LE(accessibleArea(ground, worse, "aluminium").collision_free_area_mm2,
-                      free_mm2 + slack_mm2)
+            EXPECT_LE(toolReach(ground, worse, "aluminium").collision_free_area_mm2, free_mm2 + slack_mm2)
                 << "seed " << seed;
     }
 }

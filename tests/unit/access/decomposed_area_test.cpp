@@ -15,8 +15,8 @@ using test::makeFeature;
 
 const Tolerances kTol;
 
-AccessibleArea access(const FeatureGround& ground, double diameter_mm) {
-    return accessibleArea(ground, endMill(diameter_mm), kMaterial);
+CutterArea access(const FeatureGround& ground, double diameter_mm) {
+    return toolReach(ground, endMill(diameter_mm), kMaterial).cutter;
 }
 
 Region islandPocket() {
@@ -24,14 +24,14 @@ Region islandPocket() {
 }
 
 /// A_n n T without A_m u D_mn: what eq. 2 of [DSouza2006] says is nothing.
-double missed(const AccessibleArea& m, const AccessibleArea& n, const DecomposedArea& d) {
+double missed(const CutterArea& m, const CutterArea& n, const DecomposedArea& d) {
     const Region both = unite(m.accessible, d.area, kTol);
     return area(access::withoutSliverComponents(subtract(n.coverable, both, kTol), kTol));
 }
 
-TEST(DecomposedArea, OfAFirstToolIsItsAccessibleArea) {
+TEST(DecomposedArea, OfAFirstToolIsWhatItReaches) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
-    const AccessibleArea n = access(ground, 10);
+    const CutterArea n = access(ground, 10);
     const DecomposedArea d = decomposedArea(ground, nullptr, n);
     EXPECT_DOUBLE_EQ(area(d.area), area(n.accessible));
     EXPECT_DOUBLE_EQ(area(d.centres), area(n.free_centres));
@@ -42,8 +42,8 @@ TEST(DecomposedArea, OfAFirstToolIsItsAccessibleArea) {
 TEST(DecomposedArea, IsExactlyEmptyWhenBothToolsReachTheSame) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
     for (const auto& [m, n] : {std::pair{12.0, 10.0}, {12.0, 3.0}, {11.0, 10.9}, {10.0, 10.0}}) {
-        const DecomposedArea d = decomposedArea(
-            ground, std::make_unique<AccessibleArea>(access(ground, m)).get(), access(ground, n));
+        const DecomposedArea d =
+            decomposedArea(ground, std::make_unique<CutterArea>(access(ground, m)).get(), access(ground, n));
         EXPECT_TRUE(d.centres.empty()) << m << " " << n;
         EXPECT_TRUE(d.area.empty()) << m << " " << n;
         EXPECT_DOUBLE_EQ(d.new_area_mm2, 0) << m << " " << n;
@@ -52,8 +52,8 @@ TEST(DecomposedArea, IsExactlyEmptyWhenBothToolsReachTheSame) {
 
 TEST(DecomposedArea, OfAPocketIsItsFourCorners) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
-    const AccessibleArea m = access(ground, 16);
-    const AccessibleArea n = access(ground, 8);
+    const CutterArea m = access(ground, 16);
+    const CutterArea n = access(ground, 8);
     const DecomposedArea d = decomposedArea(ground, &m, n);
     EXPECT_EQ(components(d.centres).size(), 4U);
     EXPECT_NEAR(d.new_area_mm2, (4 - kPi) * (64 - 36), 2e-2);
@@ -64,8 +64,8 @@ TEST(DecomposedArea, OfAPocketIsItsFourCorners) {
 
 TEST(DecomposedArea, ServesTheNecksAWiderCutterCannotPass) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
-    const AccessibleArea m = access(ground, 20);
-    const AccessibleArea n = access(ground, 12);
+    const CutterArea m = access(ground, 20);
+    const CutterArea n = access(ground, 12);
     const DecomposedArea d = decomposedArea(ground, &m, n);
     EXPECT_NEAR(d.new_area_mm2, n.coverable_area_mm2 - m.coverable_area_mm2, 2e-2);
     EXPECT_LT(missed(m, n, d), 1e-3);
@@ -74,8 +74,8 @@ TEST(DecomposedArea, ServesTheNecksAWiderCutterCannotPass) {
 TEST(DecomposedArea, BesideAnOpenEdgeKeepsNoCentresThatClearNothing) {
     const Region shoulder = makeRectangle({0, 0}, {50, 4});
     const FeatureGround ground(makeFeature(shoulder, makeRectangle({0, 4}, {50, 30}), 58), kTol);
-    const AccessibleArea m = access(ground, 20);
-    const AccessibleArea n = access(ground, 6);
+    const CutterArea m = access(ground, 20);
+    const CutterArea n = access(ground, 6);
     const DecomposedArea d = decomposedArea(ground, &m, n);
     EXPECT_TRUE(d.centres.empty());
     EXPECT_DOUBLE_EQ(d.new_area_mm2, 0);
@@ -85,8 +85,8 @@ TEST(DecomposedArea, OfASlotWiderThanOnlyTheSecondToolIsTheSlot) {
     const Region slot = makeRectangle({-5, 0}, {5, 40});
     const Region block = subtract(makeRectangle({-40, 0}, {40, 60}), slot, kTol);
     const FeatureGround ground(makeFeature(slot, block, 10), kTol);
-    const AccessibleArea m = access(ground, 16);
-    const AccessibleArea n = access(ground, 8);
+    const CutterArea m = access(ground, 16);
+    const CutterArea n = access(ground, 8);
     const DecomposedArea d = decomposedArea(ground, &m, n);
     EXPECT_EQ(components(d.centres).size(), 1U);
     EXPECT_NEAR(d.new_area_mm2, n.coverable_area_mm2 - m.coverable_area_mm2, 2e-2);
@@ -98,13 +98,13 @@ TEST(DecomposedArea, CountsNoGroundAsClearedThatNoPassReaches) {
     // centres is half a sliver wide 0.09 mm before that: no pass goes on from there.
     const Region island = makeRoundedRectangle({16, 10}, {50, 28}, 4);
     const Region pocket = subtract(makeRectangle({0, 0}, {66, 30}), island, kTol);
-    const AccessibleArea m = access(FeatureGround(closedPocket(pocket), kTol), 2);
+    const CutterArea m = access(FeatureGround(closedPocket(pocket), kTol), 2);
     ASSERT_TRUE(contains(m.free_centres, {20 - 0.03, 29 - 4e-5})) << "reached on paper";
     for (const double open_mm : {0.0, 10.0}) {
         Feature feature = closedPocket(pocket);
         feature.open_length_mm = open_mm;
         const FeatureGround ground(feature, kTol);
-        const AccessibleArea first = access(ground, 2);
+        const CutterArea first = access(ground, 2);
         const DecomposedArea d = decomposedArea(ground, &first, access(ground, 1.5));
         const Vec2 beside_the_island(20, 28.7501);
         EXPECT_TRUE(contains(d.centres, beside_the_island));
@@ -115,7 +115,7 @@ TEST(DecomposedArea, CountsNoGroundAsClearedThatNoPassReaches) {
 
 TEST(DecomposedArea, RefusesTheSmallerToolFirst) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
-    const AccessibleArea m = access(ground, 6);
+    const CutterArea m = access(ground, 6);
     EXPECT_THROW(decomposedArea(ground, &m, access(ground, 8)), Error);
 }
 

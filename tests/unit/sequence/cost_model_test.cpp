@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "sequence/dag/candidate.h"
+#include "stepmill/sequence/machine_limits.h"
 #include "support/sample_feature.h"
 
 namespace stepmill::test {
@@ -21,10 +22,10 @@ Feature sharpPocket() {
 std::vector<std::string> byAreaModel(const ToolSequence& sequence, const ToolLibrary& library,
                                      CostModel model, const Feature& feature, const Machine& machine) {
     std::vector<AreaModelTool> tools;
-    for (const AccessibleArea& area : sequence.tools) {
-        const ToolAssembly& tool = library.tool(area.tool_id);
-        tools.push_back(areaModelTool(tool.radius_mm(), area.coverable_area_mm2, feature.depth_mm(),
-                                      limitedBy(machine, tool.cutting.front())));
+    for (const ToolReach& reach : sequence.tools) {
+        const ToolAssembly& tool = library.tool(reach.tool_id);
+        tools.push_back(areaModelTool(tool.radius_mm(), reach.cleared().coverable_area_mm2,
+                                      feature.depth_mm(), limitedBy(machine, tool.cutting.front())));
     }
     const CheapestPath path = model == CostModel::Lim
                                   ? cheapestByLim(tools, machine.tool_change_s)

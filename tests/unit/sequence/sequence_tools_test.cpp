@@ -121,8 +121,7 @@ TEST(SequenceTools, AToolItsHolderKeepsOffAWallMachinesTheRest) {
     const ToolSequence slimmer = sequenceTools(room, makeLibrary({mill}), makeMachine(), inAluminium(), kTol);
     ASSERT_EQ(slimmer.steps.size(), 1U);
     EXPECT_DOUBLE_EQ(slimmer.floor_z_mm, -30);
-    ASSERT_FALSE(slimmer.tools[0].excluded);
-    EXPECT_FALSE(slimmer.tools[0].limited.empty());
+    EXPECT_TRUE(slimmer.tools[0].limited());
     ASSERT_EQ(slimmer.residual.size(), 1U);
     EXPECT_EQ(slimmer.residual[0].reason, Reason::HolderCollision);
     EXPECT_NE(slimmer.residual[0].advice.find("stick-out of 30 mm"), std::string::npos);
@@ -145,11 +144,11 @@ TEST(SequenceTools, AToolFreeEverywhereDoesWhatAnotherIsKeptOff) {
         sequenceTools(room, makeLibrary({makeMill(10), stubby}), makeMachine(), inAluminium(), kTol);
     EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM10"});
     EXPECT_TRUE(sequence.residual.empty());
-    const AccessibleArea& held_off = sequence.tools[1];
-    EXPECT_FALSE(held_off.excluded);
-    ASSERT_EQ(held_off.blocked_lumps.size(), 1U) << "a frame along the walls";
-    EXPECT_EQ(held_off.blocked_lumps[0].surrogates, std::vector<std::string>{"EM10"});
-    EXPECT_NE(held_off.blocked_lumps[0].reason.find("20 mm wide"), std::string::npos);
+    ASSERT_TRUE(sequence.tools[1].surrogates());
+    const WithSurrogates& held_off = *sequence.tools[1].surrogates();
+    ASSERT_EQ(held_off.lumps.size(), 1U) << "a frame along the walls";
+    EXPECT_EQ(held_off.lumps[0].surrogates, std::vector<std::string>{"EM10"});
+    EXPECT_NE(held_off.lumps[0].reason.find("20 mm wide"), std::string::npos);
 }
 
 /// 100 x 60 mm, 8 mm deep; a boss 30 mm high, up to the stock's top, stands 2 mm behind the middle of one
@@ -170,6 +169,18 @@ ToolAssembly makeStubbyMill(double diameter_mm, double feed) {
     return mill;
 }
 
+TEST(SequenceTools, ItsChoicesNeedNothingItWasMadeFrom) {
+    auto library = std::make_unique<ToolLibrary>(makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}));
+    auto machine = std::make_unique<Machine>(makeMachine());
+    const ToolSequence sequence =
+        sequenceTools(makePocketBesideABoss(), *library, *machine, inAluminium(), kTol);
+    library.reset();
+    machine.reset();
+    const ToolSequence again = withChoice(sequence, 0);
+    EXPECT_EQ(toolsOf(again), (std::vector<std::string>{"stubby EM10", "EM6"}));
+    EXPECT_EQ(again.time_s, sequence.time_s);
+}
+
 TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
     const ToolSequence sequence =
         sequenceTools(makePocketBesideABoss(), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}),
@@ -178,13 +189,15 @@ TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
     EXPECT_EQ(sequence.steps[0].role, Role::Rough);
     EXPECT_EQ(sequence.steps[1].role, Role::Surrogate);
     EXPECT_TRUE(sequence.residual.empty());
-    ASSERT_EQ(sequence.tools[0].blocked_lumps.size(), 1U);
-    EXPECT_EQ(sequence.tools[0].blocked_lumps[0].surrogates, std::vector<std::string>{"EM6"});
+    ASSERT_TRUE(sequence.tools[0].surrogates());
+    const std::vector<BlockedLump>& lumps = sequence.tools[0].surrogates()->lumps;
+    ASSERT_EQ(lumps.size(), 1U);
+    EXPECT_EQ(lumps[0].surrogates, std::vector<std::string>{"EM6"});
     const DagEdge* edge = findEdge(sequence, "", "stubby EM10");
     ASSERT_NE(edge, nullptr);
     ASSERT_EQ(edge->surrogates.size(), 1U);
     EXPECT_EQ(edge->surrogates[0].tool, "EM6");
-    EXPECT_NEAR(edge->surrogates[0].area_mm2, sequence.tools[0].blocked_lumps[0].area_mm2, 1e-9);
+    EXPECT_NEAR(edge->surrogates[0].area_mm2, lumps[0].area_mm2, 1e-9);
     EXPECT_LE(sequence.time_s, edge->time_s) << "of the quickest patterns";
     const double changes_s = 2 * makeMachine().tool_change_s;
     EXPECT_NEAR(edge->time_s, edge->totals.time_s() + edge->surrogates[0].time_s + changes_s, 1e-9);
@@ -301,8 +314,8 @@ TEST(SequenceTools, ADrillWhoseHolderWouldTouchIsNotUsed) {
         sequenceTools(hole, makeLibrary({drill}), makeMachine(), inAluminium(), kTol);
     EXPECT_TRUE(sequence.steps.empty());
     ASSERT_EQ(sequence.tools.size(), 1U);
-    ASSERT_TRUE(sequence.tools[0].excluded);
-    EXPECT_EQ(sequence.tools[0].excluded->reason, ExclusionReason::HolderCollision);
+    ASSERT_TRUE(sequence.tools[0].exclusion());
+    EXPECT_EQ(sequence.tools[0].exclusion()->reason, ExclusionReason::HolderCollision);
 }
 
 TEST(SequenceTools, DoesNotDependOnTheNumberOfThreads) {

@@ -43,7 +43,7 @@ Exclusion noEntry(const ToolAssembly& tool) {
 
 /// Keeps the components the tool can get into. Were any left out?
 bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, std::vector<Region> centres,
-                   AccessibleArea& found) {
+                   CutterArea& found) {
     bool all = true;
     for (Region& component : centres) {
         const auto entry = access::findEntry(ground, tool, component);
@@ -56,7 +56,7 @@ bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, std::v
     return all;
 }
 
-void measureAreas(const FeatureGround& ground, bool all_components, AccessibleArea& found) {
+void measureAreas(const FeatureGround& ground, bool all_components, CutterArea& found) {
     const Tolerances& tol = ground.tolerances();
     // The target's own diagram answers where nothing was left out.
     found.opens_target = ground.walledIn() && all_components;
@@ -66,25 +66,23 @@ void measureAreas(const FeatureGround& ground, bool all_components, AccessibleAr
         ground.walledIn() ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
     found.swept = SureSweep(found.free_centres, found.radius_mm, {}, tol);
     found.coverable_area_mm2 = area(found.coverable);
-    found.accessible_area_mm2 = found.coverable_area_mm2;
     found.access_volume_mm3 = found.coverable_area_mm2 * ground.feature().depth_mm();
 }
 
 /// The areas as the obstruction alone has them; the exclusion when there are none.
 std::optional<Exclusion> reachAreas(const FeatureGround& ground, const ToolAssembly& tool,
-                                    AccessibleArea& found) {
+                                    CutterArea& found) {
     std::vector<Region> centres = centreComponents(ground, found.radius_mm);
     if (centres.empty()) return tooWide(ground, tool);
     const bool all_components = keepEnterable(ground, tool, std::move(centres), found);
     if (found.free_centres.empty()) return noEntry(tool);
     measureAreas(ground, all_components, found);
-    found.collision_free_area_mm2 = found.coverable_area_mm2;
     return std::nullopt;
 }
 
 /// Does some cylinder come nearer to standing material than it may at an entry beside the free centres?
 bool touchesAtEntry(const FeatureGround& ground, const std::vector<Blocker>& blockers,
-                    const AccessibleArea& found) {
+                    const CutterArea& found) {
     return std::any_of(found.entries.begin(), found.entries.end(), [&](const Entry& entry) {
         return entry.kind == EntryKind::OpenEdge &&
                std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
@@ -96,29 +94,28 @@ bool touchesAtEntry(const FeatureGround& ground, const std::vector<Blocker>& blo
 }
 
 /// Areas and entries with shank and holder clear of everything; nothing when no centre is left.
-std::optional<AccessibleArea> clearOfHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers,
-                                            const ToolAssembly& tool) {
+std::optional<CutterArea> clearOfHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers,
+                                        const ToolAssembly& tool) {
     const FeatureGround kept_off(access::withoutHolder(ground, blockers, tool.radius_mm()),
                                  ground.tolerances());
     if (kept_off.feature().target.empty()) return std::nullopt;
-    AccessibleArea found;
-    found.tool_id = tool.id;
+    CutterArea found;
     found.radius_mm = tool.radius_mm();
     if (reachAreas(kept_off, tool, found)) return std::nullopt;
     found.opens_target = false;  // but what is left of the target beside the holder
-    found.obstruction = std::make_shared<const Region>(kept_off.feature().obstruction);
+    found.wider_obstruction = kept_off.feature().obstruction;
     return found;
 }
 
 /// Is all that `of` covers covered, but for skins?
-bool reachesTheSame(const AccessibleArea& area, const AccessibleArea& of, const Tolerances& tol) {
+bool reachesTheSame(const CutterArea& area, const CutterArea& of, const Tolerances& tol) {
     const double slack_mm2 = std::max(tol.area_mm2, kSameShare * of.coverable_area_mm2);
     if (area.coverable_area_mm2 >= of.coverable_area_mm2 - slack_mm2) return true;
     return access::withoutSliverComponents(subtract(of.coverable, area.coverable, tol), tol).empty();
 }
 
 Exclusion collides(const FeatureGround& ground, const ToolAssembly& tool,
-                   const std::vector<Blocker>& blockers, const AccessibleArea& found, double lost_mm2) {
+                   const std::vector<Blocker>& blockers, const ToolReach& found, double lost_mm2) {
     const double depth_mm = ground.feature().depth_mm();
     if (found.collision_free_area_mm2 <= ground.tolerances().area_mm2 && tool.stick_out_mm < depth_mm)
         return {ExclusionReason::TooShort,
@@ -129,66 +126,86 @@ Exclusion collides(const FeatureGround& ground, const ToolAssembly& tool,
     return {ExclusionReason::HolderCollision,
             fmt::format("shank or holder ({:.4g} mm wide at {:.4g} mm over the tip) would touch standing "
                         "material over {:.4g} of {:.4g} mm2",
-                        2 * lowest.radius_mm, lowest.height_mm, lost_mm2, found.coverable_area_mm2)};
+                        2 * lowest.radius_mm, lowest.height_mm, lost_mm2, found.cutter.coverable_area_mm2)};
 }
 
 /// Fills in the collision-free area; the exclusion when it lacks something of the coverable area. Where
 /// shank or holder only cost centres that are not needed, the areas are made anew without these.
 std::optional<Exclusion> checkCollisions(const FeatureGround& ground, const ToolAssembly& tool,
-                                         AccessibleArea& found) {
+                                         ToolReach& found) {
+    CutterArea& cutter = found.cutter;
+    found.collision_free_area_mm2 = cutter.coverable_area_mm2;
     const std::vector<Blocker> blockers = access::blockers(ground.feature(), tool);
     if (blockers.empty()) return std::nullopt;
     const Tolerances& tol = ground.tolerances();
     const bool hit = std::any_of(blockers.begin(), blockers.end(), [&](const Blocker& blocker) {
-        return access::losesCentres(ground, blocker, found.free_centres);
+        return access::losesCentres(ground, blocker, cutter.free_centres);
     });
-    if (!hit && !touchesAtEntry(ground, blockers, found)) return std::nullopt;
-    const Region centres = access::collisionFreeCentres(ground, blockers, found.free_centres);
-    const Region swept = access::swept(centres, found.radius_mm, tol);
-    const Region lost = access::withoutSliverComponents(subtract(found.coverable, swept, tol), tol);
+    if (!hit && !touchesAtEntry(ground, blockers, cutter)) return std::nullopt;
+    const Region centres = access::collisionFreeCentres(ground, blockers, cutter.free_centres);
+    const Region swept = access::swept(centres, cutter.radius_mm, tol);
+    const Region lost = access::withoutSliverComponents(subtract(cutter.coverable, swept, tol), tol);
     if (lost.empty()) {
         auto clear = clearOfHolder(ground, blockers, tool);
-        if (clear && reachesTheSame(*clear, found, tol)) {
-            found = std::move(*clear);
+        if (clear && reachesTheSame(*clear, cutter, tol)) {
+            cutter = std::move(*clear);
+            found.collision_free_area_mm2 = cutter.coverable_area_mm2;
             return std::nullopt;
         }
     }
-    found.collision_free_area_mm2 = std::max(0.0, found.coverable_area_mm2 - area(lost));
+    found.collision_free_area_mm2 = std::max(0.0, cutter.coverable_area_mm2 - area(lost));
     return collides(ground, tool, blockers, found, area(lost));
 }
 
 }  // namespace
 
-AccessibleArea accessibleArea(const FeatureGround& ground, const ToolAssembly& tool,
-                              const std::string& material) {
-    AccessibleArea found;
+const CutterArea& ToolReach::own() const {
+    if (const Limited* less = limited()) return less->whole_tool;
+    if (const WithSurrogates* helped = surrogates()) return helped->whole_tool;
+    return cutter;
+}
+
+const CutterArea& ToolReach::cleared() const {
+    const WithSurrogates* helped = surrogates();
+    return helped != nullptr ? helped->together : own();
+}
+
+ToolReach toolReach(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material) {
+    ToolReach found;
     found.tool_id = tool.id;
-    found.radius_mm = tool.radius_mm();
-    if (tool.isDrill()) {
-        found.excluded = access::unsuitableDrill(ground, tool, material);
-        return found;
+    found.cutter.radius_mm = tool.radius_mm();
+    auto excluded = tool.isDrill() ? access::unsuitableDrill(ground, tool, material)
+                                   : access::unsuitable(ground, tool, material);
+    if (!tool.isDrill() && !(excluded && excluded->reason == ExclusionReason::WrongType)) {
+        auto trouble = reachAreas(ground, tool, found.cutter);
+        if (!trouble) trouble = checkCollisions(ground, tool, found);
+        if (!excluded) excluded = std::move(trouble);
     }
-    found.excluded = access::unsuitable(ground, tool, material);
-    if (found.excluded && found.excluded->reason == ExclusionReason::WrongType) return found;
-    auto trouble = reachAreas(ground, tool, found);
-    if (!trouble) trouble = checkCollisions(ground, tool, found);
-    if (trouble && !found.excluded) found.excluded = std::move(trouble);
+    if (excluded) found.use = std::move(*excluded);
     return found;
 }
 
-std::optional<AccessibleArea> limitedArea(const FeatureGround& ground, const ToolAssembly& tool,
-                                          const AccessibleArea& excluded) {
-    if (!excluded.excluded || excluded.excluded->reason != ExclusionReason::HolderCollision)
-        return std::nullopt;
-    if (tool.isDrill() || excluded.free_centres.empty()) return std::nullopt;
-    auto clear = clearOfHolder(ground, access::blockers(ground.feature(), tool), tool);
-    if (clear) clear->limited = excluded.excluded->text;
-    return clear;
+std::optional<CutterArea> collisionFreeArea(const FeatureGround& ground, const ToolAssembly& tool,
+                                            const ToolReach& reach) {
+    const Exclusion* excluded = reach.exclusion();
+    if (excluded == nullptr || excluded->reason != ExclusionReason::HolderCollision) return std::nullopt;
+    if (tool.isDrill() || reach.cutter.free_centres.empty()) return std::nullopt;
+    return clearOfHolder(ground, access::blockers(ground.feature(), tool), tool);
 }
 
-Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+ToolReach limitedTo(const ToolReach& excluded, CutterArea whole_tool) {
+    ToolReach reach;
+    reach.tool_id = excluded.tool_id;
+    reach.cutter = excluded.cutter;
+    reach.collision_free_area_mm2 = whole_tool.coverable_area_mm2;
+    const Exclusion* why = excluded.exclusion();
+    reach.use = Limited{std::move(whole_tool), why != nullptr ? why->text : std::string()};
+    return reach;
+}
+
+DepthLimit depthLimitOf(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area) {
     const Feature& feature = ground.feature();
-    Reach reach{feature.floor_z_mm, 0};
+    DepthLimit limit{feature.floor_z_mm, 0};
     for (const HolderCylinder& cylinder : access::cylindersOf(tool)) {
         const auto blocks = [&](const Obstacle& obstacle) {
             const auto index = static_cast<std::size_t>(&obstacle - feature.obstacles.data());
@@ -202,11 +219,11 @@ Reach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const Acces
         const double needed_mm = clear_z_mm - feature.floor_z_mm;
         // A holder moves up with the stick-out; the shank does not, so that must not be lower at all.
         const bool is_holder = cylinder.bottom_mm >= tool.stick_out_mm;
-        reach.stick_out_mm = std::max(
-            reach.stick_out_mm, is_holder ? tool.stick_out_mm + needed_mm - cylinder.bottom_mm : needed_mm);
-        reach.floor_z_mm = std::max(reach.floor_z_mm, clear_z_mm - cylinder.bottom_mm);
+        limit.stick_out_mm = std::max(
+            limit.stick_out_mm, is_holder ? tool.stick_out_mm + needed_mm - cylinder.bottom_mm : needed_mm);
+        limit.floor_z_mm = std::max(limit.floor_z_mm, clear_z_mm - cylinder.bottom_mm);
     }
-    return reach;
+    return limit;
 }
 
 double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const ToolAssembly&)>& clears) {
@@ -222,7 +239,7 @@ double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const 
     return at(long_enough);
 }
 
-double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const AccessibleArea& area) {
+double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area) {
     return leastStickOutMm(tool, [&](const ToolAssembly& shorter) {
         const std::vector<Blocker> blockers = access::blockers(ground.feature(), shorter);
         return !access::meetsOwnMaterial(ground, shorter, area.free_centres) &&

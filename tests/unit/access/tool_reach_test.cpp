@@ -28,8 +28,8 @@ Region islandPocket() {
     return subtract(makeRoundedRectangle({0, 0}, {70, 50}, 6), makeCircle({35, 25}, 8), kTol);
 }
 
-AccessibleArea access(const FeatureGround& ground, const ToolAssembly& tool) {
-    return accessibleArea(ground, tool, kMaterial);
+ToolReach access(const FeatureGround& ground, const ToolAssembly& tool) {
+    return toolReach(ground, tool, kMaterial);
 }
 
 /// A cutter wider than a corner leaves what a square corner of both leaves: (1 - pi/4)(r^2 - corner^2).
@@ -37,152 +37,152 @@ double leftInCorner(double radius_mm, double corner_mm) {
     return (1 - kPi / 4) * (radius_mm * radius_mm - corner_mm * corner_mm);
 }
 
-TEST(AccessibleArea, OfThePocketWithAnIslandLeavesTheCorners) {
+TEST(ToolReach, OfThePocketWithAnIslandLeavesTheCorners) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
     const double whole = area(ground.feature().target);
     for (const double radius : {2.0, 4.0, 5.9, 6.0, 6.5, 7.0, 8.0}) {
-        const AccessibleArea found = access(ground, endMill(2 * radius));
+        const ToolReach found = access(ground, endMill(2 * radius));
         const double left = radius > 6 ? 4 * leftInCorner(radius, 6) : 0;
-        EXPECT_FALSE(found.excluded) << radius;
-        EXPECT_NEAR(found.coverable_area_mm2, whole - left, kAreaMm2) << radius;
-        EXPECT_NEAR(area(found.coverable), found.coverable_area_mm2, 1e-9);
-        EXPECT_DOUBLE_EQ(found.collision_free_area_mm2, found.coverable_area_mm2);
-        EXPECT_NEAR(found.access_volume_mm3, 10 * found.coverable_area_mm2, 1e-6);
+        EXPECT_FALSE(found.exclusion()) << radius;
+        EXPECT_NEAR(found.cutter.coverable_area_mm2, whole - left, kAreaMm2) << radius;
+        EXPECT_NEAR(area(found.cutter.coverable), found.cutter.coverable_area_mm2, 1e-9);
+        EXPECT_DOUBLE_EQ(found.collision_free_area_mm2, found.cutter.coverable_area_mm2);
+        EXPECT_NEAR(found.cutter.access_volume_mm3, 10 * found.cutter.coverable_area_mm2, 1e-6);
     }
 }
 
-TEST(AccessibleArea, OfACutterAsWideAsTheCornersIsTheWholePocket) {
+TEST(ToolReach, OfACutterAsWideAsTheCornersIsTheWholePocket) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
-    const AccessibleArea found = access(ground, endMill(12));
-    EXPECT_NEAR(found.coverable_area_mm2, area(ground.feature().target), 1e-3);
+    const ToolReach found = access(ground, endMill(12));
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, area(ground.feature().target), 1e-3);
 }
 
-TEST(AccessibleArea, SplitsWhereTheIslandLeavesTooNarrowAPassage) {
+TEST(ToolReach, SplitsWhereTheIslandLeavesTooNarrowAPassage) {
     // The passages above and below the island are 17 mm wide, those beside it 27 mm.
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
-    EXPECT_EQ(access(ground, endMill(16.9)).entries.size(), 1U);
-    const AccessibleArea wider = access(ground, endMill(17.1));
-    EXPECT_EQ(wider.entries.size(), 2U);
-    EXPECT_EQ(components(wider.free_centres).size(), 2U);
+    EXPECT_EQ(access(ground, endMill(16.9)).cutter.entries.size(), 1U);
+    const ToolReach wider = access(ground, endMill(17.1));
+    EXPECT_EQ(wider.cutter.entries.size(), 2U);
+    EXPECT_EQ(components(wider.cutter.free_centres).size(), 2U);
 }
 
-TEST(AccessibleArea, IsEmptyWhenToolIsWiderThanSlot) {
+TEST(ToolReach, IsEmptyWhenToolIsWiderThanSlot) {
     const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {60, 10}, 2)), kTol);
-    const AccessibleArea found = access(ground, endMill(10.5));
-    ASSERT_TRUE(found.excluded);
-    EXPECT_EQ(found.excluded->reason, ExclusionReason::TooWide);
-    EXPECT_NE(found.excluded->text.find("10 mm"), std::string::npos) << found.excluded->text;
-    EXPECT_TRUE(found.accessible.empty());
-    EXPECT_DOUBLE_EQ(found.coverable_area_mm2, 0);
+    const ToolReach found = access(ground, endMill(10.5));
+    ASSERT_TRUE(found.exclusion());
+    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::TooWide);
+    EXPECT_NE(found.exclusion()->text.find("10 mm"), std::string::npos) << found.exclusion()->text;
+    EXPECT_TRUE(found.cutter.accessible.empty());
+    EXPECT_DOUBLE_EQ(found.cutter.coverable_area_mm2, 0);
     EXPECT_NEAR(ground.widestCutterMm(), 10, 1e-3);
 }
 
-TEST(AccessibleArea, IsEmptyWhenToolIsExactlyAsWideAsASlot) {
+TEST(ToolReach, IsEmptyWhenToolIsExactlyAsWideAsASlot) {
     const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {60, 10}, 2)), kTol);
-    const AccessibleArea found = access(ground, endMill(10));
-    ASSERT_TRUE(found.excluded);
-    EXPECT_EQ(found.excluded->reason, ExclusionReason::TooWide);
+    const ToolReach found = access(ground, endMill(10));
+    ASSERT_TRUE(found.exclusion());
+    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::TooWide);
 }
 
-TEST(AccessibleArea, CoversAShoulderNarrowerThanTheCutterFromOutside) {
+TEST(ToolReach, CoversAShoulderNarrowerThanTheCutterFromOutside) {
     const Feature shoulder = makeFeature(rect(0, 0, 50, 4), rect(0, 4, 50, 30), 58);
     const FeatureGround ground(shoulder, kTol);
     for (const double diameter : {6.0, 10.0, 25.0}) {
-        const AccessibleArea found = access(ground, endMill(diameter));
-        EXPECT_FALSE(found.excluded) << diameter;
-        EXPECT_NEAR(found.coverable_area_mm2, 200, kAreaMm2) << diameter;
-        ASSERT_EQ(found.entries.size(), 1U);
-        EXPECT_EQ(found.entries[0].kind, EntryKind::OpenEdge);
+        const ToolReach found = access(ground, endMill(diameter));
+        EXPECT_FALSE(found.exclusion()) << diameter;
+        EXPECT_NEAR(found.cutter.coverable_area_mm2, 200, kAreaMm2) << diameter;
+        ASSERT_EQ(found.cutter.entries.size(), 1U);
+        EXPECT_EQ(found.cutter.entries[0].kind, EntryKind::OpenEdge);
     }
 }
 
-TEST(AccessibleArea, OfASlotNarrowerThanTheCutterIsOnlyTheMouthItDipsInto) {
+TEST(ToolReach, OfASlotNarrowerThanTheCutterIsOnlyTheMouthItDipsInto) {
     // A disc of radius R over a mouth 2a wide, at rest on its two edges, cuts a segment of the circle.
     const Region slot = rect(-5, 0, 5, 40);
     const Region block = subtract(rect(-40, 0, 40, 60), slot, kTol);
     const FeatureGround ground(makeFeature(slot, block, 10), kTol);
-    const AccessibleArea found = access(ground, endMill(16));
+    const ToolReach found = access(ground, endMill(16));
     const double half_angle = std::asin(5.0 / 8.0);
     const double segment = 64 * (half_angle - std::sin(half_angle) * std::cos(half_angle));
-    EXPECT_NEAR(found.coverable_area_mm2, segment, kAreaMm2);
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, segment, kAreaMm2);
     EXPECT_NEAR(ground.widestCutterMm(), 10, 0.05);
 }
 
-TEST(AccessibleArea, OfAFaceIsAllOfItForEveryCutter) {
+TEST(ToolReach, OfAFaceIsAllOfItForEveryCutter) {
     const Feature face = makeFeature(rect(0, 0, 100, 80), {}, 360, 2);
     const FeatureGround ground(face, kTol);
-    const AccessibleArea found = access(ground, endMill(50));
-    EXPECT_NEAR(found.coverable_area_mm2, 8000, kAreaMm2);
-    EXPECT_EQ(found.entries.at(0).kind, EntryKind::OpenEdge);
+    const ToolReach found = access(ground, endMill(50));
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, 8000, kAreaMm2);
+    EXPECT_EQ(found.cutter.entries.at(0).kind, EntryKind::OpenEdge);
     EXPECT_TRUE(std::isinf(ground.widestCutterMm()));
 }
 
-TEST(AccessibleArea, OverOpenEdgesNeverTouchesTheObstruction) {
+TEST(ToolReach, OverOpenEdgesNeverTouchesTheObstruction) {
     const Region slot = rect(-10, 0, 10, 40);
     const Region block = subtract(rect(-40, 0, 40, 60), slot, kTol);
     const FeatureGround ground(makeFeature(slot, block, 20), kTol);
-    const AccessibleArea found = access(ground, endMill(8));
-    EXPECT_LT(area(intersect(found.accessible, block, kTol)), 1e-2);
-    EXPECT_NEAR(found.coverable_area_mm2, 800 - 2 * leftInCorner(4, 0), kAreaMm2);
+    const ToolReach found = access(ground, endMill(8));
+    EXPECT_LT(area(intersect(found.cutter.accessible, block, kTol)), 1e-2);
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, 800 - 2 * leftInCorner(4, 0), kAreaMm2);
 }
 
 TEST(Entry, OverAnOpenEdgeStandsClearOfTargetAndObstruction) {
     const Region slot = rect(-10, 0, 10, 40);
     const Region block = subtract(rect(-40, 0, 40, 60), slot, kTol);
     const FeatureGround ground(makeFeature(slot, block, 20), kTol);
-    const AccessibleArea found = access(ground, endMill(8));
-    ASSERT_EQ(found.entries.size(), 1U);
-    ASSERT_EQ(found.entries[0].kind, EntryKind::OpenEdge);
-    const Vec2 at = found.entries[0].at;
+    const ToolReach found = access(ground, endMill(8));
+    ASSERT_EQ(found.cutter.entries.size(), 1U);
+    ASSERT_EQ(found.cutter.entries[0].kind, EntryKind::OpenEdge);
+    const Vec2 at = found.cutter.entries[0].at;
     EXPECT_LT(at.y(), 0);
     EXPECT_GE(distanceToBoundary(slot, at), 4);
     EXPECT_GE(distanceToBoundary(block, at), 4);
-    EXPECT_LE(distanceToBoundary(found.free_centres, at), 1 + 1e-6);
+    EXPECT_LE(distanceToBoundary(found.cutter.free_centres, at), 1 + 1e-6);
 }
 
 TEST(Entry, IsAHelixWhereThereIsRoomForOne) {
     const FeatureGround ground(closedPocket(islandPocket()), kTol);
     ToolAssembly tool = endMill(10);
     tool.centre_cutting = false;
-    const AccessibleArea found = access(ground, tool);
-    ASSERT_EQ(found.entries.size(), 1U);
-    EXPECT_EQ(found.entries[0].kind, EntryKind::Helix);
-    EXPECT_NEAR(found.entries[0].helix_radius_mm, 4.5, 1e-9);
-    const double clear_mm = distanceToBoundary(ground.feature().target, found.entries[0].at);
-    EXPECT_GE(clear_mm + 1e-6, 5 + found.entries[0].helix_radius_mm);
+    const ToolReach found = access(ground, tool);
+    ASSERT_EQ(found.cutter.entries.size(), 1U);
+    EXPECT_EQ(found.cutter.entries[0].kind, EntryKind::Helix);
+    EXPECT_NEAR(found.cutter.entries[0].helix_radius_mm, 4.5, 1e-9);
+    const double clear_mm = distanceToBoundary(ground.feature().target, found.cutter.entries[0].at);
+    EXPECT_GE(clear_mm + 1e-6, 5 + found.cutter.entries[0].helix_radius_mm);
 }
 
 TEST(Entry, InAHoleIsAHelixAboutItsAxis) {
     const FeatureGround ground(closedPocket(makeCircle({3, 4}, 8)), kTol);
-    const AccessibleArea found = access(ground, endMill(10));
-    ASSERT_EQ(found.entries.size(), 1U);
-    EXPECT_EQ(found.entries[0].kind, EntryKind::Helix);
-    EXPECT_NEAR((found.entries[0].at - Vec2(3, 4)).norm(), 0, 5e-3);
-    EXPECT_NEAR(found.entries[0].helix_radius_mm, 3, 5e-3);
+    const ToolReach found = access(ground, endMill(10));
+    ASSERT_EQ(found.cutter.entries.size(), 1U);
+    EXPECT_EQ(found.cutter.entries[0].kind, EntryKind::Helix);
+    EXPECT_NEAR((found.cutter.entries[0].at - Vec2(3, 4)).norm(), 0, 5e-3);
+    EXPECT_NEAR(found.cutter.entries[0].helix_radius_mm, 3, 5e-3);
 }
 
 TEST(Entry, IsARampInASlotTooNarrowForAHelix) {
     const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {60, 11}, 5.5)), kTol);
     ToolAssembly tool = endMill(10);
     tool.centre_cutting = false;
-    const AccessibleArea found = access(ground, tool);
-    ASSERT_EQ(found.entries.size(), 1U);
-    ASSERT_EQ(found.entries[0].kind, EntryKind::Ramp);
-    const Entry& ramp = found.entries[0];
+    const ToolReach found = access(ground, tool);
+    ASSERT_EQ(found.cutter.entries.size(), 1U);
+    ASSERT_EQ(found.cutter.entries[0].kind, EntryKind::Ramp);
+    const Entry& ramp = found.cutter.entries[0];
     EXPECT_NEAR((ramp.ramp_to - ramp.at).norm(), 50, 1);
     for (const Vec2& end : {ramp.at, ramp.ramp_to})
-        EXPECT_TRUE(contains(found.free_centres, end));
+        EXPECT_TRUE(contains(found.cutter.free_centres, end));
 }
 
 TEST(Entry, IsAPlungeOnlyForACentreCuttingToolInATightHole) {
     const FeatureGround ground(closedPocket(makeCircle({0, 0}, 5.5)), kTol);
-    EXPECT_EQ(access(ground, endMill(10)).entries.at(0).kind, EntryKind::Plunge);
+    EXPECT_EQ(access(ground, endMill(10)).cutter.entries.at(0).kind, EntryKind::Plunge);
     ToolAssembly dead_centre = endMill(10);
     dead_centre.centre_cutting = false;
-    const AccessibleArea found = access(ground, dead_centre);
-    ASSERT_TRUE(found.excluded);
-    EXPECT_EQ(found.excluded->reason, ExclusionReason::NoEntry);
-    EXPECT_TRUE(found.free_centres.empty());
+    const ToolReach found = access(ground, dead_centre);
+    ASSERT_TRUE(found.exclusion());
+    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::NoEntry);
+    EXPECT_TRUE(found.cutter.free_centres.empty());
 }
 
 TEST(Entry, DropsOnlyTheComponentThatCannotBeEntered) {
@@ -192,12 +192,12 @@ TEST(Entry, DropsOnlyTheComponentThatCannotBeEntered) {
     const FeatureGround ground(closedPocket(chambers), kTol);
     ToolAssembly dead_centre = endMill(10);
     dead_centre.centre_cutting = false;
-    const AccessibleArea found = access(ground, dead_centre);
-    EXPECT_FALSE(found.excluded);
-    ASSERT_EQ(found.entries.size(), 1U);
-    EXPECT_EQ(access(ground, endMill(10)).entries.size(), 2U);
-    EXPECT_NEAR(access(ground, endMill(10)).coverable_area_mm2 - found.coverable_area_mm2, kPi * 5.5 * 5.5,
-                1.0);
+    const ToolReach found = access(ground, dead_centre);
+    EXPECT_FALSE(found.exclusion());
+    ASSERT_EQ(found.cutter.entries.size(), 1U);
+    EXPECT_EQ(access(ground, endMill(10)).cutter.entries.size(), 2U);
+    EXPECT_NEAR(access(ground, endMill(10)).cutter.coverable_area_mm2 - found.cutter.coverable_area_mm2,
+                kPi * 5.5 * 5.5, 1.0);
 }
 
 TEST(Exclusion, RulesOutBallsOnFlatFloorsAndToolsWithoutData) {
@@ -205,10 +205,10 @@ TEST(Exclusion, RulesOutBallsOnFlatFloorsAndToolsWithoutData) {
     ToolAssembly ball = endMill(6);
     ball.type = ToolType::Ball;
     ball.corner_radius_mm = 3;
-    EXPECT_EQ(access(ground, ball).excluded.value().reason, ExclusionReason::WrongType);
-    const AccessibleArea no_data = accessibleArea(ground, endMill(6), "unobtainium");
-    EXPECT_EQ(no_data.excluded.value().reason, ExclusionReason::NoCuttingData);
-    EXPECT_GT(no_data.coverable_area_mm2, 0);
+    EXPECT_EQ(access(ground, ball).exclusion()->reason, ExclusionReason::WrongType);
+    const ToolReach no_data = toolReach(ground, endMill(6), "unobtainium");
+    EXPECT_EQ(no_data.exclusion()->reason, ExclusionReason::NoCuttingData);
+    EXPECT_GT(no_data.cutter.coverable_area_mm2, 0);
 }
 
 TEST(Exclusion, RulesOutDrillsButInThroughHolesOfTheirSize) {
@@ -217,17 +217,17 @@ TEST(Exclusion, RulesOutDrillsButInThroughHolesOfTheirSize) {
     ToolAssembly drill = endMill(8);
     drill.type = ToolType::Drill;
     hole.feature_class = FeatureClass::HoleThrough;
-    const AccessibleArea fits = access(FeatureGround(hole, kTol), drill);
-    EXPECT_FALSE(fits.excluded);
-    EXPECT_DOUBLE_EQ(fits.coverable_area_mm2, 0);
+    const ToolReach fits = access(FeatureGround(hole, kTol), drill);
+    EXPECT_FALSE(fits.exclusion());
+    EXPECT_DOUBLE_EQ(fits.cutter.coverable_area_mm2, 0);
     drill.diameter_mm = 8.1;
-    EXPECT_EQ(access(FeatureGround(hole, kTol), drill).excluded.value().reason, ExclusionReason::WrongType);
+    EXPECT_EQ(access(FeatureGround(hole, kTol), drill).exclusion()->reason, ExclusionReason::WrongType);
     drill.diameter_mm = 8;
     hole.feature_class = FeatureClass::HoleBlind;
-    EXPECT_EQ(access(FeatureGround(hole, kTol), drill).excluded.value().reason, ExclusionReason::WrongType);
+    EXPECT_EQ(access(FeatureGround(hole, kTol), drill).exclusion()->reason, ExclusionReason::WrongType);
     hole.feature_class = FeatureClass::HoleThrough;
     drill.flute_length_mm = 9;
-    EXPECT_EQ(access(FeatureGround(hole, kTol), drill).excluded.value().reason, ExclusionReason::TooShort);
+    EXPECT_EQ(access(FeatureGround(hole, kTol), drill).exclusion()->reason, ExclusionReason::TooShort);
 }
 
 ToolAssembly withHolder(ToolAssembly tool, double diameter_mm, double bottom_mm) {
@@ -237,25 +237,49 @@ ToolAssembly withHolder(ToolAssembly tool, double diameter_mm, double bottom_mm)
 
 TEST(HolderCollision, DoesNotMatterWhereTheHolderStaysOverTheMaterial) {
     const FeatureGround ground(closedPocket(islandPocket(), 30), kTol);
-    EXPECT_FALSE(access(ground, withHolder(endMill(8), 40, 30)).excluded);
+    EXPECT_FALSE(access(ground, withHolder(endMill(8), 40, 30)).exclusion());
 }
 
 TEST(HolderCollision, LeavesWhatTheHolderCanReach) {
     // An open room 100 x 100: the holder of radius 15 keeps off the walls, the cutter of radius 5 reaches on.
     const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {100, 100}, 5), 30), kTol);
-    const AccessibleArea found = access(ground, withHolder(endMill(10), 30, 25));
-    ASSERT_TRUE(found.excluded);
-    EXPECT_EQ(found.excluded->reason, ExclusionReason::HolderCollision);
+    const ToolReach found = access(ground, withHolder(endMill(10), 30, 25));
+    ASSERT_TRUE(found.exclusion());
+    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::HolderCollision);
     EXPECT_NEAR(found.collision_free_area_mm2, 80 * 80 - 4 * leftInCorner(5, 0), kAreaMm2);
-    EXPECT_NEAR(found.coverable_area_mm2, 100 * 100 - 4 * leftInCorner(5, 0), kAreaMm2);
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, 100 * 100 - 4 * leftInCorner(5, 0), kAreaMm2);
+}
+
+TEST(HolderCollision, LeavesAnAreaThatTheToolMayBeLimitedTo) {
+    const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {100, 100}, 5), 30), kTol);
+    const ToolAssembly tool = withHolder(endMill(10), 30, 25);
+    const ToolReach held_off = access(ground, tool);
+    const auto clear = collisionFreeArea(ground, tool, held_off);
+    ASSERT_TRUE(clear);
+    const ToolReach limited = limitedTo(held_off, *clear);
+    ASSERT_TRUE(limited.limited());
+    EXPECT_EQ(limited.limited()->why, held_off.exclusion()->text);
+    EXPECT_EQ(&limited.own(), &limited.cleared()) << "nobody does the rest";
+    EXPECT_NEAR(limited.own().coverable_area_mm2, 80 * 80 - 4 * leftInCorner(5, 0), kAreaMm2);
+    EXPECT_EQ(limited.cutter.coverable_area_mm2, held_off.cutter.coverable_area_mm2);
+}
+
+TEST(SureSweep, LeavesOutWhatOnlyAStripThinnerThanASliverWouldSweep) {
+    const Region strip = rect(0, 0, 30, kTol.sliver_mm / 2);
+    EXPECT_TRUE(SureSweep(strip, 5, {}, kTol).region().empty());
+    const SureSweep wide(rect(0, 0, 30, 1), 5, {}, kTol);
+    EXPECT_NEAR(area(wide.region()), area(offset(rect(0, 0, 30, 1), 5, kTol)), 1e-2);
+    EXPECT_NEAR(area(wide.shrunk(5)), 30, 1e-2);
+    EXPECT_TRUE(SureSweep().region().empty());
+    EXPECT_TRUE(SureSweep().shrunk(1).empty());
 }
 
 TEST(HolderCollision, IsCalledTooShortWhereTheHolderFitsNowhere) {
     const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {40, 30}, 5), 45), kTol);
-    const AccessibleArea found = access(ground, withHolder(endMill(10), 40, 30));
-    ASSERT_TRUE(found.excluded);
-    EXPECT_EQ(found.excluded->reason, ExclusionReason::TooShort);
-    EXPECT_EQ(found.excluded->text, "reaches 30 mm, the floor is 45 mm deep");
+    const ToolReach found = access(ground, withHolder(endMill(10), 40, 30));
+    ASSERT_TRUE(found.exclusion());
+    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::TooShort);
+    EXPECT_EQ(found.exclusion()->text, "reaches 30 mm, the floor is 45 mm deep");
     EXPECT_DOUBLE_EQ(found.collision_free_area_mm2, 0);
 }
 
@@ -264,9 +288,9 @@ TEST(HolderCollision, CountsAShankWiderThanTheCutter) {
     ToolAssembly tool = endMill(4);
     tool.flute_length_mm = 12;
     tool.shank = {6, 12, 60};
-    EXPECT_EQ(access(ground, tool).excluded.value().reason, ExclusionReason::HolderCollision);
+    EXPECT_EQ(access(ground, tool).exclusion()->reason, ExclusionReason::HolderCollision);
     tool.shank.diameter_mm = 4;
-    EXPECT_FALSE(access(ground, tool).excluded);
+    EXPECT_FALSE(access(ground, tool).exclusion());
 }
 
 TEST(HolderCollision, CountsInASlotOfTheCuttersOwnWidth) {
@@ -274,10 +298,10 @@ TEST(HolderCollision, CountsInASlotOfTheCuttersOwnWidth) {
     ToolAssembly tool = endMill(4);
     tool.shank = {6, 12, 60};
     for (const Region& target : {rect(0, 0, 30, 4.001), makeCircle({0, 0}, 2.0005)}) {
-        const AccessibleArea found = access(FeatureGround(closedPocket(target, 20), kTol), tool);
-        ASSERT_FALSE(found.free_centres.empty());
-        ASSERT_TRUE(found.excluded);
-        EXPECT_EQ(found.excluded->reason, ExclusionReason::HolderCollision);
+        const ToolReach found = access(FeatureGround(closedPocket(target, 20), kTol), tool);
+        ASSERT_FALSE(found.cutter.free_centres.empty());
+        ASSERT_TRUE(found.exclusion());
+        EXPECT_EQ(found.exclusion()->reason, ExclusionReason::HolderCollision);
     }
 }
 
@@ -285,7 +309,7 @@ TEST(HolderCollision, CountsWhereHeightsMissEachOtherByRounding) {
     Feature pocket = closedPocket(makeRoundedRectangle({0, 0}, {40, 30}, 5), 30);
     pocket.obstacles = {{-30, -10, pocket.obstruction}, {-10 + 1e-9, 0, pocket.obstruction}};
     const FeatureGround ground(pocket, kTol);
-    EXPECT_TRUE(access(ground, withHolder(endMill(10), 30, 20)).excluded);
+    EXPECT_TRUE(access(ground, withHolder(endMill(10), 30, 20)).exclusion());
 }
 
 TEST(OwnMaterial, MeetsTheHolderOnlyBelowTheTopAndWhereSomethingIsLeft) {
@@ -310,7 +334,7 @@ TEST(HolderCollision, SeesMaterialThatWidensUpwards) {
     const Region bridge = unite(pocket.obstruction, rect(-20, 25, 80, 35), kTol);
     pocket.obstacles = {{-40, -20, pocket.obstruction}, {-20, 0, bridge}};
     const FeatureGround ground(pocket, kTol);
-    EXPECT_EQ(access(ground, withHolder(endMill(12), 13, 30)).excluded.value().reason,
+    EXPECT_EQ(access(ground, withHolder(endMill(12), 13, 30)).exclusion()->reason,
               ExclusionReason::HolderCollision);
 }
 

@@ -1,0 +1,119 @@
+#include "sequence/surrogates/admission.h"
+
+#include <algorithm>
+
+#include <tbb/parallel_for.h>
+
+#include "sequence/dag/candidate.h"
+#include "sequence/holder/tool_areas.h"
+#include "sequence/surrogates/held_off.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/sequence/drilling.h"
+
+namespace stepmill {
+namespace {
+
+/// How often ground that no few tools can clear together is given up before tools are turned down for it.
+constexpr int kMostGivenUp = 3;
+
+/// What the area calculus does not know about a drill: whether it fits the hole.
+void checkDrill(const SequenceJob& job, const ToolAssembly& drill, ToolReach& reach) {
+    if (!drill.isDrill() || drill.cuttingFor(job.options.material) == nullptr) return;
+    DrillCheck check = drillCheck(job.feature(), drill, job.tolerances());
+    if (check.fits) {
+        reach.use = Unhindered{};
+    } else if (check.excluded) {
+        reach.use = std::move(*check.excluded);
+    } else if (reach.exclusion() == nullptr) {
+        reach.use = Exclusion{ExclusionReason::WrongType, "is wider than the hole"};
+    }
+}
+
+/// The lumps of a tool that could clear more than every tool without surrogates; none of other tools.
+Lumps lumpsThatMatter(const SurrogateFinder& finder, const ToolReach& reach, double enough_mm2) {
+    if (reach.cleared().coverable_area_mm2 <= enough_mm2) return {};
+    return finder.lumpsOf(nullptr, reach);
+}
+
+/// What nobody can do of them.
+Region unservedIn(const Admission& admission, double enough_mm2, const Tolerances& tol) {
+    std::vector<Lumps> lumps(admission.reaches.size());
+    tbb::parallel_for(std::size_t{0}, lumps.size(), [&](std::size_t i) {
+        lumps[i] = lumpsThatMatter(*admission.finder, admission.reaches[i], enough_mm2);
+    });
+    std::vector<Region> unserved;
+    for (const Lumps& of_tool : lumps)
+        for (const auto& lump : of_tool)
+            if (!lump->servable()) unserved.push_back(lump->unserved());
+    return unserved.empty() ? Region{} : unite(unserved, tol);
+}
+
+/// Turns down tools that could clear more than every other, but with a lump nobody can do: the feature must
+/// not end with one of them.
+void turnDownUnserved(const std::vector<ToolReach>& alone, double enough_mm2, Admission& admission) {
+    tbb::parallel_for(std::size_t{0}, alone.size(), [&](std::size_t i) {
+        const Lumps lumps = lumpsThatMatter(*admission.finder, admission.reaches[i], enough_mm2);
+        const bool served =
+            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return lump->servable(); });
+        if (!served) admission.reaches[i] = alone[i];
+    });
+}
+
+Admission admitWithSurrogates(const std::shared_ptr<const SequenceJob>& job,
+                              const std::vector<ToolReach>& alone) {
+    const Tolerances& tol = job->tolerances();
+    const double same_mm2 = sameArea(job->feature(), tol);
+    const double enough_mm2 = mostUsableMm2(*job, alone) + same_mm2;
+    const HeldOffTools held_off = heldOffTools(*job, alone);
+    Admission best;
+    Region given_up;
+    for (int round = 0; round <= kMostGivenUp; ++round) {
+        Admission admission{withSurrogates(*job, held_off, given_up, alone), nullptr};
+        admission.finder = std::make_shared<const SurrogateFinder>(job, admission.reaches);
+        const double could_mm2 = admission.mostCoveredMm2();
+        // What was given up does not come back, so no later round can do better than this.
+        if (round > 0 && could_mm2 <= best.mostCoveredMm2() + same_mm2) break;
+        const Region unserved = unservedIn(admission, enough_mm2, tol);
+        turnDownUnserved(alone, enough_mm2, admission);
+        if (round == 0 || admission.mostCoveredMm2() > best.mostCoveredMm2() + same_mm2)
+            best = std::move(admission);
+        if (unserved.empty() || best.mostCoveredMm2() >= could_mm2 - same_mm2) break;
+        given_up = given_up.empty() ? unserved : unite(given_up, unserved, tol);
+    }
+    return best;
+}
+
+}  // namespace
+
+double Admission::mostCoveredMm2() const {
+    double most_mm2 = 0;
+    for (const ToolReach& reach : reaches)
+        if (reach.exclusion() == nullptr) most_mm2 = std::max(most_mm2, reach.cleared().coverable_area_mm2);
+    return most_mm2;
+}
+
+std::vector<ToolReach> reachesOfAllTools(const SequenceJob& job) {
+    const std::vector<const ToolAssembly*> tools = byFallingDiameter(job.library);
+    std::vector<ToolReach> reaches(tools.size());
+    tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
+        reaches[i] = reachFor(job.ground, *tools[i], job.options);
+        checkDrill(job, *tools[i], reaches[i]);
+    });
+    return reaches;
+}
+
+double mostUsableMm2(const SequenceJob& job, const std::vector<ToolReach>& reaches) {
+    double most_mm2 = 0;
+    for (const Candidate& tool :
+         usableTools(job.feature(), reaches, job.library, job.options, job.machine, job.tolerances()))
+        most_mm2 = std::max(most_mm2, tool.coverable_mm2);
+    return most_mm2;
+}
+
+Admission admitTools(const std::shared_ptr<const SequenceJob>& job, const std::vector<ToolReach>& alone) {
+    Admission admission = admitWithSurrogates(job, alone);
+    admitLimited(job->ground, job->library, mostUsableMm2(*job, admission.reaches), admission.reaches);
+    return admission;
+}
+
+}  // namespace stepmill

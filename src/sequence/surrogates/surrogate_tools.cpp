@@ -1,0 +1,24 @@
+#include "sequence/surrogates/surrogate_tools.h"
+
+#include "stepmill/access/lumps.h"
+
+namespace stepmill {
+
+SurrogateTools::SurrogateTools(std::shared_ptr<const SequenceJob> job, const std::vector<ToolReach>& reaches)
+    : job_(std::move(job)) {
+    for (const ToolReach& reach : reaches) {
+        const ToolAssembly& tool = job_->library.tool(reach.tool_id);
+        const bool has_data = tool.cuttingFor(job_->options.material) != nullptr;
+        if (reach.exclusion() == nullptr && !tool.isDrill() && has_data) all_.push_back({&tool, reach.own()});
+    }
+}
+
+const Region& SurrogateTools::obstruction(int surrogate) const {
+    return obstructions_.get(surrogate, [&] {
+        const Surrogate& asked = all_[surrogate];
+        return asked.reach.wider_obstruction ? *asked.reach.wider_obstruction
+                                             : obstructionWithHolder(job_->ground, *asked.tool);
+    });
+}
+
+}  // namespace stepmill
