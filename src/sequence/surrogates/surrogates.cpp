@@ -15,23 +15,24 @@ struct SurrogateFinder::Impl {
     /// By tool and number: lumps of which no other tool has cleared anything.
     Shelf<std::pair<std::string, std::size_t>, std::shared_ptr<const SolvedLump>> whole_lumps;
 
-    /// What is not cleared when the lump's turn comes: the residual of n, and n's other lumps.
-    std::vector<Region> standingAround(const ToolReach& n, std::size_t lump) const {
-        const WithSurrogates& use = *n.surrogates();
+    /// What is not cleared when the lump's turn comes: the tool's residual, and its other lumps.
+    std::vector<Region> standingAround(const std::string& tool_id, const WithSurrogates& use,
+                                       std::size_t lump) const {
         std::vector<Region> standing;
         for (std::size_t i = 0; i < use.lumps.size(); ++i)
             if (i != lump) standing.push_back(use.lumps[i].region);
         const SequenceJob& job = tools->job();
-        standing.push_back(residuals.get(n.tool_id, [&] {
+        standing.push_back(residuals.get(tool_id, [&] {
             const Region rest = subtract(job.feature().target, use.together.coverable, job.tolerances());
             return withoutCrumbs(rest, job.tolerances());
         }));
         return standing;
     }
 
-    std::shared_ptr<const SolvedLump> solve(const ToolReach& n, std::size_t lump, const Region& rest) const {
+    std::shared_ptr<const SolvedLump> solve(const std::string& tool_id, const WithSurrogates& use,
+                                            std::size_t lump, const Region& rest) const {
         return std::make_shared<const SolvedLump>(
-            std::make_unique<LumpSolver>(tools, rest, standingAround(n, lump), n.tool_id));
+            std::make_unique<LumpSolver>(tools, rest, standingAround(tool_id, use, lump), tool_id));
     }
 };
 
@@ -55,9 +56,9 @@ Lumps SurrogateFinder::lumpsOf(const CutterArea* m, const ToolReach& n) const {
         if (rest.empty()) return;
         // Most lumps lie where a larger cutter does not get at all.
         const bool whole = m == nullptr || lump.area_mm2 - area(rest) <= tol.area_mm2;
-        lumps[i] =
-            whole ? impl_->whole_lumps.get({n.tool_id, i}, [&] { return impl_->solve(n, i, lump.region); })
-                  : impl_->solve(n, i, rest);
+        lumps[i] = whole ? impl_->whole_lumps.get(
+                               {n.tool_id, i}, [&] { return impl_->solve(n.tool_id, *use, i, lump.region); })
+                         : impl_->solve(n.tool_id, *use, i, rest);
     });
     std::erase(lumps, nullptr);
     return lumps;
