@@ -1,10 +1,12 @@
 // Draws what one cutter reaches in a pocket, what it leaves to a smaller one, the rings of a contour-parallel
-// path and a finishing pass: the pictures of docs/algorithms. Usage: draw_areas FOLDER
+// path, a finishing pass and what a holder keeps from a cutter: the pictures of docs/algorithms. Usage:
+// draw_areas FOLDER
 
 #include <filesystem>
 
 #include <fmt/core.h>
 
+#include "stepmill/access/lumps.h"
 #include "stepmill/core/file.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -72,6 +74,44 @@ void drawFinishing(const std::filesystem::path& folder, const Region& pocket, co
                                                                   {toSvgPath(pocket), "none", "#1d2733"}}));
 }
 
+/// A pocket 20 mm deep with two round bosses that stand up to its top.
+Feature bossedPocket(const Tolerances& tol) {
+    const Region bosses = unite(makeCircle({25, 22}, 7), makeCircle({62, 30}, 7), tol);
+    Feature feature;
+    feature.floor_z_mm = -20;
+    feature.target = subtract(makeRoundedRectangle({0, 0}, {90, 50}, 6), bosses, tol);
+    const Box2 block = boundingBox(feature.target).grown(40);
+    feature.obstruction = subtract(makeRectangle(block.min, block.max), feature.target, tol);
+    feature.obstacles = {{feature.floor_z_mm, 0, bosses}};
+    feature.area_mm2 = area(feature.target);
+    return feature;
+}
+
+/// What a holder keeps from a 10 mm cutter beside the bosses: the lumps of one edge of the tool DAG.
+void drawLumps(const std::filesystem::path& folder, const Tolerances& tol) {
+    ToolAssembly tool;
+    tool.diameter_mm = 10;
+    tool.stick_out_mm = 15;
+    tool.holder = {{24, 15, 60}};
+    CuttingData cutting;
+    cutting.material = "aluminium";
+    cutting.step_down_mm = 2;
+    tool.cutting = {cutting};
+    const FeatureGround ground(bossedPocket(tol), tol);
+    const ToolReach reach = toolReach(ground, tool, cutting.material);
+    const CutterArea own = collisionFreeArea(ground, tool, reach).value();
+    std::string lumps;
+    for (const Region& lump : lumpsOf(subtract(reach.cutter.coverable, own.coverable, tol), 10, tol))
+        lumps += toSvgPath(lump);
+    const Region& target = ground.feature().target;
+    writeFile(folder / "lumps.svg",
+              svg(boundingBox(target), {{toSvgPath(target), "#fdf6df", "none"},
+                                        {toSvgPath(own.coverable), "#8ec9e3", "none"},
+                                        {toSvgPath(own.free_centres), "#4d9cc0", "#0b4f75"},
+                                        {lumps, "#f4c97a", "#8a5600"},
+                                        {toSvgPath(target), "none", "#1d2733"}}));
+}
+
 void draw(const std::filesystem::path& folder) {
     const Tolerances tol;
     const Region pocket = butterfly(tol);
@@ -102,6 +142,7 @@ void draw(const std::filesystem::path& folder) {
     writeFile(folder / "rings.svg",
               svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"}, {rings, "none", "#0b4f75"}, walls}));
     drawFinishing(folder, pocket, tol);
+    drawLumps(folder, tol);
 }
 
 }  // namespace
