@@ -80,8 +80,8 @@ Feature bossedPocket(const Tolerances& tol) {
     Feature feature;
     feature.floor_z_mm = -20;
     feature.target = subtract(makeRoundedRectangle({0, 0}, {90, 50}, 6), bosses, tol);
-    const Box2 block = boundingBox(feature.target).grown(40);
-    feature.obstruction = subtract(makeRectangle(block.min, block.max), feature.target, tol);
+    const Box2 block = grown(boundingBox(feature.target), 40);
+    feature.obstruction = subtract(makeRectangle(block.min(), block.max()), feature.target, tol);
     feature.obstacles = {{feature.floor_z_mm, 0, bosses}};
     feature.area_mm2 = area(feature.target);
     return feature;
