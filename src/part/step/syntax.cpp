@@ -155,9 +155,15 @@ void StepSyntax::parameter(Open& open, const StepToken& token) {
         if (open.value_before)
             damaged(token.line, "',' or ')' expected in " + open.name + ", found " +
                                     std::string(token.text.substr(0, 40)));
+        requireRecord(open, token.line);
         open.value_before = true;
         addValue(token, open.keywords.empty() ? std::string_view{} : open.keywords.back());
     }
+}
+
+/// Values and lists stand in records alone.
+void StepSyntax::requireRecord(const Open& open, int line) {
+    if (!open.record_open) damaged(line, "a keyword and its '(' expected in " + open.name);
 }
 
 /// A parenthesis opens the set of records of a complex entity, a record or a list.
@@ -169,7 +175,9 @@ void StepSyntax::openParenthesis(Open& open, int line) {
     const bool set = open.complex && open.keywords.empty();
     const bool record = !set && !open.record_open && !open.pending.empty();
     const auto next = static_cast<std::uint32_t>(model_->values_.size());
+    if (!set && !record) requireRecord(open, line);
     if (record) {
+        if (!open.complex && open.closed) damaged(line, "';' expected after the record of " + open.name);
         model_->records_.push_back({open.pending, next, next});
         open.record_open = true;
     }
@@ -198,6 +206,7 @@ void StepSyntax::closeParenthesis(Open& open, int line) {
     } else if (open.record_open) {
         model_->records_.back().last = static_cast<std::uint32_t>(model_->values_.size());
         open.record_open = false;
+        open.closed = true;
     }
 }
 

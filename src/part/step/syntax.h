@@ -35,6 +35,7 @@ class StepSyntax {
         bool value_before = false;
         bool complex = false;
         bool record_open = false;
+        bool closed = false;  ///< a record was read to its end
     };
 
     void header();
@@ -44,6 +45,7 @@ class StepSyntax {
     void openParenthesis(Open& open, int line);
     void closeParenthesis(Open& open, int line);
     void parameter(Open& open, const StepToken& token);
+    void requireRecord(const Open& open, int line);
     void addValue(const StepToken& token, std::string_view keyword);
     double number(const StepToken& token, std::string_view keyword);
     void word(const StepToken& token);

@@ -106,6 +106,13 @@ TEST(StepText, RefusesBrokenSyntaxInsteadOfGuessing) {
     }
 }
 
+TEST(StepText, RefusesValuesAndListsOutsideRecords) {
+    for (const char* data :
+         {"#1=((LENGTH_UNIT()NAMED_UNIT(*)));\n", "#1=(5.,LENGTH_UNIT());\n", "#1=(LENGTH_UNIT(),(1.,2.));\n",
+          "#1=5.;\n", "#1=DIRECTION('',(0.,0.,1.))DIRECTION('',(0.,0.,1.));\n"})
+        EXPECT_EQ(refusalOf(fileWith(data)).code, ErrorCode::StepDamaged) << data;
+}
+
 TEST(StepText, EveryTruncationOfAFileIsRefused) {
     const std::string whole =
         fileWith("#1=CARTESIAN_POINT('a /* b',(0.,1.5E1,2.));\n/* c */#2=VERTEX_POINT('',#1);\n");
