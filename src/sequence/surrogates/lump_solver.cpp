@@ -196,6 +196,7 @@ void LumpSolver::visitSets(const Visit& visit) const {
 
 bool LumpSolver::reachAllTogether(const std::vector<int>& nodes) const {
     std::vector<Region> areas;
+    areas.reserve(nodes.size());
     for (const int node : nodes)
         areas.push_back(tools_[node].cleared->coverable);
     return covers(unite(areas, tol_), lump_, tol_.sliver_mm, tol_);
