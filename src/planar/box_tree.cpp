@@ -8,22 +8,24 @@ constexpr int kLeafItems = 4;
 
 }  // namespace
 
-BoxTree::BoxTree(const std::vector<Box2>& boxes) {
-    if (!boxes.empty()) build(boxes, 0, static_cast<int>(boxes.size()));
+BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
+    if (boxes_.empty()) return;
+    nodes_.reserve(boxes_.size());
+    build(0, static_cast<int>(boxes_.size()));
 }
 
 /// Adds the tree over items [begin, end) and returns its node.
-int BoxTree::build(const std::vector<Box2>& boxes, int begin, int end) {
+int BoxTree::build(int begin, int end) {
     const auto index = nodes_.size();
     nodes_.push_back({Box2(), kLeaf, begin, end});
     Box2 box;
     if (end - begin <= kLeafItems) {
         for (int i = begin; i < end; ++i)
-            box.extend(boxes[static_cast<std::size_t>(i)]);
+            box.extend(boxOf(i));
     } else {
         const int middle = begin + (end - begin) / 2;
-        const int left = build(boxes, begin, middle);
-        const int right = build(boxes, middle, end);
+        const int left = build(begin, middle);
+        const int right = build(middle, end);
         box = node(left).box.merged(node(right).box);
         nodes_[index].right = right;
     }

@@ -35,11 +35,8 @@ double EdgeIndex::least(const Shape& shape, const Distance& distance, double lim
                         bool first_will_do) const {
     double found = limit_mm;
     const auto limit = [&] { return first_will_do && found < limit_mm ? 0 : found; };
-    tree_.nearestFirst([&](const Box2& box) { return box.exteriorDistance(extentOf(shape)); }, limit,
-                       [&](std::size_t i) {
-                           if (edges_[i].box.exteriorDistance(extentOf(shape)) < limit())
-                               found = std::min(found, distance(edges_[i]));
-                       });
+    tree_.nearestBelow([&](const Box2& box) { return box.exteriorDistance(extentOf(shape)); }, limit,
+                       [&](std::size_t i) { found = std::min(found, distance(edges_[i])); });
     return found;
 }
 

@@ -16,22 +16,32 @@ namespace stepmill {
 class BoxTree {
   public:
     BoxTree() = default;
-    explicit BoxTree(const std::vector<Box2>& boxes);
+    explicit BoxTree(std::vector<Box2> boxes);
 
     /// Around all boxes; empty without items.
     Box2 box() const { return nodes_.empty() ? Box2() : nodes_.front().box; }
 
-    /// Calls `visit(item)` for items whose box intersects `box`, in rising order; may name others near them.
+    /// Calls `visit(item)` for items whose box intersects `box`, in rising order.
     template <typename Visit>
     void forEachNear(const Box2& box, const Visit& visit) const;
 
-    /// Calls `visit(item)` for items group by group, nearest first, while `least(box)` of their group lies
-    /// below `limit()`; a visit may lower the limit. `least` is a lower bound of what a visit finds in a box.
+    /// Calls `visit(item)` for the items with `reaches(box)`, group by group; the group with the lesser
+    /// `order(box)` first. A visit may shorten the reach.
+    template <typename Order, typename Reaches, typename Visit>
+    void nearestFirst(const Order& order, const Reaches& reaches, const Visit& visit) const;
+
+    /// Calls `visit(item)` for items group by group, nearest first, while `least(box)` of the group's box and
+    /// of the item's own lies below `limit()`; a visit may lower the limit. `least` is a lower bound of what
+    /// a visit finds in a box.
     template <typename Least, typename Limit, typename Visit>
-    void nearestFirst(const Least& least, const Limit& limit, const Visit& visit) const;
+    void nearestBelow(const Least& least, const Limit& limit, const Visit& visit) const {
+        nearestFirst(
+            least, [&](const Box2& box) { return least(box) < limit(); }, visit);
+    }
 
   private:
     static constexpr int kLeaf = -1;
+    static constexpr int kNone = -1;
     static constexpr std::size_t kDeepest = 64;
 
     struct Node {
@@ -41,9 +51,11 @@ class BoxTree {
         int end = 0;
     };
 
-    int build(const std::vector<Box2>& boxes, int begin, int end);
+    int build(int begin, int end);
     const Node& node(int index) const { return nodes_[static_cast<std::size_t>(index)]; }
+    const Box2& boxOf(int item) const { return boxes_[static_cast<std::size_t>(item)]; }
 
+    std::vector<Box2> boxes_;
     std::vector<Node> nodes_;
 };
 
@@ -59,7 +71,7 @@ void BoxTree::forEachNear(const Box2& box, const Visit& visit) const {
         if (!next.box.intersects(box)) continue;
         if (next.right == kLeaf) {
             for (int i = next.begin; i < next.end; ++i)
-                visit(static_cast<std::size_t>(i));
+                if (boxOf(i).intersects(box)) visit(static_cast<std::size_t>(i));
             continue;
         }
         pending[size++] = next.right;
@@ -67,30 +79,33 @@ void BoxTree::forEachNear(const Box2& box, const Visit& visit) const {
     }
 }
 
-template <typename Least, typename Limit, typename Visit>
-void BoxTree::nearestFirst(const Least& least, const Limit& limit, const Visit& visit) const {
-    if (nodes_.empty()) return;
-    struct Pending {
-        int node;
-        double least;
-    };
-    std::array<Pending, kDeepest> stack;
+template <typename Order, typename Reaches, typename Visit>
+void BoxTree::nearestFirst(const Order& order, const Reaches& reaches, const Visit& visit) const {
+    if (nodes_.empty() || !reaches(nodes_.front().box)) return;
+    std::array<int, kDeepest> pending;
     std::size_t size = 0;
-    stack[size++] = {0, least(nodes_.front().box)};
-    while (size > 0) {
-        const Pending next = stack[--size];
-        if (next.least >= limit()) continue;
-        const Node& at = node(next.node);
+    for (int index = 0; index != kNone;) {
+        const Node& at = node(index);
+        int next = kNone;
         if (at.right == kLeaf) {
             for (int i = at.begin; i < at.end; ++i)
-                visit(static_cast<std::size_t>(i));
-            continue;
+                if (reaches(boxOf(i))) visit(static_cast<std::size_t>(i));
+        } else {
+            int near = index + 1, far = at.right;
+            const bool to_near = reaches(node(near).box), to_far = reaches(node(far).box);
+            if (to_near && to_far) {
+                if (order(node(far).box) < order(node(near).box)) std::swap(near, far);
+                pending[size++] = far;
+            }
+            if (to_near)
+                next = near;
+            else if (to_far)
+                next = far;
         }
-        Pending near{next.node + 1, least(node(next.node + 1).box)};
-        Pending far{at.right, least(node(at.right).box)};
-        if (far.least < near.least) std::swap(near, far);
-        if (far.least < limit()) stack[size++] = far;
-        if (near.least < limit()) stack[size++] = near;
+        // The reach may have become shorter since.
+        while (next == kNone && size > 0)
+            if (reaches(node(pending[--size]).box)) next = pending[size];
+        index = next;
     }
 }
 

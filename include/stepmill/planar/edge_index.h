@@ -37,9 +37,7 @@ class EdgeIndex {
     /// Calls `visit(edge)` for the edges whose box intersects `box`, in their order.
     template <typename Visit>
     void forEachIn(const Box2& box, const Visit& visit) const {
-        tree_.forEachNear(box, [&](std::size_t i) {
-            if (edges_[i].box.intersects(box)) visit(edges_[i]);
-        });
+        tree_.forEachNear(box, [&](std::size_t i) { visit(edges_[i]); });
     }
 
   private:

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 namespace stepmill::clearance {
 
@@ -23,7 +24,8 @@ constexpr int kRounds = 100;
 /// Rounds of look-ups: the first finds nearly all there is; where rounding makes two sites contradict each
 /// other, no number of them would be enough.
 constexpr int kLookUpRounds = 12;
-constexpr std::size_t kSitesPerTask = 64;
+/// Fewer are done before another thread has woken up.
+constexpr std::size_t kSitesPerTask = 128;
 
 bool same(double a, double b) {
     return std::abs(a - b) <= kSameClearance * (1 + std::min(std::abs(a), std::abs(b)));
@@ -59,14 +61,20 @@ double signChange(const Function& rising, double low, double high, double step) 
 Profile::Profile(const Region& region, bool outside) : tree_(region, outside) {
     std::vector<Pieces> all(sites().size());
     const auto work = [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            all[i] = envelope(static_cast<int>(i));
+        int hint = kNone;
+        for (std::size_t i = begin; i < end; ++i) {
+            all[i] = envelope(static_cast<int>(i), hint);
+            hint = all[i].back().stop;
+        }
     };
     if (all.size() <= 2 * kSitesPerTask)
         work(0, all.size());
     else
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size(), kSitesPerTask),
-                          [&](const auto& range) { work(range.begin(), range.end()); });
+        // Isolated: a thread that waits here must not take up a task that asks for this very profile.
+        tbb::this_task_arena::isolate([&] {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size(), kSitesPerTask),
+                              [&](const auto& range) { work(range.begin(), range.end()); });
+        });
     for (int round = 0; round < kLookUpRounds && lookUpOneSided(all); ++round) {
     }
     first_.push_back(0);
@@ -78,9 +86,13 @@ Profile::Profile(const Region& region, bool outside) : tree_(region, outside) {
 }
 
 double Profile::clearanceAt(int site, double u, int stop) const {
+    return clearanceAt(site, contactAt(sites()[site], u), stop);
+}
+
+double Profile::clearanceAt(int site, const Contact& contact, int stop) const {
     if (stop == kUnbounded) return kOpenMm;
     if (stop == kOwnCentre) return sites()[site].radius;
-    return tree_.stoppedBySite(site, contactAt(sites()[site], u), stop);
+    return tree_.stoppedBySite(site, contact, stop);
 }
 
 Vec2 Profile::centreAt(int site, double u, double clearance) const {
@@ -93,18 +105,34 @@ double Profile::crossing(int site, const Piece& piece, double clearance) const {
     return signChange(over, piece.from, piece.to, smallestStep(sites()[site]));
 }
 
-Profile::Sample Profile::sample(int index, double u) const {
+/// Clearance below which the stop at a contact is found if `hint` or a neighbour of it stops the disc there
+/// too; at most `limit`. It lies a little above theirs: which of equal stops comes first does not depend on
+/// the hint.
+double Profile::soughtBelow(int site, const Contact& contact, int hint, double limit) const {
+    if (hint < 0) return limit;
+    double least = limit;
+    for (const int near : {hint, sites()[hint].previous, sites()[hint].next})
+        least = std::min(least, tree_.stoppedBySite(site, contact, near));
+    return std::min(limit, least + kSameClearance * (1 + least));
+}
+
+Profile::Sample Profile::sample(int index, double u, int hint) const {
     const Site& site = sites()[index];
     const bool concave = site.kind == SiteKind::Concave;
-    const Stop stop = tree_.firstStop(index, contactAt(site, u), concave ? site.radius : kOpenMm);
+    const double limit = concave ? site.radius : kOpenMm;
+    const Contact contact = contactAt(site, u);
+    const double sought = soughtBelow(index, contact, hint, limit);
+    Stop stop = tree_.firstStop(index, contact, sought);
+    if (stop.site == kNone && sought < limit) stop = tree_.firstStop(index, contact, limit);
     if (stop.site == kNone) return {u, concave ? kOwnCentre : kUnbounded, stop.clearance};
     return {u, stop.site, stop.clearance};
 }
 
-Profile::Pieces Profile::envelope(int index) const {
+Profile::Pieces Profile::envelope(int index, int hint) const {
     const Site& site = sites()[index];
-    const Sample first = site.sharp_start ? Sample{0, site.previous, 0} : sample(index, 0);
-    const Sample last = site.sharp_end ? Sample{site.extent, site.next, 0} : sample(index, site.extent);
+    const Sample first = site.sharp_start ? Sample{0, site.previous, 0} : sample(index, 0, hint);
+    const Sample last =
+        site.sharp_end ? Sample{site.extent, site.next, 0} : sample(index, site.extent, first.stop);
     Pieces pieces;
     between(index, first, last, 0, pieces);
     return pieces;
@@ -113,7 +141,8 @@ Profile::Pieces Profile::envelope(int index) const {
 /// Parameter at which both samples' stops limit the disc alike.
 double Profile::equalAt(int site, const Sample& a, const Sample& b) const {
     const auto difference = [&](double u) {
-        const double of_a = clearanceAt(site, u, a.stop), of_b = clearanceAt(site, u, b.stop);
+        const Contact contact = contactAt(sites()[site], u);
+        const double of_a = clearanceAt(site, contact, a.stop), of_b = clearanceAt(site, contact, b.stop);
         return of_a == kNever && of_b == kNever ? 0 : of_a - of_b;
     };
     return signChange(difference, a.u, b.u, smallestStep(sites()[site]));
@@ -134,7 +163,7 @@ std::optional<Profile::Sample> Profile::hiddenBetween(int index, const Sample& a
     const double middle = (a.u + b.u) / 2;
     const double believed = clearanceAt(index, middle, a.stop);
     if (believed <= std::max(a.clearance, b.clearance)) return std::nullopt;
-    const Sample truth = sample(index, middle);
+    const Sample truth = sample(index, middle, a.stop);
     const bool hidden =
         truth.stop != a.stop && truth.clearance < believed && !same(truth.clearance, believed);
     return hidden ? std::optional(truth) : std::nullopt;
@@ -167,7 +196,7 @@ void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pi
     // Where one of the two drops out of sight instead, a third one stands beside that place. Far away both
     // rise so steeply that they differ at any step; there halving finds it.
     if (least >= kFarMm && std::max(of_a, of_b) == kNever && !narrow) {
-        const Sample middle = sample(index, (a.u + b.u) / 2);
+        const Sample middle = sample(index, (a.u + b.u) / 2, a.stop);
         between(index, a, middle, depth + 1, pieces);
         between(index, middle, b, depth + 1, pieces);
         return;
@@ -175,7 +204,7 @@ void Profile::between(int index, const Sample& a, const Sample& b, int depth, Pi
     const bool jumps = least < kFarMm && std::max(of_a, of_b) - least > kJump * (1 + least);
     if (jumps && of_a < kNever && of_b < kNever)
         u = of_a < of_b ? std::min(u + 4 * step, b.u) : std::max(u - 4 * step, a.u);
-    const Sample third = jumps || least == kNever ? sample(index, u) : nearerAt(index, u, least);
+    const Sample third = jumps || least == kNever ? sample(index, u, a.stop) : nearerAt(index, u, least);
     const bool known = third.stop == kNone || third.stop == a.stop || third.stop == b.stop;
     if (narrow || known) {
         const double there = std::min(least, third.clearance);
@@ -214,7 +243,7 @@ bool Profile::lookUp(int from, const Piece& seen, double share, std::vector<Piec
     if (at == pieces.end() || at->stop == from) return false;
     const double believed = clearanceAt(index, v, at->stop);
     if (believed <= clearance || same(believed, clearance)) return false;
-    const Sample truth = sample(index, v);
+    const Sample truth = sample(index, v, from);
     if (truth.stop == at->stop || truth.clearance >= believed || same(truth.clearance, believed))
         return false;
     Pieces found;

@@ -58,9 +58,12 @@ class Profile {
     };
     using Pieces = std::vector<Piece>;
 
-    Sample sample(int site, double u) const;
+    double clearanceAt(int site, const Contact& contact, int stop) const;
+    double soughtBelow(int site, const Contact& contact, int hint, double limit) const;
+    /// `hint`: a site that may well be the stop, or none.
+    Sample sample(int site, double u, int hint) const;
     Sample nearerAt(int site, double u, double limit) const;
-    Pieces envelope(int site) const;
+    Pieces envelope(int site, int hint) const;
     std::optional<Sample> hiddenBetween(int site, const Sample& a, const Sample& b) const;
     void between(int site, const Sample& a, const Sample& b, int depth, Pieces& pieces) const;
     double equalAt(int site, const Sample& a, const Sample& b) const;

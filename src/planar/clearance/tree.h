@@ -4,6 +4,7 @@
 
 #include "planar/clearance/site.h"
 #include "stepmill/planar/box_tree.h"
+#include "stepmill/planar/edge_index.h"
 
 namespace stepmill::clearance {
 
@@ -36,7 +37,7 @@ class SiteTree {
   private:
     bool isFree(const Vec2& p) const;
 
-    Region region_;
+    EdgeIndex boundary_;
     int free_winding_ = 1;
     std::vector<Site> sites_;
     BoxTree tree_;
