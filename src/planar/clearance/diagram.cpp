@@ -1,5 +1,6 @@
 #include "stepmill/planar/clearance_diagram.h"
 
+#include <map>
 #include <mutex>
 
 #include "planar/clearance/axis.h"
@@ -43,54 +44,95 @@ Region withoutOverlaps(const Region& swept, const Tolerances& tol) {
     return intersect(swept, makeRectangle(box.min(), box.max()), tol);
 }
 
+/// The profile of one side, built when first asked for, once, whichever thread comes first.
+class LazyProfile {
+  public:
+    const Profile& of(const Region& region, bool outside) const {
+        std::call_once(once_, [&] { profile_ = std::make_unique<Profile>(region, outside); });
+        return *profile_;
+    }
+
+  private:
+    mutable std::once_flag once_;
+    mutable std::unique_ptr<const Profile> profile_;
+};
+
+/// What has been found for a radius, kept for the next time it is asked. The values stay where they are.
+template <typename Value>
+class Memo {
+  public:
+    template <typename Make>
+    const Value& of(double radius, const Make& make) const {
+        {
+            const std::lock_guard lock(mutex_);
+            if (const auto known = values_.find(radius); known != values_.end()) return known->second;
+        }
+        // Not under the lock: making it may start tasks. Two threads that make the same value make equal
+        // ones.
+        Value made = make();
+        const std::lock_guard lock(mutex_);
+        return values_.emplace(radius, std::move(made)).first->second;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    mutable std::map<double, Value> values_;
+};
+
 }  // namespace
 
 struct ClearanceDiagram::Impl {
     Region region;
     Tolerances tol;
-    Profile inside;
-    std::once_flag outside_once;
-    std::unique_ptr<Profile> outside;
+    LazyProfile lazy_inside;
+    LazyProfile lazy_outside;
 
-    Impl(const Region& r, const Tolerances& t) : region(r), tol(t), inside(r, false) {}
+    Impl(const Region& r, const Tolerances& t) : region(r), tol(t) {}
 
-    const Profile& seenFromOutside() {
-        std::call_once(outside_once, [&] { outside = std::make_unique<Profile>(region, true); });
-        return *outside;
-    }
+    const Profile& inside() const { return lazy_inside.of(region, false); }
+    const Profile& outside() const { return lazy_outside.of(region, true); }
     /// Where discs of that radius pass, those that just fill an arc among them.
-    std::optional<Level> passableBy(double radius) const {
-        const std::optional<Level> level = clearance::levelAt(inside, radius, Tie::Filled);
-        if (!level) return std::nullopt;
-        return clearance::withoutEmptyRings(inside, *level);
+    const std::optional<Level>& passableBy(double radius) const {
+        return levels.of(radius, [&]() -> std::optional<Level> {
+            const std::optional<Level> level = clearance::levelAt(inside(), radius, Tie::Filled);
+            if (!level) return std::nullopt;
+            return clearance::withoutEmptyRings(inside(), *level);
+        });
     }
     struct Opened {
-        Region region;
+        ClearanceDiagram diagram;  ///< of the opening; costs nothing until it is asked
         bool by_booleans = false;  ///< the level alone does not tell
     };
-    Opened opened(const std::optional<Level>& level, double radius) const {
-        if (level) {
-            if (std::optional<clearance::Swept> swept = clearance::sweptBy(inside, *level)) {
-                if (!swept->overlapping) return {std::move(swept->region)};
-                return {withoutOverlaps(swept->region, tol), true};
+    Memo<std::optional<Level>> levels;
+    Memo<Opened> openings;
+
+    const Opened& opened(double radius) const {
+        return openings.of(radius, [&] { return open(radius); });
+    }
+    Opened open(double radius) const {
+        if (const std::optional<Level>& level = passableBy(radius)) {
+            if (std::optional<clearance::Swept> swept = clearance::sweptBy(inside(), *level)) {
+                if (!swept->overlapping) return {{swept->region, tol}};
+                return {{withoutOverlaps(swept->region, tol), tol}, true};
             }
         }
-        return {openedByBooleans(radius), true};
+        return {{openedByBooleans(radius), tol}, true};
     }
 
     Region shrunk(double distance) const {
-        if (const auto level = clearance::levelAt(inside, distance, Tie::Blocked)) {
-            Region rings = clearance::ringsOf(inside, *level);
-            if (keepsDistance(inside, rings, distance)) return rings;
+        if (const auto level = clearance::levelAt(inside(), distance, Tie::Blocked)) {
+            Region rings = clearance::ringsOf(inside(), *level);
+            if (keepsDistance(inside(), rings, distance)) return rings;
         }
-        return byBooleans(inside, distance, [&](const Region& band) { return subtract(region, band, tol); });
+        return byBooleans(inside(), distance,
+                          [&](const Region& band) { return subtract(region, band, tol); });
     }
-    Region grown(double distance) {
-        if (const auto level = clearance::levelAt(seenFromOutside(), distance, Tie::Blocked)) {
-            const Region rings = clearance::ringsOf(*outside, *level);
-            if (keepsDistance(*outside, rings, distance)) return reversedLoops(rings);
+    Region grown(double distance) const {
+        if (const auto level = clearance::levelAt(outside(), distance, Tie::Blocked)) {
+            const Region rings = clearance::ringsOf(outside(), *level);
+            if (keepsDistance(outside(), rings, distance)) return reversedLoops(rings);
         }
-        return byBooleans(*outside, distance, [&](const Region& band) { return unite(region, band, tol); });
+        return byBooleans(outside(), distance, [&](const Region& band) { return unite(region, band, tol); });
     }
     /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is
     /// added.
@@ -141,21 +183,24 @@ std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) con
 Region ClearanceDiagram::opening(double radius_mm) const {
     const double radius = snapToGrid(radius_mm);
     if (impl_->region.empty() || radius <= 0) return impl_->region;
-    return impl_->opened(impl_->passableBy(radius), radius).region;
+    return impl_->opened(radius).diagram.region();
 }
 
 Region ClearanceDiagram::restCentres(double large_mm, double small_mm) const {
     STEPMILL_CHECK(small_mm <= large_mm, "the first of a pair of discs is the larger one");
     const double large = snapToGrid(large_mm), small = snapToGrid(small_mm);
     if (impl_->region.empty() || large == small) return {};
-    const std::optional<Level> coarse = impl_->passableBy(large);
-    const std::optional<Level> fine = impl_->passableBy(small);
-    const Region centres = fine ? clearance::ringsOf(impl_->inside, *fine) : impl_->shrunk(small);
-    if (coarse && coarse->runs.empty()) return centres;
-    const Impl::Opened opened = impl_->opened(coarse, large);
+    const std::optional<Level>& coarse = impl_->passableBy(large);
+    const std::optional<Level>& fine = impl_->passableBy(small);
+    const auto centres = [&] {
+        return fine ? clearance::ringsOf(impl_->inside(), *fine) : impl_->shrunk(small);
+    };
+    if (coarse && coarse->runs.empty()) return centres();
+    const Impl::Opened& opened = impl_->opened(large);
     if (fine && !opened.by_booleans)
-        if (std::optional<Region> left = clearance::centresLeft(impl_->inside, *coarse, *fine)) return *left;
-    return subtract(centres, ClearanceDiagram(opened.region, impl_->tol).offset(-small), impl_->tol);
+        if (std::optional<Region> left = clearance::centresLeft(impl_->inside(), *coarse, *fine))
+            return *std::move(left);
+    return subtract(centres(), opened.diagram.offset(-small), impl_->tol);
 }
 
 double ClearanceDiagram::accessibleArea(double radius_mm) const {
@@ -163,21 +208,21 @@ double ClearanceDiagram::accessibleArea(double radius_mm) const {
 }
 
 MedialAxis ClearanceDiagram::medialAxis() const {
-    return clearance::medialAxisOf(impl_->inside);
+    return clearance::medialAxisOf(impl_->inside());
 }
 
 std::vector<ClearanceEvent> ClearanceDiagram::events() const {
-    return clearance::eventsOf(impl_->inside, medialAxis());
+    return clearance::eventsOf(impl_->inside(), medialAxis());
 }
 
 std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() const {
     std::optional<Disc> best;
-    for (int site = 0; site < static_cast<int>(impl_->inside.sites().size()); ++site) {
-        for (const clearance::Piece& piece : impl_->inside.pieces(site)) {
+    for (int site = 0; site < static_cast<int>(impl_->inside().sites().size()); ++site) {
+        for (const clearance::Piece& piece : impl_->inside().pieces(site)) {
             for (const bool end : {false, true}) {
                 const double radius = end ? piece.at_to : piece.at_from;
                 if (best && radius <= best->radius_mm) continue;
-                best = Disc{impl_->inside.centreAt(site, end ? piece.to : piece.from, radius), radius};
+                best = Disc{impl_->inside().centreAt(site, end ? piece.to : piece.from, radius), radius};
             }
         }
     }
@@ -185,7 +230,7 @@ std::optional<ClearanceDiagram::Disc> ClearanceDiagram::largestInscribedDisc() c
 }
 
 double ClearanceDiagram::distanceToBoundary(const Vec2& p) const {
-    return impl_->inside.tree().distance(p);
+    return impl_->inside().tree().distance(p);
 }
 
 Region offset(const Region& region, double distance_mm, const Tolerances& tol) {
