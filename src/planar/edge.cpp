@@ -40,7 +40,7 @@ const Vec2& nearerEnd(const Edge& edge, const Vec2& p) {
 }  // namespace
 
 Edge makeEdge(const Vec2& from, const Segment& segment) {
-    return {from, segment, boundingBox(Path{from, {segment}})};
+    return {from, segment, planar::boundingBox(from, segment)};
 }
 
 Edge makeLine(const Vec2& from, const Vec2& to) {
@@ -93,10 +93,9 @@ std::optional<Edge> cutOut(const Edge& edge, double from_share, double to_share)
 
 std::vector<Vec2> meetingPoints(const Edge& a, const Edge& b) {
     if (!grown(a.box, kGridMm).intersects(b.box)) return {};
-    std::vector<Vec2> points =
-        planar::carrierIntersections(a.from, a.segment, b.from, b.segment, planar::kExactly);
-    std::erase_if(points,
-                  [&](const Vec2& p) { return distanceTo(p, a) > kGridMm || distanceTo(p, b) > kGridMm; });
+    std::vector<Vec2> points;
+    for (const Vec2& p : planar::carrierIntersections(a.from, a.segment, b.from, b.segment, planar::kExactly))
+        if (distanceTo(p, a) <= kGridMm && distanceTo(p, b) <= kGridMm) points.push_back(p);
     return points;
 }
 

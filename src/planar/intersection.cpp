@@ -10,7 +10,10 @@ namespace stepmill::planar {
 
 namespace {
 
-using Points = std::vector<Vec2>;
+using Points = FewPoints;
+
+/// Ends may lie off their arc's circle, and with it outside its box, by less than this [mm].
+constexpr double kRoundedMm = 3 * kGridMm;
 
 Points lineLine(const Vec2& from1, const Vec2& to1, const Vec2& from2, const Vec2& to2) {
     const Vec2 d1 = to1 - from1;
@@ -66,18 +69,19 @@ Points carrierIntersections(const Vec2& from1, const Segment& segment1, const Ve
     return lineLine(from1, segment1.to, from2, segment2.to);
 }
 
-Points contacts(const Vec2& from1, const Segment& segment1, const Vec2& from2, const Segment& segment2,
-                double reach_mm) {
+Points contacts(const Edge& a, const Edge& b, double reach_mm) {
     Points points;
-    for (const Vec2& end : {from1, segment1.to})
-        if (distanceTo(end, from2, segment2) <= reach_mm) points.push_back(end);
-    for (const Vec2& end : {from2, segment2.to})
-        if (distanceTo(end, from1, segment1) <= reach_mm) points.push_back(end);
+    const auto addEndsNear = [&](const Edge& edge, const Edge& other) {
+        const Box2 around = grown(other.box, reach_mm + kRoundedMm);
+        for (const Vec2& end : {edge.from, edge.to()})
+            if (around.contains(end) && distanceTo(end, other) <= reach_mm) points.push_back(end);
+    };
+    addEndsNear(a, b);
+    addEndsNear(b, a);
     // The touching point of curves that overlap by more than the reach would be out of reach of both.
     const MeetingTolerance tolerance{reach_mm, reach_mm, std::min(kTangentMm, reach_mm / 2)};
-    for (const Vec2& p : carrierIntersections(from1, segment1, from2, segment2, tolerance))
-        if (distanceTo(p, from1, segment1) <= reach_mm && distanceTo(p, from2, segment2) <= reach_mm)
-            points.push_back(p);
+    for (const Vec2& p : carrierIntersections(a.from, a.segment, b.from, b.segment, tolerance))
+        if (distanceTo(p, a) <= reach_mm && distanceTo(p, b) <= reach_mm) points.push_back(p);
     return points;
 }
 

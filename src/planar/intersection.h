@@ -1,8 +1,9 @@
 #pragma once
 
-#include <vector>
+#include <array>
+#include <initializer_list>
 
-#include "stepmill/planar/region.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::planar {
 
@@ -24,15 +25,32 @@ inline constexpr MeetingTolerance kExactly{};
 /// What Booleans ask for, whose curves are rounded.
 inline constexpr MeetingTolerance kRounded{0, 0, kTangentMm};
 
+/// A few points in one place: Booleans ask for them so often that a list's allocation would cost more than
+/// the points.
+class FewPoints {
+  public:
+    FewPoints() = default;
+    FewPoints(std::initializer_list<Vec2> points) {
+        for (const Vec2& p : points)
+            push_back(p);
+    }
+    void push_back(const Vec2& p) { points_[size_++] = p; }
+    const Vec2* begin() const { return points_.data(); }
+    const Vec2* end() const { return points_.data() + size_; }
+
+  private:
+    std::array<Vec2, 6> points_;  // four ends and two crossings
+    std::size_t size_ = 0;
+};
+
 /// Points shared by the whole lines or circles on which the two segments lie: none, one (tangent) or two.
 /// Nothing for parallel lines and for circles that coincide.
-std::vector<Vec2> carrierIntersections(const Vec2& from1, const Segment& segment1, const Vec2& from2,
-                                       const Segment& segment2, const MeetingTolerance& tolerance);
+FewPoints carrierIntersections(const Vec2& from1, const Segment& segment1, const Vec2& from2,
+                               const Segment& segment2, const MeetingTolerance& tolerance);
 
-/// Points at which the two segments meet: ends of one that come within `reach_mm` of the other, crossings,
+/// Points at which the two edges meet: ends of one that come within `reach_mm` of the other, crossings,
 /// and touching points whose gap is at most `reach_mm`. Unsorted; may name a point more than once.
-std::vector<Vec2> contacts(const Vec2& from1, const Segment& segment1, const Vec2& from2,
-                           const Segment& segment2, double reach_mm);
+FewPoints contacts(const Edge& a, const Edge& b, double reach_mm);
 
 /// Distance from p to the whole line or circle.
 double distanceToCarrier(const Vec2& p, const Vec2& from, const Segment& segment);

@@ -126,13 +126,17 @@ double perimeter(const Region& region) {
     return sum;
 }
 
+Box2 planar::boundingBox(const Vec2& from, const Segment& segment) {
+    Box2 box(from);
+    box.extend(segment.to);
+    if (segment.arc) forEachExtreme(from, segment.to, *segment.arc, [&](const Vec2& p) { box.extend(p); });
+    return box;
+}
+
 Box2 boundingBox(const Path& path) {
-    Box2 box;
-    box.extend(path.start);
+    Box2 box(path.start);
     forEachSegment(path, [&](const Vec2& from, const Segment& segment) {
-        box.extend(segment.to);
-        if (segment.arc)
-            forEachExtreme(from, segment.to, *segment.arc, [&](const Vec2& p) { box.extend(p); });
+        box.extend(planar::boundingBox(from, segment));
     });
     return box;
 }

@@ -10,6 +10,9 @@ inline constexpr double kLargestMm = 1e6;
 /// Does the ray from the arc's centre through p meet the arc from `from` to `to`? True at the ends.
 bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p);
 
+/// Around the true curve, its ends included.
+Box2 boundingBox(const Vec2& from, const Segment& segment);
+
 /// Where on the segment p lies, as a share of its length; outside [0, 1] beyond its ends.
 double shareOf(const Vec2& p, const Vec2& from, const Segment& segment);
 

@@ -53,10 +53,12 @@ bool crossesBesideCorner(const Curve& a, const Curve& b, const Vec2& p) {
     double from_corner = std::numeric_limits<double>::infinity();
     if (a.segment.to == b.from) from_corner = std::min(from_corner, (p - b.from).norm());
     if (b.segment.to == a.from) from_corner = std::min(from_corner, (p - a.from).norm());
+    constexpr double kDeepMm = 10 * kGridMm;
+    if (from_corner / 4 <= kDeepMm) return false;
     const Vec2 ta = tangentAt(a.from, a.segment, shareOf(p, a.from, a.segment));
     const Vec2 tb = tangentAt(b.from, b.segment, shareOf(p, b.from, b.segment));
     // The two curves part by about a quarter of chord times angle in between.
-    return from_corner * std::abs(cross(ta, tb)) / 4 > 10 * kGridMm;
+    return from_corner * std::abs(cross(ta, tb)) / 4 > kDeepMm;
 }
 
 }  // namespace
@@ -160,26 +162,52 @@ class Arrangement::NodesInBox {
     std::array<std::vector<std::pair<double, int>>, 2> sorted_;
 };
 
+/// The nodes at which the curves are cut, curve by curve.
+class Arrangement::Cuts {
+  public:
+    explicit Cuts(std::size_t curves) : last_(curves, kNone) {}
+
+    bool has(int curve, int node) const {
+        for (int i = last_[at(curve)]; i != kNone; i = before_[at(i)])
+            if (cuts_[at(i)].node == node) return true;
+        return false;
+    }
+    void add(int curve, double share, int node) {
+        before_.push_back(std::exchange(last_[at(curve)], static_cast<int>(cuts_.size())));
+        cuts_.push_back({curve, share, node});
+    }
+    /// All of them in the order of the curves and along each.
+    std::vector<Cut> inOrder() && {
+        std::stable_sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) {
+            return a.curve != b.curve ? a.curve < b.curve : a.share < b.share;
+        });
+        return std::move(cuts_);
+    }
+
+  private:
+    static constexpr int kNone = -1;
+
+    std::vector<Cut> cuts_;
+    std::vector<int> before_;  // the cut of the same curve that was added before
+    std::vector<int> last_;
+};
+
 void Arrangement::cutCurves() {
     NodeIndex index(nodes_, snap_mm_);
-    struct Cut {
-        double share;
-        int node;
-    };
-    std::vector<std::vector<Cut>> cuts(curves_.size());
-    std::vector<Path> snapped;  // the curves between the nodes of their ends
+    Cuts cuts(curves_.size());
+    std::vector<Stretch> snapped;  // the curves between the nodes of their ends
+    snapped.reserve(curves_.size());
     for (std::size_t i = 0; i < curves_.size(); ++i) {
-        cuts[i].push_back({0, index.add(curves_[i].from)});
-        cuts[i].push_back({1, index.add(curves_[i].segment.to)});
-        snapped.push_back(betweenNodes(curves_[i], cuts[i][0].node, cuts[i][1].node));
+        const int begin = index.add(curves_[i].from), end = index.add(curves_[i].to());
+        cuts.add(static_cast<int>(i), 0, begin);
+        cuts.add(static_cast<int>(i), 1, end);
+        snapped.push_back(betweenNodes(curves_[i], begin, end));
     }
     const auto cut = [&](int curve, int node) {
-        const Path& c = snapped[at(curve)];
-        std::vector<Cut>& list = cuts[at(curve)];
-        if (std::any_of(list.begin(), list.end(), [&](const Cut& known) { return known.node == node; }))
-            return;
-        const double share = shareOf(nodes_[at(node)], c.start, c.segments.front());
-        if (share > 0 && share < 1) list.push_back({share, node});
+        if (cuts.has(curve, node)) return;
+        const Stretch& c = snapped[at(curve)];
+        const double share = shareOf(nodes_[at(node)], c.from, c.segment);
+        if (share > 0 && share < 1) cuts.add(curve, share, node);
     };
     std::vector<std::pair<int, int>> pairs;
     forOverlappingBoxes(curves_, snap_mm_, [&](int i, int j) { pairs.emplace_back(i, j); });
@@ -188,7 +216,7 @@ void Arrangement::cutCurves() {
         const Curve& a = curves_[at(i)];
         const Curve& b = curves_[at(j)];
         const bool neighbours = adjacent(a, b);
-        for (const Vec2& p : contacts(a.from, a.segment, b.from, b.segment, snap_mm_)) {
+        for (const Vec2& p : contacts(a, b, snap_mm_)) {
             if (neighbours && !crossesBesideCorner(a, b, p)) continue;
             const int node = index.add(p);
             cut(i, node);
@@ -201,28 +229,29 @@ void Arrangement::cutCurves() {
     const NodesInBox nodes(nodes_);
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         const Curve& c = curves_[i];
+        const Stretch& bent = snapped[i];
         nodes.forEachIn(grown(c.box, 2 * snap_mm_), [&](int node) {
-            const Path& bent = snapped[i];
-            if (distanceTo(nodes_[at(node)], c.from, c.segment) <= snap_mm_ ||
-                distanceTo(nodes_[at(node)], bent.start, bent.segments.front()) <= snap_mm_)
+            if (cuts.has(static_cast<int>(i), node)) return;
+            const Vec2& p = nodes_[at(node)];
+            if (distanceTo(p, c) <= snap_mm_ || distanceTo(p, bent.from, bent.segment) <= snap_mm_)
                 cut(static_cast<int>(i), node);
         });
     }
-    pieces_at_.resize(nodes_.size());
-    for (std::size_t i = 0; i < curves_.size(); ++i) {
-        std::stable_sort(cuts[i].begin(), cuts[i].end(),
-                         [](const Cut& a, const Cut& b) { return a.share < b.share; });
-        for (std::size_t k = 1; k < cuts[i].size(); ++k)
-            addPiece(cuts[i][k - 1].node, cuts[i][k].node, static_cast<int>(i));
-    }
+    addPieces(std::move(cuts).inOrder());
 }
 
-Path Arrangement::betweenNodes(const Curve& curve, int begin, int end) const {
+void Arrangement::addPieces(const std::vector<Cut>& cuts) {
+    first_at_.assign(nodes_.size(), -1);
+    for (std::size_t k = 1; k < cuts.size(); ++k)
+        if (cuts[k].curve == cuts[k - 1].curve) addPiece(cuts[k - 1].node, cuts[k].node, cuts[k].curve);
+}
+
+Arrangement::Stretch Arrangement::betweenNodes(const Curve& curve, int begin, int end) const {
     const Segment bent{node(end), curve.segment.arc};
     // Snapping can turn a short arc about its centre the wrong way, and short curves into points.
     const bool turned = bent.arc && std::abs(sweepAngle(node(begin), bent.to, *bent.arc)) > 1.5 * kPi;
-    if (begin == end || turned) return {curve.from, {curve.segment}};
-    return {node(begin), {bent}};
+    if (begin == end || turned) return {curve.from, curve.segment};
+    return {node(begin), bent};
 }
 
 Segment Arrangement::segment(const Piece& piece) const {
@@ -256,8 +285,9 @@ void Arrangement::addPiece(int begin, int end, int curve) {
     piece.straight = arc && std::abs(sweepAngle(node(begin), node(end), *arc)) > 1.5 * kPi;
     const Vec2 middle = pointAt(node(begin), segment(piece), 0.5);
     const int operand = curves_[at(curve)].operand;
-    for (const int other_index : pieces_at_[at(std::min(begin, end))]) {
-        Piece& other = pieces_[at(other_index)];
+    int* link = &first_at_[at(std::min(begin, end))];
+    for (; *link >= 0; link = &next_at_[at(*link)]) {
+        Piece& other = pieces_[at(*link)];
         const bool same_way = other.begin == begin && other.end == end;
         const bool other_way = other.begin == end && other.end == begin;
         if (!same_way && !other_way) continue;
@@ -267,8 +297,9 @@ void Arrangement::addPiece(int begin, int end, int curve) {
         return;
     }
     piece.step[at(operand)] = 1;
-    pieces_at_[at(std::min(begin, end))].push_back(static_cast<int>(pieces_.size()));
+    *link = static_cast<int>(pieces_.size());
     pieces_.push_back(piece);
+    next_at_.push_back(-1);
 }
 
 void Arrangement::dropDeadPieces() {
@@ -285,6 +316,7 @@ void Arrangement::sortIntoStrips() {
     // Long pieces enter many strips: more than this costs more memory than it saves time.
     const auto count = std::clamp<std::size_t>(pieces_.size() / 4, 1, 512);
     std::vector<Box2> boxes;
+    boxes.reserve(pieces_.size());
     Box2 all;
     for (const Piece& piece : pieces_) {
         Box2 box = curves_[at(piece.curve)].segment.arc ? curves_[at(piece.curve)].box : Box2{};
@@ -293,21 +325,25 @@ void Arrangement::sortIntoStrips() {
         all.extend(box);
         boxes.push_back(box);
     }
+    if (pieces_.empty()) return;
     for (const int axis : {0, 1}) {
         Strips& strips = strips_[at(axis)];
-        strips.pieces.resize(count);
-        if (pieces_.empty()) continue;
+        strips.count = count;
         strips.low_mm = all.min()[axis];
         strips.per_mm = static_cast<double>(count) / std::max(all.sizes()[axis], kGridMm);
+        std::vector<int> entered;
         for (std::size_t i = 0; i < pieces_.size(); ++i)
-            for (std::size_t k = strips.of(boxes[i].min()[axis]); k <= strips.of(boxes[i].max()[axis]); ++k)
-                strips.pieces[k].push_back(static_cast<int>(i));
+            for (std::size_t k = strips.of(boxes[i].min()[axis]); k <= strips.of(boxes[i].max()[axis]); ++k) {
+                entered.push_back(static_cast<int>(k));
+                strips.pieces.push_back(static_cast<int>(i));
+            }
+        strips.entries = Grouped(entered, count);
     }
 }
 
 std::size_t Arrangement::Strips::of(double value_mm) const {
     const double strip = (value_mm - low_mm) * per_mm;
-    return std::min(pieces.size() - 1, static_cast<std::size_t>(std::max(0.0, strip)));
+    return std::min(count - 1, static_cast<std::size_t>(std::max(0.0, strip)));
 }
 
 std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
@@ -320,8 +356,8 @@ std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
     const Vec2 p = mirror ? mirrored(middle) : middle;
     std::array<int, 2> windings{};
     const Strips& strips = strips_[mirror ? 0 : 1];
-    for (const int index : strips.pieces[strips.of(p.y())]) {
-        const Piece& other = pieces_[at(index)];
+    for (const int entry : strips.entries[strips.of(p.y())]) {
+        const Piece& other = pieces_[at(strips.pieces[at(entry)])];
         Vec2 from = node(other.begin);
         Segment s = segment(other);
         if (mirror) {
@@ -337,14 +373,27 @@ std::array<int, 2> Arrangement::windingsOnTheRight(const Piece& piece) const {
     return windings;
 }
 
+namespace {
+
+/// The ends of pieces by their nodes: number 2 i is where piece i begins, 2 i + 1 where it ends.
+template <typename PieceOf>
+Grouped endsByNode(std::size_t pieces, std::size_t nodes, const PieceOf& piece_of) {
+    std::vector<int> node_of;
+    node_of.reserve(2 * pieces);
+    for (std::size_t i = 0; i < pieces; ++i) {
+        node_of.push_back(piece_of(i).begin);
+        node_of.push_back(piece_of(i).end);
+    }
+    return {node_of, nodes};
+}
+
+}  // namespace
+
 /// For every piece the one that stands for it: pieces in a row without a junction between them have the
 /// same windings on both sides, and the longest is the safest to measure.
 std::vector<int> Arrangement::chains() const {
-    std::vector<std::vector<int>> incident(nodes_.size());
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        incident[at(pieces_[i].begin)].push_back(static_cast<int>(i));
-        incident[at(pieces_[i].end)].push_back(static_cast<int>(i));
-    }
+    const Grouped incident =
+        endsByNode(pieces_.size(), nodes_.size(), [&](std::size_t i) { return pieces_[i]; });
     std::vector<int> leader(pieces_.size());
     std::iota(leader.begin(), leader.end(), 0);
     const auto find = [&](int i) {
@@ -355,14 +404,15 @@ std::vector<int> Arrangement::chains() const {
     const auto size = [&](int i) {
         return (node(pieces_[at(i)].end) - node(pieces_[at(i)].begin)).squaredNorm();
     };
-    for (const std::vector<int>& around : incident) {
-        if (around.size() != 2) continue;
-        const Piece& a = pieces_[at(around[0])];
-        const Piece& b = pieces_[at(around[1])];
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        if (incident[n].size() != 2) continue;
+        const int first = incident[n][0] / 2, second = incident[n][1] / 2;
+        const Piece& a = pieces_[at(first)];
+        const Piece& b = pieces_[at(second)];
         const bool in_a_row = a.end == b.begin || a.begin == b.end;
         if (!in_a_row || a.step != b.step) continue;
-        const int i = find(around[0]);
-        const int j = find(around[1]);
+        const int i = find(first);
+        const int j = find(second);
         if (size(i) > size(j) || (size(i) == size(j) && i < j))
             leader[at(j)] = i;
         else
@@ -388,27 +438,23 @@ std::vector<LabelledPiece> Arrangement::labelled() const {
 }
 
 bool Arrangement::consistent(const std::vector<LabelledPiece>& labels) const {
-    struct Around {
-        std::vector<End> ends;
-        std::vector<const LabelledPiece*> labels;
-    };
-    std::vector<Around> nodes(nodes_.size());
-    const auto note = [&](int node, const LabelledPiece& label, bool leaves) {
-        nodes[at(node)].ends.push_back({&label.piece, leaves});
-        nodes[at(node)].labels.push_back(&label);
-    };
-    for (const LabelledPiece& label : labels) {
-        note(label.piece.begin, label, true);
-        note(label.piece.end, label, false);
-    }
-    for (const Around& node : nodes) {
-        if (node.ends.size() < 3) continue;
-        const std::vector<std::size_t> order = counterClockwise(node.ends);
+    const Grouped incident =
+        endsByNode(labels.size(), nodes_.size(), [&](std::size_t i) { return labels[i].piece; });
+    std::vector<End> ends;
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+        const std::span<const int> around = incident[n];
+        if (around.size() < 3) continue;
+        ends.clear();
+        for (const int i : around)
+            ends.push_back({&labels[at(i / 2)].piece, i % 2 == 0});
+        const std::vector<std::size_t> order = counterClockwise(ends);
         for (std::size_t k = 0; k < order.size(); ++k) {
             const std::size_t here = order[k];
             const std::size_t next = order[(k + 1) % order.size()];
-            const auto& after = node.ends[here].leaves ? node.labels[here]->left : node.labels[here]->right;
-            const auto& before = node.ends[next].leaves ? node.labels[next]->right : node.labels[next]->left;
+            const LabelledPiece& label = labels[at(around[here] / 2)];
+            const LabelledPiece& next_label = labels[at(around[next] / 2)];
+            const auto& after = ends[here].leaves ? label.left : label.right;
+            const auto& before = ends[next].leaves ? next_label.right : next_label.left;
             if (after != before) return false;
         }
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "planar/boolean/grouped.h"
 #include "stepmill/planar/edge.h"
 
 namespace stepmill::planar {
@@ -85,11 +86,24 @@ class Arrangement {
     struct NodeIndex;
     class NodesInBox;
     class ChordNoder;
+    class Cuts;
+    /// A curve is cut at a node.
+    struct Cut {
+        int curve;
+        double share;
+        int node;
+    };
 
     Arrangement() = default;
 
     void cutCurves();
-    Path betweenNodes(const Curve& curve, int begin, int end) const;
+    /// A curve moved to the nodes of its ends.
+    struct Stretch {
+        Vec2 from;
+        Segment segment;
+    };
+    Stretch betweenNodes(const Curve& curve, int begin, int end) const;
+    void addPieces(const std::vector<Cut>& cuts);
     void addPiece(int begin, int end, int curve);
     void dropDeadPieces();
     void sortIntoStrips();
@@ -104,7 +118,9 @@ class Arrangement {
 
         double low_mm = 0;
         double per_mm = 0;
-        std::vector<std::vector<int>> pieces;
+        std::size_t count = 1;
+        std::vector<int> pieces;  // of each entry into a strip
+        Grouped entries;          // by strip
     };
 
     std::vector<Curve> curves_;
@@ -114,8 +130,9 @@ class Arrangement {
     std::vector<Vec2> places_;  // per node; of chords only
     std::vector<Piece> pieces_;
     std::vector<Piece> cancelled_;
-    std::array<Strips, 2> strips_;             // along x, along y
-    std::vector<std::vector<int>> pieces_at_;  // per lower node of a piece
+    std::array<Strips, 2> strips_;  // along x, along y
+    std::vector<int> first_at_;     // the first piece at its lower node
+    std::vector<int> next_at_;      // of each piece, the next one at its lower node
 };
 
 /// The curves of a region; arcs of more than a half circle are cut in two.

@@ -71,7 +71,6 @@ class Arrangement::ChordNoder {
             for (std::size_t i = 1; i < string->size(); ++i)
                 addChord(string->getCoordinate(i - 1), string->getCoordinate(i), curveOf(*string));
         nameCorners();
-        result_.pieces_at_.clear();
     }
 
   private:

@@ -31,18 +31,22 @@ class Walker {
   public:
     Walker(const Arrangement& arrangement, const std::vector<Piece>& pieces)
         : arrangement_(arrangement), pieces_(pieces), used_(pieces.size(), false) {
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const auto last = at(std::max(pieces[i].begin, pieces[i].end));
-            if (leaving_.size() <= last) leaving_.resize(last + 1);
-            if (arriving_.size() <= last) arriving_.resize(last + 1);
-            leaving_[at(pieces[i].begin)].push_back(static_cast<int>(i));
-            arriving_[at(pieces[i].end)].push_back(static_cast<int>(i));
+        std::vector<int> begins;
+        begins.reserve(pieces.size());
+        int last = -1;
+        for (const Piece& piece : pieces) {
+            begins.push_back(piece.begin);
+            last = std::max({last, piece.begin, piece.end});
         }
+        leaving_ = Grouped(begins, at(last + 1));
+        arriving_.assign(leaving_.count(), 0);
+        for (const Piece& piece : pieces)
+            ++arriving_[at(piece.end)];
     }
 
     bool closesUp() const {
-        for (std::size_t i = 0; i < leaving_.size(); ++i)
-            if (leaving_[i].size() != arriving_[i].size()) return false;
+        for (std::size_t i = 0; i < leaving_.count(); ++i)
+            if (leaving_[i].size() != arriving_[i]) return false;
         return true;
     }
 
@@ -51,7 +55,7 @@ class Walker {
 
     std::vector<std::vector<int>> loops() {
         std::vector<std::vector<int>> result;
-        std::vector<int> place(leaving_.size(), -1);  // of a node in the walk
+        std::vector<int> place(leaving_.count(), -1);  // of a node in the walk
         for (std::size_t first = 0; first < pieces_.size(); ++first) {
             if (used_[first]) continue;
             std::vector<int> walk;
@@ -79,6 +83,10 @@ class Walker {
     /// The first unused piece clockwise from the one we came on: between them lies the inside.
     int next(int piece) const {
         const int node = pieces_[at(piece)].end;
+        if (leaving_[at(node)].size() == 1) {
+            const int only = leaving_[at(node)].front();
+            return used_[at(only)] ? -1 : only;
+        }
         std::vector<int> choices;
         for (const int candidate : leaving_[at(node)])
             if (!used_[at(candidate)]) choices.push_back(candidate);
@@ -95,8 +103,8 @@ class Walker {
     const Arrangement& arrangement_;
     const std::vector<Piece>& pieces_;
     std::vector<bool> used_;
-    std::vector<std::vector<int>> leaving_;
-    std::vector<std::vector<int>> arriving_;
+    Grouped leaving_;                    // pieces by the node where they begin
+    std::vector<std::size_t> arriving_;  // how many end at a node
 };
 
 // Edges --------------------------------------------------------------------------------------------------

@@ -44,7 +44,7 @@ Side sideOf(const Vec2& from, const Segment& segment, const Ground& ground, doub
 std::vector<Vec2> cutsOf(const Edge& edge, const EdgeIndex& boundary, double near_mm) {
     std::vector<std::pair<double, Vec2>> cuts;
     boundary.forEachIn(grown(edge.box, near_mm), [&](const Edge& other) {
-        for (const Vec2& p : planar::contacts(edge.from, edge.segment, other.from, other.segment, near_mm))
+        for (const Vec2& p : planar::contacts(edge, other, near_mm))
             cuts.emplace_back(planar::shareOf(p, edge.from, edge.segment), p);
     });
     std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
