@@ -197,9 +197,23 @@ Vec2 pointAwayFrom(const Loop& loop, const Loop& other) {
 
 }  // namespace planar
 
+namespace {
+
+/// Does p lie on the edge, within 1 nm? A look at a line's box spares most distances.
+bool liesOn(const Vec2& p, const Vec2& from, const Segment& segment) {
+    if (!segment.arc && !grown(planar::boundingBox(from, segment), 2 * kGridMm).contains(p)) return false;
+    return distanceTo(p, from, segment) <= kGridMm;
+}
+
+}  // namespace
+
 bool contains(const Region& region, const Vec2& p) {
     if (planar::windingNumber(region, p) > 0) return true;
-    return distanceToBoundary(region, p) <= kGridMm;
+    bool on_boundary = false;
+    forEachSegment(region, [&](const Vec2& from, const Segment& segment) {
+        on_boundary = on_boundary || liesOn(p, from, segment);
+    });
+    return on_boundary;
 }
 
 double distanceToBoundary(const Region& region, const Vec2& p) {
