@@ -32,9 +32,7 @@ bool hasFloor(FeatureClass feature_class) {
 }
 
 std::optional<FeatureClass> featureClassFrom(std::string_view word) {
-    for (int i = 0; i <= static_cast<int>(FeatureClass::Engraving); ++i)
-        if (toString(static_cast<FeatureClass>(i)) == word) return static_cast<FeatureClass>(i);
-    return std::nullopt;
+    return valueOf(kFeatureClasses, word);
 }
 
 }  // namespace stepmill

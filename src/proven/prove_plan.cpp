@@ -31,7 +31,7 @@ void moveToResidual(VolumeBalance& books, double volume_mm3) {
     books.planned_mm3 -= volume_mm3;
     books.residual_mm3 += volume_mm3;
     for (ReasonVolume& entry : books.residual_by_reason) {
-        if (!(entry.reason == Reason::LeftBetweenPasses)) continue;
+        if (entry.reason != Reason::LeftBetweenPasses) continue;
         entry.volume_mm3 += volume_mm3;
         return;
     }

@@ -1,27 +1,21 @@
-#include <utility>
-
+#include "stepmill/core/enum_words.h"
 #include "stepmill/sequence/sequence.h"
 
 namespace stepmill {
 namespace {
 
-constexpr std::pair<Role, const char*> kWords[] = {
-    {Role::Face, "face"},           {Role::Rough, "rough"}, {Role::Rest, "rest"},
-    {Role::Surrogate, "surrogate"}, {Role::Drill, "drill"}, {Role::Finish, "finish"},
-};
+constexpr EnumWord<Role> kRoles[] = {{Role::Face, "face"},   {Role::Rough, "rough"},
+                                     {Role::Rest, "rest"},   {Role::Surrogate, "surrogate"},
+                                     {Role::Drill, "drill"}, {Role::Finish, "finish"}};
 
 }  // namespace
 
 std::string toString(Role role) {
-    for (const auto& [known, word] : kWords)
-        if (known == role) return word;
-    return "rough";
+    return wordOf(kRoles, role);
 }
 
 std::optional<Role> roleFrom(std::string_view word) {
-    for (const auto& [role, known] : kWords)
-        if (known == word) return role;
-    return std::nullopt;
+    return valueOf(kRoles, word);
 }
 
 }  // namespace stepmill

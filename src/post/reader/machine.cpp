@@ -260,7 +260,7 @@ void Machine::losePlace() {
 }
 
 void Machine::act(Doing doing) {
-    if (!(run_.states.back() == state_)) run_.states.push_back(state_);
+    if (run_.states.back() != state_) run_.states.push_back(state_);
     run_.actions.push_back({std::move(doing), where_->line, run_.states.size() - 1});
 }
 
