@@ -85,6 +85,7 @@ struct PlannedStage {
     std::vector<Warning> warnings;
 };
 
+/// All but the layers and the stock's step: both are known once the stage is cut.
 /// \param stage  with its fixtures
 PlannedStage planStage(const Stage& stage, const PlanningShop& shop, const SetupProgress& progress) {
     progress.tell("features of " + stage.setup.id, kFeaturesShare);
@@ -99,7 +100,6 @@ PlannedStage planStage(const Stage& stage, const PlanningShop& shop, const Setup
     result.setup.clamping = stage.clamping;
     result.setup.unplanned = stage.found.unplanned;
     result.setup.features = std::move(planned.features);
-    result.layers = stage.layers;
     result.air = airOf(stage);
     result.warnings = std::move(planned.warnings);
     append(result.warnings, remarksOf(stage.layers));
@@ -134,6 +134,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
         planned.stock = walk.cut(*stage, planned.removed);
+        planned.layers = std::move(stage->layers);
         stages.push_back(std::move(planned));
     }
     return stages;
