@@ -61,21 +61,23 @@ bool comesBefore(const Steps& a, const Steps& b) {
                                         });
 }
 
-/// A compiled-in schema and the word it is known by: "plan" for plan.schema.json and plan.json.
+/// A compiled-in schema, the word it is known by ("plan" for plan.schema.json and plan.json), and the version
+/// of the files that it describes.
 struct NamedSchema {
     SchemaName name;
     std::string_view word;
+    int format;
     const std::string_view& text;  ///< set before main() begins, in another file
 };
 
-constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", embedded::kToolsSchema},
-                                    {SchemaName::Machine, "machine", embedded::kMachineSchema},
-                                    {SchemaName::Plan, "plan", embedded::kPlanSchema},
-                                    {SchemaName::Inspect, "inspect", embedded::kInspectSchema},
-                                    {SchemaName::Rank, "rank", embedded::kRankSchema},
-                                    {SchemaName::Fixtures, "fixtures", embedded::kFixturesSchema},
-                                    {SchemaName::Verify, "verify", embedded::kVerifySchema},
-                                    {SchemaName::Manifest, "manifest", embedded::kManifestSchema}};
+constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kToolsSchema},
+                                    {SchemaName::Machine, "machine", 1, embedded::kMachineSchema},
+                                    {SchemaName::Plan, "plan", 1, embedded::kPlanSchema},
+                                    {SchemaName::Inspect, "inspect", 1, embedded::kInspectSchema},
+                                    {SchemaName::Rank, "rank", 1, embedded::kRankSchema},
+                                    {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
+                                    {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
+                                    {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema}};
 
 const NamedSchema& schemaOf(SchemaName name) {
     for (const NamedSchema& schema : kSchemas)
@@ -160,11 +162,14 @@ std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_tex
     return lines;
 }
 
-std::string finishJson(SchemaName name, const nlohmann::ordered_json& json) {
+std::string finishJson(SchemaName name, nlohmann::ordered_json content) {
+    const NamedSchema& schema = schemaOf(name);
+    nlohmann::ordered_json json{{"format", schema.format}, {"stepmill", {{"version", STEPMILL_VERSION}}}};
+    for (auto& [key, value] : content.items())
+        json[key] = std::move(value);
     std::string text = json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     const std::vector<std::string> errors = schemaErrors(name, text);
-    if (!errors.empty())
-        throw Error(ErrorCode::Internal, std::string(schemaOf(name).word) + ".json", errors.front());
+    if (!errors.empty()) throw Error(ErrorCode::Internal, std::string(schema.word) + ".json", errors.front());
     return text;
 }
 

@@ -53,13 +53,11 @@ std::string manifestJson(const Manifest& manifest) {
     Json files = Json::array();
     for (const ManifestFile& file : sorted)
         files.push_back(fileJson(file));
-    Json json{{"format", 1},
-              {"stepmill", {{"version", STEPMILL_VERSION}}},
-              {"part", {{"file", manifest.part_file}, {"sha256", manifest.part_sha256}}}};
-    if (!manifest.plan_sha256.empty()) json["plan_sha256"] = manifest.plan_sha256;
-    json["files"] = files;
-    if (!manifest.solids.empty()) json["solids"] = manifest.solids;
-    return finishJson(SchemaName::Manifest, json);
+    Json content{{"part", {{"file", manifest.part_file}, {"sha256", manifest.part_sha256}}}};
+    if (!manifest.plan_sha256.empty()) content["plan_sha256"] = manifest.plan_sha256;
+    content["files"] = files;
+    if (!manifest.solids.empty()) content["solids"] = manifest.solids;
+    return finishJson(SchemaName::Manifest, std::move(content));
 }
 
 Manifest manifestFromText(std::string_view text) {

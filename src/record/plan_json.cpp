@@ -346,9 +346,7 @@ std::string planJson(const Plan& plan) {
             operations.push_back(operationJson(operation));
     }
     const Dialect dialect = dialectOf(plan.machine);
-    const Json json{
-        {"format", 1},
-        {"stepmill", {{"version", STEPMILL_VERSION}}},
+    Json content{
         {"part", partJson(plan.part)},
         {"stock", stockJson(plan.stock)},
         {"request", requestJson(plan)},
@@ -366,7 +364,7 @@ std::string planJson(const Plan& plan) {
         {"warnings", listOf(plan.warnings, [](const Warning& warning) {
              return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
          })}};
-    return finishJson(SchemaName::Plan, json);
+    return finishJson(SchemaName::Plan, std::move(content));
 }
 
 }  // namespace stepmill

@@ -97,14 +97,12 @@ std::string verificationJson(const Verification& verification) {
     Json remarks = Json::array();
     for (const FileRemark& remark : verification.remarks)
         remarks.push_back({{"file", remark.file}, {"is", wordOf(kRemarks, remark.kind)}});
-    const Json json{{"format", 1},
-                    {"stepmill", {{"version", STEPMILL_VERSION}}},
-                    {"proven", verification.proven()},
-                    {"operations", operations},
-                    {"failures", failures},
-                    {"left", left},
-                    {"remarks", remarks}};
-    return finishJson(SchemaName::Verify, json);
+    Json content{{"proven", verification.proven()},
+                 {"operations", operations},
+                 {"failures", failures},
+                 {"left", left},
+                 {"remarks", remarks}};
+    return finishJson(SchemaName::Verify, std::move(content));
 }
 
 }  // namespace stepmill

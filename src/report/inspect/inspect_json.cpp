@@ -139,9 +139,7 @@ Json booksJson(const InspectedBooks& books) {
 
 std::string inspectionJson(const Inspection& inspection) {
     const Part& part = inspection.part;
-    const Json json{
-        {"format", 1},
-        {"stepmill", {{"version", STEPMILL_VERSION}}},
+    Json content{
         {"part",
          {{"file", part.file},
           {"sha256", part.sha256},
@@ -159,7 +157,7 @@ std::string inspectionJson(const Inspection& inspection) {
         {"faces", listOf(inspection.faces, faceJson)},
         {"books", booksJson(inspection.books)},
         {"warnings", inspection.warnings}};
-    return finishJson(SchemaName::Inspect, json);
+    return finishJson(SchemaName::Inspect, std::move(content));
 }
 
 }  // namespace stepmill

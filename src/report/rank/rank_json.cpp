@@ -92,20 +92,18 @@ Json purchasesJson(const std::optional<std::vector<FeaturePurchase>>& purchases)
 
 std::string rankJson(const RankReport& report) {
     const Ranking& ranking = report.ranking;
-    const Json json{{"format", 1},
-                    {"stepmill", {{"version", STEPMILL_VERSION}}},
-                    {"source",
-                     {{"kind", report.is_part ? "part" : "table"},
-                      {"file", report.file},
-                      {"feature", textOrNull(report.feature)},
-                      {"material", textOrNull(report.material)}}},
-                    {"tool_change_s", ranking.tool_change_s},
-                    {"rows", listOf(ranking.rows, rowJson)},
-                    {"greedy", setJson(ranking, ranking.greedy)},
-                    {"shortest_path", setJson(ranking, ranking.shortest_path)},
-                    {"sensitivity", sensitivityJson(report.sensitivity)},
-                    {"purchases", purchasesJson(report.purchases)}};
-    return finishJson(SchemaName::Rank, json);
+    Json content{{"source",
+                  {{"kind", report.is_part ? "part" : "table"},
+                   {"file", report.file},
+                   {"feature", textOrNull(report.feature)},
+                   {"material", textOrNull(report.material)}}},
+                 {"tool_change_s", ranking.tool_change_s},
+                 {"rows", listOf(ranking.rows, rowJson)},
+                 {"greedy", setJson(ranking, ranking.greedy)},
+                 {"shortest_path", setJson(ranking, ranking.shortest_path)},
+                 {"sensitivity", sensitivityJson(report.sensitivity)},
+                 {"purchases", purchasesJson(report.purchases)}};
+    return finishJson(SchemaName::Rank, std::move(content));
 }
 
 }  // namespace stepmill

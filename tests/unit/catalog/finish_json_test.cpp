@@ -9,10 +9,18 @@ namespace stepmill {
 namespace {
 
 nlohmann::ordered_json manifestOf(const std::string& part_file) {
-    return {{"format", 1},
-            {"stepmill", {{"version", "0"}}},
-            {"part", {{"file", part_file}, {"sha256", std::string(64, '0')}}},
+    return {{"part", {{"file", part_file}, {"sha256", std::string(64, '0')}}},
             {"files", nlohmann::ordered_json::array()}};
+}
+
+TEST(FinishJson, BeginsWithFormatAndVersionAndKeepsTheContentsOrder) {
+    const auto json = nlohmann::ordered_json::parse(finishJson(SchemaName::Manifest, manifestOf("a.step")));
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : json.items())
+        keys.push_back(key);
+    EXPECT_EQ(keys, (std::vector<std::string>{"format", "stepmill", "part", "files"}));
+    EXPECT_EQ(json["format"], 1);
+    EXPECT_FALSE(json["stepmill"]["version"].get<std::string>().empty());
 }
 
 TEST(FinishJson, EndsInALineEndAndReplacesWhatIsNoUtf8) {
@@ -23,10 +31,10 @@ TEST(FinishJson, EndsInALineEndAndReplacesWhatIsNoUtf8) {
 
 TEST(FinishJson, LetsNothingOutThatBreaksTheSchema) {
     nlohmann::ordered_json broken = manifestOf("a.step");
-    broken["format"] = "one";
+    broken["part"] = "a.step";
     try {
         finishJson(SchemaName::Manifest, broken);
-        FAIL() << "the format is no number";
+        FAIL() << "the part is no object";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::Internal);
         EXPECT_EQ(error.subject(), "manifest.json");
