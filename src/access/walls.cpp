@@ -16,14 +16,6 @@ constexpr double kRoundingMm = 3e-6;
 /// Step beside a neck, as a share of its width, at which clearance is asked whether it rises.
 constexpr double kBesideShare = 0.02;
 
-/// The point of a wall nearest to p. A point at the centre of an arc, to within rounding, has no direction
-/// from it: an end stands for all the arc.
-Vec2 nearestOnWall(const Edge& edge, const Vec2& p) {
-    const std::optional<Arc>& arc = edge.segment.arc;
-    if (!arc || (p - arc->centre).norm() > kRoundingMm) return nearestPoint(edge, p);
-    return (p - edge.from).norm() < (p - edge.segment.to).norm() ? edge.from : edge.segment.to;
-}
-
 using PointPair = std::pair<Vec2, Vec2>;
 
 /// The middle of where two lines lie opposite to each other: the one place that stands for parallel walls.
@@ -33,7 +25,7 @@ void addMiddleOfOverlap(const Edge& a, const Edge& b, std::vector<PointPair>& pa
     if ((last - first).norm() <= kRoundingMm) return;  // end to end, or no overlap
     for (const double share : {0.5, 0.25, 0.75}) {
         const Vec2 p = first + share * (last - first);
-        pairs.emplace_back(p, nearestOnWall(b, p));
+        pairs.emplace_back(p, nearestPoint(b, p));
     }
 }
 
@@ -46,7 +38,7 @@ void addAlongCentre(const Edge& arc_edge, const Vec2& towards, const Edge& other
     u.normalize();
     for (const double side : {1.0, -1.0}) {
         const Vec2 p = arc.centre + side * arc.radius_mm * u;
-        if (distanceTo(p, arc_edge) <= kRoundingMm) pairs.emplace_back(p, nearestOnWall(other, p));
+        if (distanceTo(p, arc_edge) <= kRoundingMm) pairs.emplace_back(p, nearestPoint(other, p));
     }
 }
 
@@ -65,9 +57,9 @@ void closePairs(const Edge& a, const Edge& b, bool middles, std::vector<PointPai
         addAlongCentre(*edge, towards, *other, pairs);
     }
     for (const Vec2& end : {a.from, a.segment.to})
-        pairs.emplace_back(end, nearestOnWall(b, end));
+        pairs.emplace_back(end, nearestPoint(b, end));
     for (const Vec2& end : {b.from, b.segment.to})
-        pairs.emplace_back(nearestOnWall(a, end), end);
+        pairs.emplace_back(nearestPoint(a, end), end);
 }
 
 /// Does clearance not fall on both sides of the way between the two wall points? Between hollow walls it

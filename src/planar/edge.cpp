@@ -12,6 +12,9 @@ namespace stepmill {
 
 namespace {
 
+/// Nearer to an arc's centre than rounding of computed points, a point has no direction from it [mm].
+constexpr double kAtCentreMm = 3 * kGridMm;
+
 /// Points of `a` where its distance to `b` can have a local minimum, ends aside: the foot of a centre on
 /// a line, or the ends of the diameter that points at the other circle's centre.
 void offerNormals(const Edge& a, const Edge& b, double& least) {
@@ -33,8 +36,9 @@ void offerNormals(const Edge& a, const Edge& b, double& least) {
     }
 }
 
+/// The later end where both are equally near.
 const Vec2& nearerEnd(const Edge& edge, const Vec2& p) {
-    return (edge.from - p).norm() <= (edge.segment.to - p).norm() ? edge.from : edge.segment.to;
+    return (edge.from - p).norm() < (edge.segment.to - p).norm() ? edge.from : edge.segment.to;
 }
 
 }  // namespace
@@ -72,9 +76,9 @@ Vec2 nearestPoint(const Edge& edge, const Vec2& p) {
     const Arc& arc = *edge.segment.arc;
     const Vec2 out = p - arc.centre;
     const Vec2& end = nearerEnd(edge, p);
-    if (!planar::inSweep(edge.from, edge.segment.to, arc, p)) return end;
-    if (std::abs(out.norm() - arc.radius_mm) >= (end - p).norm()) return end;
-    return p == arc.centre ? edge.segment.to : Vec2(arc.centre + arc.radius_mm * out.normalized());
+    if (out.norm() <= kAtCentreMm || !planar::inSweep(edge.from, edge.segment.to, arc, p)) return end;
+    const bool foot_is_nearer = std::abs(out.norm() - arc.radius_mm) < (end - p).norm();
+    return foot_is_nearer ? Vec2(arc.centre + arc.radius_mm * out.normalized()) : end;
 }
 
 double shareOf(const Edge& edge, const Vec2& p) {

@@ -46,7 +46,7 @@ inline double distanceTo(const Vec2& p, const Edge& edge) {
     return distanceTo(p, edge.from, edge.segment);
 }
 /// The point of the edge nearest to p, not snapped to the grid. From the centre of an arc, to within
-/// rounding, all its points are equally far: an end stands for them.
+/// rounding, all its points are equally far: its nearer end stands for them, the later of two equally near.
 Vec2 nearestPoint(const Edge& edge, const Vec2& p);
 /// Share in [0, 1] of the edge's length at which p, a point on it, lies.
 double shareOf(const Edge& edge, const Vec2& p);
