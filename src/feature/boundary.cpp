@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/planar/edge_index.h"
 
 namespace stepmill::feature {
@@ -76,11 +77,9 @@ void append(std::vector<BoundaryPiece>& pieces, OpenOrClosed part) {
 
 std::vector<BoundaryPiece> piecesOf(const Loop& loop, const EdgeSorter& sorter) {
     std::vector<BoundaryPiece> pieces;
-    Vec2 from = loop.start;
-    for (const Segment& segment : loop.segments) {
+    for (const auto& [from, segment] : eachEdge(loop)) {
         for (OpenOrClosed& part : sorter.sort(from, segment))
             append(pieces, std::move(part));
-        from = segment.to;
     }
     // The loop's start is no boundary between pieces: the last one runs on into the first.
     if (pieces.size() > 1 && pieces.front().open == pieces.back().open) {

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::feature {
 namespace {
@@ -98,12 +99,7 @@ class Judge {
             if (isDeepFillet(*wall.trace, layer.bottom_z_mm)) return false;
             if ((p.array() < wall.box.min().array()).any() || (p.array() > wall.box.max().array()).any())
                 return false;
-            Vec2 from = wall.trace->footprint.start;
-            for (const Segment& segment : wall.trace->footprint.segments) {
-                if (distanceTo(p, from, segment) <= kOnWallMm) return true;
-                from = segment.to;
-            }
-            return false;
+            return distanceTo(p, wall.trace->footprint) <= kOnWallMm;
         });
         return found == walls_.end() ? nullptr : found->trace;
     }
@@ -113,19 +109,15 @@ class Judge {
         Finished finished;
         double upright_mm = 0;
         double closed_mm = 0;
-        for (const Loop& loop : component.region.loops) {
-            Vec2 from = loop.start;
-            for (const Segment& segment : loop.segments) {
-                const Vec2 probe = pointAt(from, segment, 0.5);
-                const double long_mm = length(from, segment);
-                from = segment.to;
-                if (distanceToBoundary(layer.shadow, probe) > tol_.sliver_mm) continue;
-                closed_mm += long_mm;
-                const FaceTrace* wall = uprightAt(probe, layer);
-                if (wall == nullptr) continue;
-                upright_mm += long_mm;
-                finished.area_mm2[wall->face] += long_mm * layer.height_mm();
-            }
+        for (const auto& [from, segment] : eachEdge(component.region)) {
+            const Vec2 probe = pointAt(from, segment, 0.5);
+            const double long_mm = length(from, segment);
+            if (distanceToBoundary(layer.shadow, probe) > tol_.sliver_mm) continue;
+            closed_mm += long_mm;
+            const FaceTrace* wall = uprightAt(probe, layer);
+            if (wall == nullptr) continue;
+            upright_mm += long_mm;
+            finished.area_mm2[wall->face] += long_mm * layer.height_mm();
         }
         finished.any = closed_mm > 0 && upright_mm >= kUprightShare * closed_mm;
         return finished;

@@ -53,14 +53,7 @@ std::vector<Neck> necksOf(const Feature& feature, const ClearanceDiagram& diagra
         if (event.kind != ClearanceEvent::Kind::Neck) continue;
         const bool open =
             std::any_of(feature.boundary.begin(), feature.boundary.end(), [&](const BoundaryPiece& piece) {
-                if (!piece.open) return false;
-                Vec2 from = piece.path.start;
-                return std::any_of(piece.path.segments.begin(), piece.path.segments.end(),
-                                   [&](const Segment& segment) {
-                                       const double away = distanceTo(event.at, from, segment);
-                                       from = segment.to;
-                                       return away <= event.radius_mm + tol.sliver_mm;
-                                   });
+                return piece.open && distanceTo(event.at, piece.path) <= event.radius_mm + tol.sliver_mm;
             });
         if (!open) necks.push_back({2 * event.radius_mm, event.at});
     }

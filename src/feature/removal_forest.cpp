@@ -4,6 +4,7 @@
 
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::feature {
 namespace {
@@ -11,13 +12,8 @@ namespace {
 /// Does an edge of the component run along the stock's boundary? Where it does the setup's stock ends, so
 /// nothing stands on the other side.
 bool touchesStockBoundary(const Region& component, const Region& stock, const Tolerances& tol) {
-    for (const Loop& loop : component.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            if (distanceToBoundary(stock, pointAt(from, segment, 0.5)) <= tol.sliver_mm) return true;
-            from = segment.to;
-        }
-    }
+    for (const auto& [from, segment] : eachEdge(component))
+        if (distanceToBoundary(stock, pointAt(from, segment, 0.5)) <= tol.sliver_mm) return true;
     return false;
 }
 

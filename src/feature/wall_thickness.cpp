@@ -1,7 +1,10 @@
 #include "feature/wall_thickness.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::feature {
 namespace {
@@ -29,14 +32,12 @@ std::vector<Ray> raysOf(const Feature& feature) {
     std::vector<Ray> rays;
     for (const BoundaryPiece& piece : feature.boundary) {
         if (piece.open) continue;
-        Vec2 from = piece.path.start;
-        for (const Segment& segment : piece.path.segments) {
+        for (const auto& [from, segment] : eachEdge(piece.path)) {
             for (const double share : kRayShares) {
                 const Vec2 along = tangentAt(from, segment, share);
                 // The target is on the left, so the material is on the right.
                 rays.push_back({pointAt(from, segment, share), {along.y(), -along.x()}});
             }
-            from = segment.to;
         }
     }
     return rays;

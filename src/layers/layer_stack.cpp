@@ -4,6 +4,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill {
 
@@ -12,19 +13,9 @@ namespace {
 /// Is one of the path's segments, at a quarter, half or three quarters of its length, within reach of the
 /// other path?
 bool runsAlong(const Path& path, const Path& other, double reach_mm) {
-    const auto near = [&](const Vec2& p) {
-        Vec2 from = other.start;
-        for (const Segment& segment : other.segments) {
-            if (distanceTo(p, from, segment) <= reach_mm) return true;
-            from = segment.to;
-        }
-        return false;
-    };
-    Vec2 from = path.start;
-    for (const Segment& segment : path.segments) {
+    for (const auto& [from, segment] : eachEdge(path)) {
         for (const double share : {0.25, 0.5, 0.75})
-            if (near(pointAt(from, segment, share))) return true;
-        from = segment.to;
+            if (distanceTo(pointAt(from, segment, share), other) <= reach_mm) return true;
     }
     return false;
 }

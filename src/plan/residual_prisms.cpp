@@ -3,6 +3,7 @@
 #include "plan/residual_prisms.h"
 
 #include "stepmill/plan/removed.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill {
 namespace {
@@ -21,14 +22,10 @@ bool inside(const SetupPrism& where, const Vec3& in_part) {
 /// A point inside the region near the middle of each edge: cusps in corners have no other sure points.
 std::vector<Vec2> pointsIn(const Region& region) {
     std::vector<Vec2> points;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            const Vec2 along = tangentAt(from, segment, 0.5);
-            const double in = std::min(kInsideMm, length(from, segment) / 10);
-            points.push_back(pointAt(from, segment, 0.5) + in * leftOf(along));
-            from = segment.to;
-        }
+    for (const auto& [from, segment] : eachEdge(region)) {
+        const Vec2 along = tangentAt(from, segment, 0.5);
+        const double in = std::min(kInsideMm, length(from, segment) / 10);
+        points.push_back(pointAt(from, segment, 0.5) + in * leftOf(along));
     }
     return points;
 }

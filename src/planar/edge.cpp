@@ -54,11 +54,8 @@ Edge makeLine(const Vec2& from, const Vec2& to) {
 std::vector<Edge> edgesOf(const Path& path) {
     std::vector<Edge> edges;
     edges.reserve(path.segments.size());
-    Vec2 from = path.start;
-    for (const Segment& segment : path.segments) {
+    for (const auto& [from, segment] : eachEdge(path))
         edges.push_back(makeEdge(from, segment));
-        from = segment.to;
-    }
     return edges;
 }
 

@@ -6,6 +6,7 @@
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
@@ -76,15 +77,11 @@ Moments moments(const Region& region) {
     STEPMILL_CHECK(!region.empty(), "the empty region has no centre of area");
     const Vec2 origin = (boundingBox(region).min() + boundingBox(region).max()) / 2;
     Sums sums;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            if (segment.arc)
-                addArc(sums, from - origin, from, segment);
-            else
-                addLine(sums, from - origin, segment.to - origin);
-            from = segment.to;
-        }
+    for (const auto& [from, segment] : eachEdge(region)) {
+        if (segment.arc)
+            addArc(sums, from - origin, from, segment);
+        else
+            addLine(sums, from - origin, segment.to - origin);
     }
     STEPMILL_CHECK(sums.area > 0, "centre of area of a region without area");
     const Vec2 centre = sums.first / sums.area;

@@ -10,6 +10,7 @@
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill {
 
@@ -202,8 +203,7 @@ Region regionFromText(std::string_view text, const std::string& subject) {
 
 std::string toSvgPath(const Path& path) {
     std::string text = "M " + numbers(path.start);
-    Vec2 from = path.start;
-    for (const Segment& segment : path.segments) {
+    for (const auto& [from, segment] : eachEdge(path)) {
         if (!segment.arc) {
             text += " L " + numbers(segment.to);
         } else if (from == segment.to) {
@@ -215,7 +215,6 @@ std::string toSvgPath(const Path& path) {
             appendSvgArc(text, segment.to, segment.arc->radius_mm,
                          sweepAngle(from, segment.to, *segment.arc));
         }
-        from = segment.to;
     }
     return path.closed() ? text + " Z" : text;
 }

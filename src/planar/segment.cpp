@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill {
 
@@ -121,11 +123,8 @@ double length(const Vec2& from, const Segment& segment) {
 
 double length(const Path& path) {
     double sum = 0;
-    Vec2 from = path.start;
-    for (const Segment& segment : path.segments) {
+    for (const auto& [from, segment] : eachEdge(path))
         sum += length(from, segment);
-        from = segment.to;
-    }
     return sum;
 }
 
@@ -158,10 +157,16 @@ double distanceTo(const Vec2& p, const Vec2& from, const Segment& segment) {
     return (p - from - t * along).norm();
 }
 
+double distanceTo(const Vec2& p, const Path& path) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [from, segment] : eachEdge(path))
+        least = std::min(least, distanceTo(p, from, segment));
+    return least;
+}
+
 std::vector<Vec2> tessellate(const Path& path, double chord_mm) {
     std::vector<Vec2> points{path.start};
-    Vec2 from = path.start;
-    for (const Segment& segment : path.segments) {
+    for (const auto& [from, segment] : eachEdge(path)) {
         if (segment.arc) {
             const double sweep = sweepAngle(from, segment.to, *segment.arc);
             const int steps = planar::stepsForSweep(sweep, segment.arc->radius_mm, chord_mm);
@@ -169,7 +174,6 @@ std::vector<Vec2> tessellate(const Path& path, double chord_mm) {
                 points.push_back(pointAt(from, segment, static_cast<double>(i) / steps));
         }
         points.push_back(segment.to);
-        from = segment.to;
     }
     return points;
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill {
 
@@ -42,13 +43,8 @@ double furthest(const Vec2& from, const Segment& segment, const Vec2& direction)
 
 double furthest(const Region& region, const Vec2& direction) {
     double reach = -1e300;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            reach = std::max(reach, furthest(from, segment, direction));
-            from = segment.to;
-        }
-    }
+    for (const auto& [from, segment] : eachEdge(region))
+        reach = std::max(reach, furthest(from, segment, direction));
     return reach;
 }
 
@@ -56,17 +52,13 @@ double furthest(const Region& region, const Vec2& direction) {
 std::vector<Interval> sidesOn(const Region& region, const Vec2& normal, double offset_mm) {
     const Vec2 along(-normal.y(), normal.x());
     std::vector<Interval> found;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            const bool on = std::abs(normal.dot(from) - offset_mm) < kPlaneMm &&
-                            std::abs(normal.dot(segment.to) - offset_mm) < kPlaneMm;
-            if (!segment.arc && on) {
-                const double one = along.dot(from);
-                const double other = along.dot(segment.to);
-                found.push_back({std::min(one, other), std::max(one, other)});
-            }
-            from = segment.to;
+    for (const auto& [from, segment] : eachEdge(region)) {
+        const bool on = std::abs(normal.dot(from) - offset_mm) < kPlaneMm &&
+                        std::abs(normal.dot(segment.to) - offset_mm) < kPlaneMm;
+        if (!segment.arc && on) {
+            const double one = along.dot(from);
+            const double other = along.dot(segment.to);
+            found.push_back({std::min(one, other), std::max(one, other)});
         }
     }
     return found;
@@ -107,19 +99,15 @@ Fixture jaw(const std::string& name, const Vec2& out, double offset_mm, double m
 
 /// Adds the directions across straight sides that are not known yet.
 void addDirections(const Region& region, std::vector<Vec2>& found) {
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            const Vec2 edge = segment.to - from;
-            from = segment.to;
-            if (segment.arc || edge.norm() < kLeastLengthMm) continue;
-            Vec2 across = Vec2(edge.y(), -edge.x()).normalized();
-            if (across.x() < -kSameSine || (across.x() < kSameSine && across.y() < 0)) across = -across;
-            const bool known = std::any_of(found.begin(), found.end(), [&](const Vec2& other) {
-                return std::abs(cross(other, across)) < kSameSine;
-            });
-            if (!known) found.push_back(across);
-        }
+    for (const auto& [from, segment] : eachEdge(region)) {
+        const Vec2 edge = segment.to - from;
+        if (segment.arc || edge.norm() < kLeastLengthMm) continue;
+        Vec2 across = Vec2(edge.y(), -edge.x()).normalized();
+        if (across.x() < -kSameSine || (across.x() < kSameSine && across.y() < 0)) across = -across;
+        const bool known = std::any_of(found.begin(), found.end(), [&](const Vec2& other) {
+            return std::abs(cross(other, across)) < kSameSine;
+        });
+        if (!known) found.push_back(across);
     }
 }
 

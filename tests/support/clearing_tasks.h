@@ -5,6 +5,7 @@
 
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "support/tool_makers.h"
 
@@ -27,14 +28,10 @@ inline Region blockAround(const Region& target, const Region& open, const Tolera
 /// radius, else a helix in its widest place.
 inline Entry entryInto(const Region& component, const Region& target, double radius_mm,
                        const Tolerances& tol) {
-    for (const Loop& loop : component.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            const Vec2 middle = pointAt(from, segment, 0.5);
-            if (!contains(target, middle) && distanceToBoundary(target, middle) >= radius_mm - 1e-4)
-                return {EntryKind::OpenEdge, middle, 0, Vec2::Zero()};
-            from = segment.to;
-        }
+    for (const auto& [from, segment] : eachEdge(component)) {
+        const Vec2 middle = pointAt(from, segment, 0.5);
+        if (!contains(target, middle) && distanceToBoundary(target, middle) >= radius_mm - 1e-4)
+            return {EntryKind::OpenEdge, middle, 0, Vec2::Zero()};
     }
     const auto widest = ClearanceDiagram(component, tol).largestInscribedDisc();
     if (!widest) return {};

@@ -16,6 +16,7 @@
 #include <geos/operation/overlayng/OverlayNGRobust.h>
 
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::test {
 namespace {
@@ -98,13 +99,9 @@ Shape strip(const Vec2& from, const Segment& segment, double distance_mm, double
 /// All points no farther from the boundary than that.
 Shape aroundBoundary(const Region& region, double distance_mm, double chord_mm) {
     std::vector<Shape> parts;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            parts.push_back(disc(segment.to, distance_mm, chord_mm));
-            parts.push_back(strip(from, segment, distance_mm, chord_mm));
-            from = segment.to;
-        }
+    for (const auto& [from, segment] : eachEdge(region)) {
+        parts.push_back(disc(segment.to, distance_mm, chord_mm));
+        parts.push_back(strip(from, segment, distance_mm, chord_mm));
     }
     // Two by two, neighbours first.
     while (parts.size() > 1) {

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 #include "support/grounds.h"
 
 namespace stepmill::test {
@@ -42,13 +43,9 @@ class RandomGround {
         const Region stock = makeRectangle({edge_mm, reach.min().y()}, reach.max());
         const Region target = intersect(room_region, stock, {});
         double open_mm = 0;
-        for (const Loop& loop : target.loops) {
-            Vec2 from = loop.start;
-            for (const Segment& segment : loop.segments) {
-                const Vec2 middle = pointAt(from, segment, 0.5);
-                if (std::abs(middle.x() - edge_mm) < 1e-6) open_mm += length(from, segment);
-                from = segment.to;
-            }
+        for (const auto& [from, segment] : eachEdge(target)) {
+            const Vec2 middle = pointAt(from, segment, 0.5);
+            if (std::abs(middle.x() - edge_mm) < 1e-6) open_mm += length(from, segment);
         }
         return makeFeature(target, subtract(stock, room_region, {}), open_mm);
     }

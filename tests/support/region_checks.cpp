@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "stepmill/planar/edge.h"
 #include "stepmill/planar/region_text.h"
 
 namespace stepmill::test {
@@ -66,22 +67,18 @@ Vec2 probePoint(const Region& region, double grown_mm, Random& random) {
 
 Deviation deviation(const Region& offset, const Region& region, double distance_mm) {
     Deviation result;
-    for (const Loop& loop : offset.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            for (const double t : {0.0, 0.11, 0.5, 0.93}) {
-                const Vec2 p = pointAt(from, segment, t);
-                const double off_mm = distanceToBoundary(region, p) - std::abs(distance_mm);
-                if (-off_mm > result.too_close_mm) {
-                    result.too_close_mm = -off_mm;
-                    result.closest_at = p;
-                }
-                if (off_mm > result.too_far_mm) {
-                    result.too_far_mm = off_mm;
-                    result.farthest_at = p;
-                }
+    for (const auto& [from, segment] : eachEdge(offset)) {
+        for (const double t : {0.0, 0.11, 0.5, 0.93}) {
+            const Vec2 p = pointAt(from, segment, t);
+            const double off_mm = distanceToBoundary(region, p) - std::abs(distance_mm);
+            if (-off_mm > result.too_close_mm) {
+                result.too_close_mm = -off_mm;
+                result.closest_at = p;
             }
-            from = segment.to;
+            if (off_mm > result.too_far_mm) {
+                result.too_far_mm = off_mm;
+                result.farthest_at = p;
+            }
         }
     }
     return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "stepmill/planar/box.h"
@@ -26,6 +27,71 @@ Edge makeLine(const Vec2& from, const Vec2& to);
 /// The edges of a path in its direction; of a region loop by loop, the region on their left.
 std::vector<Edge> edgesOf(const Path& path);
 std::vector<Edge> edgesOf(const Region& region);
+
+/// An edge in the path that holds it: no copy, no box.
+struct EdgeView {
+    const Vec2& from;
+    const Segment& segment;
+};
+
+/// Edges one after another, for a loop over them; see eachEdge().
+class EdgeViews {
+  public:
+    explicit EdgeViews(std::span<const Path> paths) : paths_(paths) {}
+
+    struct End {};
+    class Iterator {
+      public:
+        explicit Iterator(std::span<const Path> paths) : paths_(paths) { enterPath(); }
+        EdgeView operator*() const { return {*from_, *segment_}; }
+        Iterator& operator++() {
+            from_ = &segment_->to;
+            if (++segment_ != last_) return *this;
+            paths_ = paths_.subspan(1);
+            enterPath();
+            return *this;
+        }
+        bool operator==(End /*end*/) const { return paths_.empty(); }
+
+      private:
+        /// Goes to the first edge of the next path that has any.
+        void enterPath() {
+            while (!paths_.empty() && paths_.front().segments.empty())
+                paths_ = paths_.subspan(1);
+            if (paths_.empty()) return;
+            const Path& path = paths_.front();
+            from_ = &path.start;
+            segment_ = path.segments.data();
+            last_ = segment_ + path.segments.size();
+        }
+
+        std::span<const Path> paths_;  ///< the one that the edge is in, and those after it
+        const Vec2* from_ = nullptr;
+        const Segment* segment_ = nullptr;
+        const Segment* last_ = nullptr;  ///< past the path's
+    };
+
+    Iterator begin() const { return Iterator(paths_); }
+    End end() const { return {}; }
+
+  private:
+    std::span<const Path> paths_;
+};
+
+/// The edges of a path in its direction, of a region loop by loop:
+///
+///     for (const auto& [from, segment] : eachEdge(region))
+///         sum_mm += length(from, segment);
+///
+/// Nothing is copied: the path or region must stay as it is meanwhile.
+inline EdgeViews eachEdge(const Path& path) {
+    return EdgeViews({&path, 1});
+}
+inline EdgeViews eachEdge(const Region& region) {
+    return EdgeViews(region.loops);
+}
+EdgeViews eachEdge(Path&&) = delete;
+EdgeViews eachEdge(Region&&) = delete;
 
 // One edge -----------------------------------------------------------------------------------------------
 

@@ -95,6 +95,8 @@ Vec2 pointAt(const Vec2& from, const Segment& segment, double t);
 Vec2 tangentAt(const Vec2& from, const Segment& segment, double t);
 /// Distance from p to the segment [mm].
 double distanceTo(const Vec2& p, const Vec2& from, const Segment& segment);
+/// Distance from p to the nearest edge of the path [mm]; infinity for a path without edges. O(edges).
+double distanceTo(const Vec2& p, const Path& path);
 
 /// Is p inside or on the boundary (within 1 nm)? O(edges).
 bool contains(const Region& region, const Vec2& p);

@@ -6,6 +6,7 @@
 
 #include "layers/section/tidy_loop.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::layers {
 
@@ -71,11 +72,8 @@ Box2 joined(const Box2& a, const Box2& b) {
 }
 
 bool boundaryEnters(const Loop& loop, const Box2& box) {
-    Vec2 from = loop.start;
-    for (const Segment& segment : loop.segments) {
+    for (const auto& [from, segment] : eachEdge(loop))
         if (boundingBox(Path{from, {segment}}).intersects(box)) return true;
-        from = segment.to;
-    }
     return false;
 }
 
@@ -182,13 +180,8 @@ bool sticksOut(const Region& a, const Region& b, const Tolerances& tol) {
     const auto outside = [&](const Vec2& p) {
         return !contains(a, p) && distanceToBoundary(a, p) > 2 * tol.linear_mm;
     };
-    for (const Loop& loop : b.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            if (outside(segment.to) || outside(pointAt(from, segment, 0.5))) return true;
-            from = segment.to;
-        }
-    }
+    for (const auto& [from, segment] : eachEdge(b))
+        if (outside(segment.to) || outside(pointAt(from, segment, 0.5))) return true;
     return false;
 }
 

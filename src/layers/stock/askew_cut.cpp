@@ -3,6 +3,7 @@
 #include "layers/stock/askew_cut.h"
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::layers {
 
@@ -42,13 +43,11 @@ Region insidePolygon(const Region& region) {
     Region inside;
     for (const Loop& loop : region.loops) {
         std::vector<Vec2> corners;
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
+        for (const auto& [from, segment] : eachEdge(loop)) {
             if (segment.arc)
                 addArc(from, segment, kAskewChordMm, corners);
             else
                 corners.push_back(segment.to);
-            from = segment.to;
         }
         inside.loops.push_back(closedPath(corners));
     }
@@ -60,19 +59,15 @@ Region staysInside(const Region& from_where, const Region& outline, const Vec2& 
                    const Tolerances& tol) {
     const Box2 reached = grown(boundingBox(from_where), travel.norm());
     std::vector<Region> meets_wall;
-    for (const Loop& loop : outline.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            Box2 wall;
-            wall.extend(from);
-            wall.extend(segment.to);
-            const double area_mm2 = cross(segment.to - from, -travel);
-            std::vector<Vec2> corners = {from, segment.to, segment.to - travel, from - travel};
-            if (area_mm2 < 0) std::reverse(corners.begin(), corners.end());
-            if (std::abs(area_mm2) > kGridMm && wall.intersects(reached))
-                meets_wall.push_back(makePolygon(corners));
-            from = segment.to;
-        }
+    for (const auto& [from, segment] : eachEdge(outline)) {
+        Box2 wall;
+        wall.extend(from);
+        wall.extend(segment.to);
+        const double area_mm2 = cross(segment.to - from, -travel);
+        std::vector<Vec2> corners = {from, segment.to, segment.to - travel, from - travel};
+        if (area_mm2 < 0) std::reverse(corners.begin(), corners.end());
+        if (std::abs(area_mm2) > kGridMm && wall.intersects(reached))
+            meets_wall.push_back(makePolygon(corners));
     }
     return meets_wall.empty() ? from_where : subtract(from_where, unite(meets_wall, tol), tol);
 }

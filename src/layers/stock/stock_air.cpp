@@ -8,6 +8,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::layers {
 
@@ -253,11 +254,8 @@ void StockAir::addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup)
         lying.to_mm = prism.top_z_mm;
         for (const Loop& loop : moved(prism.region, false, seen).loops) {
             const std::size_t first = lying.outline.size();
-            Vec2 from = loop.start;
-            for (const Segment& segment : loop.segments) {
+            for (const auto& [from, segment] : eachEdge(loop))
                 addPieces(from, segment, lying.outline);
-                from = segment.to;
-            }
             const bool parts_slabs =
                 std::abs(signedArea(loop)) * (lying.to_mm - lying.from_mm) >= least_level_mm3_;
             addHeights({lying.outline.begin() + static_cast<std::ptrdiff_t>(first), lying.outline.end()},

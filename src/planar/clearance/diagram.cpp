@@ -8,6 +8,7 @@
 #include "planar/clearance/outline.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill {
 
@@ -20,13 +21,9 @@ using clearance::Tie;
 
 /// Does every edge of the rings stay that far from the boundary?
 bool keepsDistance(const Profile& profile, const Region& rings, double distance) {
-    for (const Loop& loop : rings.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            for (const Vec2& p : {segment.to, pointAt(from, segment, 0.5)})
-                if (profile.tree().distance(p, distance) < distance - kNearerMm) return false;
-            from = segment.to;
-        }
+    for (const auto& [from, segment] : eachEdge(rings)) {
+        for (const Vec2& p : {segment.to, pointAt(from, segment, 0.5)})
+            if (profile.tree().distance(p, distance) < distance - kNearerMm) return false;
     }
     return true;
 }

@@ -4,6 +4,7 @@
 
 #include "planar/segment.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::clearance {
 
@@ -79,13 +80,10 @@ void appendSwept(const Vec2& from, const Segment& segment, double distance, std:
 Region bandAround(const Region& region, double distance_mm, const Tolerances& tol) {
     std::vector<Region> swept;
     for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
         // A loop of nothing but short edges is a point.
-        swept.push_back(makeCircle(from, distance_mm));
-        for (const Segment& segment : loop.segments) {
+        swept.push_back(makeCircle(loop.start, distance_mm));
+        for (const auto& [from, segment] : eachEdge(loop))
             appendSwept(from, segment, distance_mm, swept);
-            from = segment.to;
-        }
     }
     return unite(swept, tol);
 }

@@ -20,6 +20,7 @@
 
 #include "boolean_pairs.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/planar/region_text.h"
 #include "support/random_regions.h"
 
@@ -171,13 +172,11 @@ TEST(BooleanOracles, EveryResultEdgeLiesOnAnOperandsBoundary) {
         const Region b = shapes.region();
         SCOPED_TRACE(drawing(seed, a, b));
         for (const Loop& loop : subtract(a, b, tol).loops) {
-            Vec2 from = loop.start;
-            for (const Segment& segment : loop.segments) {
+            for (const auto& [from, segment] : eachEdge(loop)) {
                 for (const double t : {0.1, 0.5, 0.9}) {
                     const Vec2 p = pointAt(from, segment, t);
                     EXPECT_LE(std::min(distanceToBoundary(a, p), distanceToBoundary(b, p)), 3 * kGridMm);
                 }
-                from = segment.to;
             }
         }
     }
@@ -195,11 +194,9 @@ TEST(SplitLaws, PiecesAddUpAndLieWhereTheyAreSaidToLie) {
         const auto check = [&](const std::vector<Path>& pieces, const auto& holdsAt) {
             for (const Path& piece : pieces) {
                 sum += length(piece);
-                Vec2 from = piece.start;
-                for (const Segment& segment : piece.segments) {
+                for (const auto& [from, segment] : eachEdge(piece)) {
                     for (const double t : {0.3, 0.7})
                         EXPECT_TRUE(holdsAt(pointAt(from, segment, t)));
-                    from = segment.to;
                 }
             }
         };

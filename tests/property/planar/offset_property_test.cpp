@@ -9,6 +9,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge.h"
 #include "support/diagram_laws.h"
 
 namespace stepmill::test {
@@ -59,67 +60,54 @@ TEST_P(OffsetLaws, NothingIsMissingAndNothingTooMuch) {
     });
 }
 
-/// Calls visit(from, segment) for every edge.
-template <typename Visit>
-void forEdges(const Region& region, Visit visit) {
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            visit(from, segment);
-            from = segment.to;
-        }
-    }
-}
-
 /// Is the arc concentric with an arc of the region at that distance, or about a corner with that radius?
 bool isParallel(const Region& region, const Arc& arc, double distance) {
-    bool found = false;
-    forEdges(region, [&](const Vec2&, const Segment& s) {
-        if (s.arc && s.arc->centre == arc.centre &&
-            std::abs(std::abs(s.arc->radius_mm - arc.radius_mm) - std::abs(distance)) < 1e-9)
-            found = true;
-        if (s.to == arc.centre && std::abs(arc.radius_mm - std::abs(distance)) < 1e-9) found = true;
-    });
-    return found;
+    for (const auto& [from, segment] : eachEdge(region)) {
+        if (segment.arc && segment.arc->centre == arc.centre &&
+            std::abs(std::abs(segment.arc->radius_mm - arc.radius_mm) - std::abs(distance)) < 1e-9)
+            return true;
+        if (segment.to == arc.centre && std::abs(arc.radius_mm - std::abs(distance)) < 1e-9) return true;
+    }
+    return false;
 }
 
 /// Do both ends of the line keep the distance from the carrier of one line of the region?
 bool isParallel(const Region& region, const Vec2& from, const Vec2& to, double distance) {
-    bool found = false;
-    forEdges(region, [&](const Vec2& a, const Segment& s) {
-        if (s.arc || found) return;
-        const Vec2 along = (s.to - a).normalized();
+    for (const EdgeView wall : eachEdge(region)) {
+        if (wall.segment.arc) continue;
+        const Vec2 along = (wall.segment.to - wall.from).normalized();
         const auto off = [&](const Vec2& p) {
-            return std::abs(along.x() * (p - a).y() - along.y() * (p - a).x()) - std::abs(distance);
+            return std::abs(cross(along, p - wall.from)) - std::abs(distance);
         };
-        found = std::abs(off(from)) < kRoundingMm && std::abs(off(to)) < kRoundingMm;
-    });
-    return found;
+        if (std::abs(off(from)) < kRoundingMm && std::abs(off(to)) < kRoundingMm) return true;
+    }
+    return false;
 }
 
 TEST_P(OffsetLaws, ArcsStayArcsAndLinesStayLines) {
     forSeeds(60, [](const RandomRegion& which, Random& random) {
         const ClearanceDiagram diagram(which.region, kTol);
         const double d = radius(which, diagram, random);
-        std::size_t edges = 0;
-        forEdges(which.region, [&](const Vec2&, const Segment&) { ++edges; });
+        const std::size_t edges = edgesOf(which.region).size();
         for (const double distance : {-d, d}) {
             SCOPED_TRACE(fmt::format("offset {:.6f}", distance));
-            std::size_t result_edges = 0;
-            forEdges(diagram.offset(distance), [&](const Vec2& from, const Segment& s) {
-                ++result_edges;
-                if (s.arc) {
-                    EXPECT_TRUE(isParallel(which.region, *s.arc, distance)) << s.arc->centre.transpose();
-                } else if ((s.to - from).norm() > kTieMm) {  // shorter ones join what rounding set apart
-                    EXPECT_TRUE(isParallel(which.region, from, s.to, distance)) << from.transpose();
+            const Region result = diagram.offset(distance);
+            for (const auto& [from, segment] : eachEdge(result)) {
+                if (segment.arc) {
+                    EXPECT_TRUE(isParallel(which.region, *segment.arc, distance))
+                        << segment.arc->centre.transpose();
+                } else if ((segment.to - from).norm() >
+                           kTieMm) {  // shorter ones join what rounding set apart
+                    EXPECT_TRUE(isParallel(which.region, from, segment.to, distance)) << from.transpose();
                 }
-            });
-            EXPECT_LE(result_edges, 3 * edges) << "edges and corners, some of them twice";
+            }
+            EXPECT_LE(edgesOf(result).size(), 3 * edges) << "edges and corners, some of them twice";
         }
-        forEdges(diagram.opening(d), [&](const Vec2&, const Segment& s) {
-            if (!s.arc || std::abs(s.arc->radius_mm - d) < 1e-9) return;
-            EXPECT_TRUE(isParallel(which.region, *s.arc, 0)) << "walls are the region's own";
-        });
+        const Region opened = diagram.opening(d);
+        for (const auto& [from, segment] : eachEdge(opened)) {
+            if (!segment.arc || std::abs(segment.arc->radius_mm - d) < 1e-9) continue;
+            EXPECT_TRUE(isParallel(which.region, *segment.arc, 0)) << "walls are the region's own";
+        }
     });
 }
 

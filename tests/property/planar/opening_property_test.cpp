@@ -6,6 +6,7 @@
 
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/planar/region_text.h"
 #include "support/diagram_laws.h"
 
@@ -34,14 +35,10 @@ TEST_P(OpeningLaws, LiesInsideAndShrinksAsTheCutterGrows) {
             EXPECT_EQ(trouble, std::nullopt);
             EXPECT_LE(area(opened), last + slackOf(which));
             last = area(opened);
-            for (const Loop& loop : opened.loops) {
-                Vec2 from = loop.start;
-                for (const Segment& s : loop.segments) {
-                    for (const double t : {0.0, 0.5}) {
-                        const Vec2 p = pointAt(from, s, t);
-                        EXPECT_GT(signedClearance(which.region, p), -kRoundingMm) << p.transpose();
-                    }
-                    from = s.to;
+            for (const auto& [from, segment] : eachEdge(opened)) {
+                for (const double t : {0.0, 0.5}) {
+                    const Vec2 p = pointAt(from, segment, t);
+                    EXPECT_GT(signedClearance(which.region, p), -kRoundingMm) << p.transpose();
                 }
             }
         }

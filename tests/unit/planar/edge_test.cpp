@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "stepmill/core/units.h"
 #include "stepmill/planar/path_parts.h"
 
@@ -53,6 +55,31 @@ TEST(Edge, KnowsItsNearestPoint) {
     EXPECT_EQ(nearestPoint(leftHalf(), {3, 0.5}), Vec2(0, 1)) << "the circle's other half is not the edge";
     EXPECT_EQ(nearestPoint(leftHalf(), {2e-6, 1e-6}), Vec2(0, 1)) << "no direction within rounding";
     EXPECT_EQ(nearestPoint(leftHalf(), {0, 0}), Vec2(0, -1)) << "an end stands for all the arc";
+}
+
+TEST(EachEdge, GoesThroughAllLoopsAsEdgesOfDoes) {
+    Region region = makeRectangle({0, 0}, {4, 3});
+    region.loops.push_back({{1, 1}, {}});  // a path without edges has none to show
+    region.loops.push_back(makeCircle({9, 9}, 1).loops[0]);
+    const std::vector<Edge> edges = edgesOf(makeRectangle({0, 0}, {4, 3}));
+    std::vector<Vec2> starts;
+    for (const auto& [from, segment] : eachEdge(region))
+        starts.push_back(from);
+    ASSERT_EQ(starts.size(), 6U);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        EXPECT_EQ(starts[i], edges[i].from);
+    EXPECT_EQ(starts[4], region.loops[2].start);
+    EXPECT_EQ(starts[5], region.loops[2].segments[0].to);
+}
+
+TEST(EachEdge, OfNothingIsNone) {
+    const Region empty;
+    for (const auto& [from, segment] : eachEdge(empty))
+        ADD_FAILURE() << from.transpose();
+    const Path point{{1, 1}, {}};
+    for (const auto& [from, segment] : eachEdge(point))
+        ADD_FAILURE() << from.transpose();
+    EXPECT_EQ(distanceTo({1, 1}, point), std::numeric_limits<double>::infinity());
 }
 
 TEST(Edge, OfNoLengthIsAPoint) {

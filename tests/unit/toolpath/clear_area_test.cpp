@@ -7,6 +7,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 #include "support/clearing_tasks.h"
 #include "support/sound_path.h"
 
@@ -237,15 +238,13 @@ TEST(ClearArea, KeepsTheWallOnTheRight) {
     const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 10), kMachine, kTol);
     int along_walls = 0;
     for (const Path& chain : topView(path)) {
-        Vec2 from = chain.start;
-        for (const Segment& segment : chain.segments) {
+        for (const auto& [from, segment] : eachEdge(chain)) {
             const Vec2 middle = pointAt(from, segment, 0.5);
             if (std::abs(distanceToBoundary(pocket, middle) - 5) < 1e-2 && length(from, segment) > 5) {
                 const Vec2 along = tangentAt(from, segment, 0.5);
                 EXPECT_FALSE(contains(pocket, middle + 6 * Vec2(along.y(), -along.x())));
                 ++along_walls;
             }
-            from = segment.to;
         }
     }
     EXPECT_GE(along_walls, 4);

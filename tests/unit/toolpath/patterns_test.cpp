@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
 
@@ -120,11 +121,8 @@ TEST(Patterns, ARestNoWiderThanTheStepOverIsASinglePassAlongTheWall) {
     const ClearingTask task = restTask(pocket, blockAround(pocket, {}, kTol), 10, 3, kTol);
     const Toolpath path = cutWith(task, Pattern::Best, 3, 3);
     for (const Path& chain : topView(path)) {
-        Vec2 from = chain.start;
-        for (const Segment& segment : chain.segments) {
+        for (const auto& [from, segment] : eachEdge(chain))
             EXPECT_NEAR(distanceToBoundary(pocket, pointAt(from, segment, 0.5)), 3, 0.01);
-            from = segment.to;
-        }
     }
     EXPECT_EQ(topView(path).size(), 4U);
 }

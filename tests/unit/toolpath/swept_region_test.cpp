@@ -54,13 +54,8 @@ Path randomWay(std::mt19937& random) {
 
 double distanceTo(const std::vector<Path>& ways, const Vec2& p) {
     double least = 1e9;
-    for (const Path& way : ways) {
-        Vec2 from = way.start;
-        for (const Segment& segment : way.segments) {
-            least = std::min(least, stepmill::distanceTo(p, from, segment));
-            from = segment.to;
-        }
-    }
+    for (const Path& way : ways)
+        least = std::min(least, stepmill::distanceTo(p, way));
     return least;
 }
 
