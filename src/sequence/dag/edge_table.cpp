@@ -1,0 +1,151 @@
+#include "sequence/dag/edge_table.h"
+
+#include <algorithm>
+#include <set>
+
+#include <tbb/parallel_for.h>
+
+#include "sequence/dag/edge_work.h"
+#include "stepmill/sequence/tool_dag.h"
+
+namespace stepmill {
+namespace {
+
+double weigh(const EdgeCost& cost, const DagTask& task) {
+    return weightOf(cost, task.options.objective);
+}
+
+double changeWeight(const Candidate& to, const DagTask& task) {
+    return weigh(edgeCost({}, *to.tool, task.machine), task);
+}
+
+/// Least weight of an edge whose tool has surrogates: they clear what the tool itself does not. A surrogate
+/// may wear less than the tool, so only machine time counts.
+double leastWithLumps(const Candidate& to, double new_mm2, double own_new_mm2, const DagTask& task) {
+    const double own_mm2 = std::clamp(own_new_mm2, 0.0, new_mm2);
+    const double depth_mm = task.ground.feature().depth_mm();
+    const double least_s = own_mm2 * depth_mm / to.volume_rate_mm3_per_s +
+                           (new_mm2 - own_mm2) * depth_mm / to.joint_rate_mm3_per_s;
+    return changeWeight(to, task) + weigh(machineCost(least_s, task.machine), task);
+}
+
+/// Lower bound of an edge's weight: the area that the tool covers and the one before it does not, cut at the
+/// best rates, and one tool change. A surrogate saves no more than its own change, which the bound leaves
+/// out.
+double lowerBound(const Candidate* from, const Candidate& to, const DagTask& task) {
+    if (from != nullptr && (to.drill() || from->drill())) return kNoEdge;
+    const Feature& feature = task.ground.feature();
+    const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
+    const double new_mm2 = to.coverable_mm2 - from_mm2;
+    if (new_mm2 <= sameArea(feature, task.ground.tolerances())) return kNoEdge;
+    if (to.hasSurrogates()) return leastWithLumps(to, new_mm2, to.own->coverable_area_mm2 - from_mm2, task);
+    PathTotals least;
+    least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
+    return weigh(edgeCost(least, *to.tool, task.machine), task);
+}
+
+}  // namespace
+
+EdgeTable::EdgeTable(const DagTask& task) : task_(task), n_(static_cast<int>(task.tools.size())) {
+    slots_.resize(static_cast<std::size_t>(n_ + 1) * n_);
+    rings_.resize(n_);
+    for (int m = kSource; m < n_; ++m) {
+        for (int n = m + 1; n < n_; ++n)
+            slot(m, n).least_weight = lowerBound(tool(m), task.tools[n], task);
+    }
+}
+
+int EdgeTable::evaluate(const EdgeList& edges, double known) {
+    makeMissingRings(edges);
+    std::vector<char> left_out(edges.size(), 0);
+    tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+        const auto [m, n] = edges[i];
+        slot(m, n).settled = true;
+        left_out[i] = evaluate(m, n, known, slot(m, n)) ? 0 : 1;
+    });
+    return static_cast<int>(std::count(left_out.begin(), left_out.end(), 1));
+}
+
+/// The edges into one tool share its rings; a tool that no edge leads to needs none.
+void EdgeTable::makeMissingRings(const EdgeList& edges) {
+    std::set<int> missing;
+    for (const auto& [m, n] : edges) {
+        if (!rings_[n] && !task_.tools[n].drill() && needsPaths(task_)) missing.insert(n);
+    }
+    const std::vector<int> tools(missing.begin(), missing.end());
+    tbb::parallel_for(std::size_t{0}, tools.size(),
+                      [&](std::size_t i) { rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]); });
+}
+
+/// False when the edge was left out.
+bool EdgeTable::evaluate(int m, int n, double known, Slot& into) const {
+    const Candidate& to = task_.tools[n];
+    const Candidate* from = tool(m);
+    const auto work = edgeWork(task_, from, to, rings_[n]);
+    if (!work) return true;
+    const EdgeCost cost = edgeCost(work->totals, *to.tool, task_.machine);
+    const double own_weight = weigh(cost, task_);
+    if (to.hasSurrogates() && task_.surrogates != nullptr) {
+        if (!mayBeatWithLumps(m, n, own_weight, work->new_area_mm2, known)) return false;
+        into.surrogates = surrogatesOfEdge(*task_.surrogates, task_.tools, from, n, changeWeight(to, task_));
+        if (!into.surrogates.possible()) return true;
+    }
+    into.edge.from = from != nullptr ? from->tool->id : std::string();
+    into.edge.to = to.tool->id;
+    into.edge.region_area_mm2 = work->region_area_mm2;
+    into.edge.totals = work->totals;
+    into.edge.time_s = cost.time_s;
+    into.edge.cost = cost.cost;
+    into.edge.motion_s = cost.motion_s;
+    into.weight = own_weight + into.surrogates.plain.weight;
+    return true;
+}
+
+/// Can a path through the edge be as cheap as `known`, given the weight of n's own path?
+bool EdgeTable::mayBeatWithLumps(int m, int n, double own_weight, double own_new_mm2, double known) const {
+    if (known == kNoEdge) return true;
+    const Candidate& to = task_.tools[n];
+    const double from_mm2 = m == kSource ? 0 : task_.tools[m].coverable_mm2;
+    const double lumps_mm2 = std::max(0.0, to.coverable_mm2 - from_mm2 - own_new_mm2);
+    const double lumps_s = lumps_mm2 * task_.ground.feature().depth_mm() / to.joint_rate_mm3_per_s;
+    const double before = m == kSource ? 0 : to_tool_[m];
+    return before + own_weight + weigh(machineCost(lumps_s, task_.machine), task_) + to_sink_[n] <= known;
+}
+
+std::vector<WeighedEdge> EdgeTable::evaluated() const {
+    std::vector<WeighedEdge> edges;
+    for (int m = kSource; m < n_; ++m) {
+        for (int n = m + 1; n < n_; ++n) {
+            const Slot& at = slot(m, n);
+            if (at.weight < kNoEdge) edges.push_back({m, n, at.edge, at.surrogates, at.weight});
+        }
+    }
+    return edges;
+}
+
+void EdgeTable::bound() {
+    to_tool_.assign(n_, kNoEdge);
+    for (int n = 0; n < n_; ++n) {
+        to_tool_[n] = slot(kSource, n).bound();
+        for (int m = 0; m < n; ++m)
+            to_tool_[n] = std::min(to_tool_[n], to_tool_[m] + slot(m, n).bound());
+    }
+    to_sink_.assign(n_, kNoEdge);
+    for (int m = n_; m-- > 0;) {
+        if (task_.ends[m]) to_sink_[m] = 0;
+        for (int n = m + 1; n < n_; ++n)
+            to_sink_[m] = std::min(to_sink_[m], slot(m, n).bound() + to_sink_[n]);
+    }
+}
+
+bool EdgeTable::mayBeat(int m, int n, double known) const {
+    const double least = leastThrough(m, n);
+    return least < kNoEdge && least <= known;
+}
+
+double EdgeTable::leastThrough(int m, int n) const {
+    const double before = m == kSource ? 0 : to_tool_[m];
+    return before + slot(m, n).least_weight + to_sink_[n];
+}
+
+}  // namespace stepmill
