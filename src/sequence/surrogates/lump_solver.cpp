@@ -6,7 +6,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "sequence/dag/edge_work.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -16,33 +15,22 @@
 namespace stepmill {
 namespace {
 
-/// A way in over an open edge starts up to 1 mm beside the material; nothing of a lump's path goes
-/// farther from it than the cutter's diameter and this [mm].
-constexpr double kBesideMm = 2;
-
-/// Where no tool reaches all of a lump: how many are asked to do it together, how many such sets are
-/// looked at, and how many of those that can get their paths.
+/// Where no tool reaches all of a lump, sets of tools may do so together: the largest set, the number of sets
+/// whose areas are looked at, and the number of sets that get paths.
 constexpr std::size_t kMostTogether = 3;
 constexpr int kMostSetsSeen = 400;
 constexpr std::size_t kMostSetsWeighed = 12;
 
 }  // namespace
 
-LumpSolver::LumpSolver(std::shared_ptr<const SurrogateTools> tools, Region lump, std::vector<Region> standing,
-                       std::string held_off_id)
-    : surrogates_(std::move(tools)),
-      tol_(job().tolerances()),
-      lump_(std::move(lump)),
-      standing_(std::move(standing)),
-      held_off_id_(std::move(held_off_id)),
-      // What stands differs from tool to tool, by its holder: it comes with the tools' areas.
-      ground_(lumpFeature(job().feature(), lump_, {}, 0, tol_), tol_) {
-    sortSurrogates();
+LumpSolver::LumpSolver(std::shared_ptr<const SurrogateTools> surrogates, Region lump,
+                       std::vector<Region> standing, const std::string& held_off_id)
+    : tools_(std::move(surrogates), std::move(lump), std::move(standing)) {
+    sortSurrogates(held_off_id);
     servable_ = anyReachesAll();
     if (servable_) return;
-    reaches_.clear();
-    numbers_.clear();
-    offer(partialSurrogates());
+    tools_.clear();
+    tools_.offer(partialSurrogates());
     if (sequencesCount())
         visitSets([&](const std::vector<int>& nodes) {
             servable_ = servable_ || reachAllTogether(nodes);
@@ -55,117 +43,52 @@ void LumpSolver::weigh() {
     if (!servable_) return;
     const bool one_does = offered_ > 0;
     if (!one_does) return weighSets();
-    offer({whole_.begin() + static_cast<std::ptrdiff_t>(offered_), whole_.end()});
-    keepWholeSurrogates();
+    tools_.offer({whole_.begin() + static_cast<std::ptrdiff_t>(offered_), whole_.end()});
+    tools_.keepEnds();
     weighSingles();
     if (sequencesCount() && mayPayTwo()) weighSequences();
 }
 
-void LumpSolver::sortSurrogates() {
-    for (int i = 0; i < static_cast<int>(surrogates_->all().size()); ++i) {
-        if (surrogate(i).tool->id == held_off_id_) continue;
+void LumpSolver::sortSurrogates(const std::string& held_off_id) {
+    const double depth_mm = job().feature().depth_mm();
+    for (int i = 0; i < static_cast<int>(tools_.surrogates().size()); ++i) {
+        const Surrogate& surrogate = tools_.surrogates()[i];
+        if (surrogate.tool->id == held_off_id) continue;
         // Other lumps and the rest of this one stand beside it up to the feature's top.
-        if (job().options.clear_of_own_material &&
-            access::freeReachMm(*surrogate(i).tool) < job().feature().depth_mm())
-            continue;
-        const bool whole = covers(surrogate(i).reach.coverable, lump_, tol_.sliver_mm, tol_);
+        if (job().options.clear_of_own_material && access::freeReachMm(*surrogate.tool) < depth_mm) continue;
+        const bool whole = covers(surrogate.reach.coverable, tools_.lump(), tol().sliver_mm, tol());
         (whole ? whole_ : partial_).push_back(i);
     }
 }
 
-/// Offers the surrogates that reach all of the lump in the whole feature, one by one, until one does so with
-/// what stands around the lump too: mostly the first.
+/// Offers the surrogates that reach all of the lump in the whole feature, one by one, until one of them still
+/// reaches all of it beside what stands around the lump: mostly the first does.
 bool LumpSolver::anyReachesAll() {
     while (offered_ < whole_.size()) {
-        offer({whole_[offered_++]});
-        if (std::count(ends_.begin(), ends_.end(), true) > 0) return true;
+        tools_.offer({whole_[offered_++]});
+        if (tools_.anyEnds()) return true;
     }
     offered_ = 0;
     return false;
 }
 
-/// The reach of a surrogate in the lump, holder clear, nothing that stands around it touched.
-ToolReach LumpSolver::reachIn(int number) const {
-    const ToolAssembly& tool = *surrogate(number).tool;
-    std::vector<Region> obstruction = standing_;
-    obstruction.push_back(surrogates_->obstruction(number));
-    const Feature feature =
-        lumpFeature(job().feature(), lump_, obstruction, tool.diameter_mm + kBesideMm, tol_);
-    const FeatureGround ground(feature, tol_);
-    ToolReach found = toolReach(ground, tool, job().options.material);
-    found.cutter.wider_obstruction = feature.obstruction;
-    found.cutter.opens_target = false;
-    return found;
-}
-
-/// Adds the surrogates' reaches to those there are, all by rising number.
-void LumpSolver::offer(const std::vector<int>& surrogates) {
-    std::vector<ToolReach> found(surrogates.size());
-    tbb::parallel_for(std::size_t{0}, surrogates.size(),
-                      [&](std::size_t i) { found[i] = reachIn(surrogates[i]); });
-    std::vector<std::pair<int, ToolReach>> all;
-    for (std::size_t i = 0; i < reaches_.size(); ++i)
-        all.emplace_back(numbers_[i], std::move(reaches_[i]));
-    for (std::size_t i = 0; i < surrogates.size(); ++i)
-        all.emplace_back(surrogates[i], std::move(found[i]));
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    numbers_.clear();
-    reaches_.clear();
-    for (auto& [surrogate, reach] : all) {
-        numbers_.push_back(surrogate);
-        reaches_.push_back(std::move(reach));
-    }
-    listTools();
-}
-
-void LumpSolver::listTools() {
-    tools_ = usableTools(ground_.feature(), reaches_, job().library, job().options, job().machine, tol_);
-    surrogate_of_.clear();
-    ends_.clear();
-    for (const Candidate& tool : tools_) {
-        surrogate_of_.push_back(surrogateOf(tool));
-        ends_.push_back(covers(tool.cleared->coverable, lump_, tol_.sliver_mm, tol_));
-    }
-    rings_.assign(tools_.size(), nullptr);
-}
-
-std::size_t LumpSolver::nodeOf(int surrogate) const {
-    const auto found = std::find(surrogate_of_.begin(), surrogate_of_.end(), surrogate);
-    STEPMILL_CHECK(found != surrogate_of_.end(), "only tools of a lump's ways work in it");
-    return static_cast<std::size_t>(found - surrogate_of_.begin());
-}
-
-void LumpSolver::keepWholeSurrogates() {
-    std::vector<ToolReach> reaches;
-    std::vector<int> numbers;
-    for (std::size_t i = 0; i < tools_.size(); ++i) {
-        if (!ends_[i]) continue;
-        numbers.push_back(surrogate_of_[i]);
-        reaches.push_back(*tools_[i].reach);
-    }
-    numbers_ = std::move(numbers);
-    reaches_ = std::move(reaches);
-    listTools();
-}
-
 std::vector<int> LumpSolver::partialSurrogates() const {
     std::vector<int> found;
     for (const int surrogate : partial_) {
-        const Region& reach = this->surrogate(surrogate).reach.coverable;
-        if (area(intersect(reach, lump_, tol_)) > tol_.area_mm2) found.push_back(surrogate);
+        const Region& reach = tools_.surrogates()[surrogate].reach.coverable;
+        if (area(intersect(reach, tools_.lump(), tol())) > tol().area_mm2) found.push_back(surrogate);
     }
     return found;
 }
 
-/// What stays of the lump after as many tools as may work together, chosen one after another so that each
-/// leaves least.
+/// What stays of the lump after the largest set of tools, chosen one by one so that each leaves least.
 Region LumpSolver::residualOfTheBest() const {
-    Region residual = lump_;
+    Region residual = tools_.lump();
     const std::size_t most = sequencesCount() ? kMostTogether : 1;
     for (std::size_t i = 0; i < most && !residual.empty(); ++i) {
         Region least = residual;
-        for (const Candidate& tool : tools_) {
-            Region rest = withoutCrumbs(subtract(residual, tool.cleared->coverable, tol_), tol_);
+        for (const Candidate& tool : tools_.nodes()) {
+            Region rest = withoutCrumbs(subtract(residual, tool.cleared->coverable, tol()), tol());
             if (area(rest) < area(least)) least = std::move(rest);
         }
         residual = std::move(least);
@@ -173,7 +96,7 @@ Region LumpSolver::residualOfTheBest() const {
     return residual;
 }
 
-/// Shows all sets of two tools, then of three, until `visit` says no or enough were seen.
+/// Calls `visit` with all sets of two tools, then of three, until it returns false or enough were seen.
 template <typename Visit>
 void LumpSolver::visitSets(const Visit& visit) const {
     int seen = 0;
@@ -184,7 +107,7 @@ void LumpSolver::visitSets(const Visit& visit) const {
             more = seen++ < kMostSetsSeen && visit(nodes);
             return;
         }
-        for (int node = first; node < static_cast<int>(tools_.size()) && more; ++node) {
+        for (int node = first; node < static_cast<int>(tools_.nodes().size()) && more; ++node) {
             nodes.push_back(node);
             self(self, size, node + 1);
             nodes.pop_back();
@@ -198,8 +121,8 @@ bool LumpSolver::reachAllTogether(const std::vector<int>& nodes) const {
     std::vector<Region> areas;
     areas.reserve(nodes.size());
     for (const int node : nodes)
-        areas.push_back(tools_[node].cleared->coverable);
-    return covers(unite(areas, tol_), lump_, tol_.sliver_mm, tol_);
+        areas.push_back(tools_.nodes()[node].cleared->coverable);
+    return covers(unite(areas, tol()), tools_.lump(), tol().sliver_mm, tol());
 }
 
 double LumpSolver::weight(const EdgeCost& cost) const {
@@ -207,14 +130,14 @@ double LumpSolver::weight(const EdgeCost& cost) const {
 }
 
 double LumpSolver::changeWeight() const {
-    return weight(edgeCost({}, *tools_.front().tool, job().machine));
+    return weight(edgeCost({}, *tools_.nodes().front().tool, job().machine));
 }
 
 void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> totals) {
     LumpWay way;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const ToolAssembly& tool = *tools_[nodes[i]].tool;
-        way.tools.push_back(surrogate_of_[nodes[i]]);
+        const ToolAssembly& tool = *tools_.nodes()[nodes[i]].tool;
+        way.tools.push_back(tools_.surrogateOf(nodes[i]));
         way.weight +=
             weight(edgeCost(totals[i], tool, job().machine)) - weight(edgeCost({}, tool, job().machine));
     }
@@ -222,42 +145,32 @@ void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> t
     totals_.push_back(std::move(totals));
 }
 
-/// The path of one after another (-1: nothing yet); nothing when there is nothing new to clear.
-std::optional<PathTotals> LumpSolver::totalsOf(int before, int node) const {
-    const Candidate* from = before < 0 ? nullptr : &tools_[before];
-    const auto work = edgeWork(task(), from, tools_[node], rings_[node]);
-    return work ? std::optional(work->totals) : std::nullopt;
-}
-
-void LumpSolver::makeRingsOf(const std::vector<int>& nodes) {
-    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
-        SharedRings& rings = rings_[nodes[i]];
-        if (!rings && needsPaths(task())) rings = ringsOf(task(), tools_[nodes[i]]);
-    });
-}
-
 void LumpSolver::weighSingles() {
-    std::vector<int> nodes(tools_.size());
+    std::vector<int> nodes(tools_.nodes().size());
     std::iota(nodes.begin(), nodes.end(), 0);
-    makeRingsOf(nodes);
+    tools_.makeRings(nodes);
     std::vector<std::optional<PathTotals>> totals(nodes.size());
     tbb::parallel_for(std::size_t{0}, nodes.size(),
-                      [&](std::size_t i) { totals[i] = totalsOf(-1, nodes[i]); });
+                      [&](std::size_t i) { totals[i] = tools_.totalsOf(kSource, nodes[i]); });
     for (const int node : nodes)
         if (totals[node]) addWay({node}, {*totals[node]});
 }
 
-/// Could two tools and their changes be cheaper than the cheapest one?
-bool LumpSolver::mayPayTwo() const {
+double LumpSolver::cheapestWay() const {
     double cheapest = kNoEdge;
     for (const LumpWay& way : ways_)
         cheapest = std::min(cheapest, way.weight);
+    return cheapest;
+}
+
+/// Could two tools and their changes be cheaper than the cheapest one?
+bool LumpSolver::mayPayTwo() const {
     double fastest = 0;
-    for (const Surrogate& surrogate : surrogates_->all())
+    for (const Surrogate& surrogate : tools_.surrogates())
         fastest = std::max(fastest, rateOf(surrogate));
-    const double least_s = fastest > 0 ? ground_.feature().volume_mm3 / fastest : 0;
+    const double least_s = fastest > 0 ? tools_.ground().feature().volume_mm3 / fastest : 0;
     // Two tools are one change more.
-    return changeWeight() + weight(machineCost(least_s, job().machine)) < cheapest;
+    return changeWeight() + weight(machineCost(least_s, job().machine)) < cheapestWay();
 }
 
 double LumpSolver::rateOf(const Surrogate& surrogate) const {
@@ -265,25 +178,23 @@ double LumpSolver::rateOf(const Surrogate& surrogate) const {
     return volumeRate(job().feature(), *surrogate.tool, cutting);
 }
 
-/// The cheapest sequence, where it has more than one tool. A tool that reaches all comes last, so what it
-/// clears after others is right whatever these reach.
+/// Adds the cheapest sequence where it has more than one tool. A tool that reaches all comes last, so the
+/// lump is clear after it whatever the others reach.
 void LumpSolver::weighSequences() {
-    double alone = kNoEdge;
-    for (const LumpWay& way : ways_)
-        alone = std::min(alone, way.weight);
-    offer(partialSurrogates());
-    DagTask several = task();
+    const double alone = cheapestWay();
+    tools_.offer(partialSurrogates());
+    DagTask several = tools_.task();
     several.alone_weight = changeWeight() + alone;
     const DagResult dag = evaluateDag(several);
-    rings_ = dag.rings;
+    tools_.useRings(dag.rings);
     if (!dag.path.empty()) weighInARow(dag.path);
 }
 
 bool LumpSolver::weighInARow(const std::vector<int>& nodes) {
-    makeRingsOf(nodes);
+    tools_.makeRings(nodes);
     std::vector<PathTotals> totals;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const auto path = totalsOf(i == 0 ? -1 : nodes[i - 1], nodes[i]);
+        const auto path = tools_.totalsOf(i == 0 ? kSource : nodes[i - 1], nodes[i]);
         if (!path) return false;
         totals.push_back(*path);
     }
@@ -291,7 +202,7 @@ bool LumpSolver::weighInARow(const std::vector<int>& nodes) {
     return true;
 }
 
-/// Sets of tools of which none reaches all, the smallest sets that can.
+/// Adds the smallest sets of tools that reach all of the lump together.
 void LumpSolver::weighSets() {
     std::size_t smallest = kMostTogether;
     visitSets([&](const std::vector<int>& nodes) {
@@ -303,11 +214,11 @@ void LumpSolver::weighSets() {
 
 SequenceStep LumpSolver::step(int way, std::size_t place) const {
     const std::vector<int>& tools = ways_[way].tools;
-    const Candidate* before = place == 0 ? nullptr : &tools_[nodeOf(tools[place - 1])];
-    const std::size_t node = nodeOf(tools[place]);
-    SequenceStep step = makeStep(task(), before, tools_[node]);
+    const auto nodeAt = [&](std::size_t i) { return &tools_.nodes()[tools_.nodeOf(tools[i])]; };
+    const Candidate& node = *nodeAt(place);
+    SequenceStep step = makeStep(tools_.task(), place == 0 ? nullptr : nodeAt(place - 1), node);
     // The lump knows no obstacles of its own; the feature does.
-    step.least_stick_out_mm = leastStickOutMm(job().ground, *tools_[node].tool, *tools_[node].own);
+    step.least_stick_out_mm = leastStickOutMm(job().ground, *node.tool, *node.own);
     return step;
 }
 
@@ -344,7 +255,7 @@ SequenceStep SolvedLump::step(int way, std::size_t place) const {
 
 const LumpSolver& SolvedLump::weighed() const {
     std::call_once(weighed_, [&] {
-        // A thread that waits for its own paths must not take up work that asks for them too.
+        // While a thread waits for these paths it must not take other work that waits for them too.
         tbb::this_task_arena::isolate([&] { solver_->weigh(); });
     });
     return *solver_;
