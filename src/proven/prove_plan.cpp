@@ -27,18 +27,20 @@ Verification verified(const PlanFiles& files, const Tolerances& tol, const Prove
 
 // What passes leave ---------------------------------------------------------------------------------------
 
-void moveToResidual(VolumeBalance& books, double volume_mm3) {
+/// The books with that volume [mm3] moved from what is planned to what stays between passes.
+VolumeBalance withLeftBetweenPasses(VolumeBalance books, double volume_mm3) {
     books.planned_mm3 -= volume_mm3;
     books.residual_mm3 += volume_mm3;
     for (ReasonVolume& entry : books.residual_by_reason) {
         if (entry.reason != Reason::LeftBetweenPasses) continue;
         entry.volume_mm3 += volume_mm3;
-        return;
+        return books;
     }
     books.residual_by_reason.push_back({{Reason::LeftBetweenPasses, {}}, volume_mm3});
     std::sort(
         books.residual_by_reason.begin(), books.residual_by_reason.end(),
         [](const ReasonVolume& a, const ReasonVolume& b) { return InOrderOfWords()(a.reason, b.reason); });
+    return books;
 }
 
 Residual residualOf(const Leftover& leftover, Reason reason) {
@@ -51,41 +53,52 @@ Residual residualOf(const Leftover& leftover, Reason reason) {
     return residual;
 }
 
-void nameLeftover(Plan& plan, const Leftover& leftover) {
+Warning warningOf(const std::string& feature, const Residual& residual) {
+    return {"residual", feature,
+            fmt::format("{:.4g} mm2, {:.4g} mm3 stay: {}; needs {}", residual.area_mm2, residual.volume_mm3,
+                        toString(residual.reason), residual.advice)};
+}
+
+/// The plan with a residual that its paths leave: in the feature, the books and the warnings.
+Plan withLeftover(Plan plan, const Leftover& leftover) {
     const Residual residual = residualOf(leftover, Reason::LeftBetweenPasses);
     for (PlannedSetup& setup : plan.setups) {
         for (PlannedFeature& planned : setup.features) {
             if (planned.feature.id != leftover.feature) continue;
-            moveToResidual(setup.balance, residual.volume_mm3);
-            moveToResidual(plan.balance, residual.volume_mm3);
-            plan.warnings.push_back(
-                {"residual", leftover.feature,
-                 fmt::format("{:.4g} mm2, {:.4g} mm3 stay: {}; needs {}", residual.area_mm2,
-                             residual.volume_mm3, toString(residual.reason), residual.advice)});
+            setup.balance = withLeftBetweenPasses(std::move(setup.balance), residual.volume_mm3);
+            plan.balance = withLeftBetweenPasses(std::move(plan.balance), residual.volume_mm3);
+            plan.warnings.push_back(warningOf(leftover.feature, residual));
             planned.sequence.residual.push_back(residual);
         }
     }
+    return plan;
 }
 
-/// Small places that stay are named in the plan as it is: nothing that it counts on changes.
-bool nameCrumbs(ProvenPlan& proven, const Tolerances& tol) {
-    bool any_named = false;
-    for (const Leftover& leftover : proven.verification.leftovers) {
-        if (leftover.area_mm2 > std::max(kCrumbMm2, tol.volume_share * leftover.target_mm2)) continue;
-        nameLeftover(proven.plan, leftover);
-        any_named = true;
-    }
-    return any_named;
+/// The leftovers so small that the plan names them as it is: nothing that it counts on changes.
+std::vector<Leftover> crumbsOf(const Verification& verification, const Tolerances& tol) {
+    std::vector<Leftover> crumbs;
+    for (const Leftover& leftover : verification.leftovers)
+        if (leftover.area_mm2 <= std::max(kCrumbMm2, tol.volume_share * leftover.target_mm2))
+            crumbs.push_back(leftover);
+    return crumbs;
 }
 
-ProvenPlan proved(Plan&& plan, const Tolerances& tol, const Prover& prover) {
+ProvenPlan provenAsItIs(Plan plan, const Tolerances& tol, const Prover& prover) {
     ProvenPlan proven{std::move(plan), {}, {}};
     proven.files = postedFiles(proven.plan);
     proven.verification = verified(proven.files, tol, prover);
-    if (!nameCrumbs(proven, tol)) return proven;
-    proven.files = postedFiles(proven.plan);
-    proven.verification = verified(proven.files, tol, prover);
     return proven;
+}
+
+/// Proves the plan, and again with its crumbs named where there are any.
+ProvenPlan proved(Plan plan, const Tolerances& tol, const Prover& prover) {
+    ProvenPlan proven = provenAsItIs(std::move(plan), tol, prover);
+    const std::vector<Leftover> crumbs = crumbsOf(proven.verification, tol);
+    if (crumbs.empty()) return proven;
+    Plan named = std::move(proven.plan);
+    for (const Leftover& crumb : crumbs)
+        named = withLeftover(std::move(named), crumb);
+    return provenAsItIs(std::move(named), tol, prover);
 }
 
 // More caution --------------------------------------------------------------------------------------------
