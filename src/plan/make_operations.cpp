@@ -38,13 +38,13 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Operati
     operation.leaves = step.leaves;
     operation.z_floor_mm = planned.sequence.floor_z_mm + step.leaves.floors_mm;
     operation.z_top_mm = step.role == Role::Finish
-                             ? operation.z_floor_mm + operation.path.layers * operation.path.step_down_mm
+                             ? operation.z_floor_mm + operation.path.depths * operation.path.step_down_mm
                              : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
     takeShopData(operation, settings.library, settings.material);
     if (operation.path.step_over_mm > 0)
         operation.even_length_mm =
-            step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.layers;
+            step.area.new_area_mm2 / operation.path.step_over_mm * operation.path.depths;
     step.path = Toolpath{};
     return operation;
 }

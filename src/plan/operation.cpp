@@ -7,7 +7,7 @@ OperationSheet sheetOf(const Operation& operation, const ToolLibrary& library) {
     return {operation,
             library.tool(operation.tool_id),
             path.pattern,
-            path.layers,
+            path.depths,
             path.step_down_mm,
             path.feed_mm_per_min,
             path.plunge_feed_mm_per_min};

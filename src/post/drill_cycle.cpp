@@ -42,7 +42,7 @@ std::optional<FoundCycle> findCycle(const JobOperation& operation) {
         cycle.bottom_z_mm = move.to.z();
     }
     if (std::abs(moves.back().move.to.z() - initial.z()) > kSamePlaceMm) return std::nullopt;
-    if (operation.layers > 1) cycle.peck_mm = operation.step_down_mm;
+    if (operation.depths > 1) cycle.peck_mm = operation.step_down_mm;
     return found;
 }
 

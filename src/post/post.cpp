@@ -110,7 +110,7 @@ class ProgramWriter {
     std::string describe(const JobOperation& operation) const {
         return comment(fmt::format("{} feature {} T{} {} {}, {} x {} {} deep to Z{}{}", operation.id,
                                    operation.feature_id, operation.tool.number, toString(operation.role),
-                                   operation.pattern, operation.layers, length(operation.step_down_mm),
+                                   operation.pattern, operation.depths, length(operation.step_down_mm),
                                    unit(), length(operation.z_floor_mm), leaves(operation.leaves)));
     }
 

@@ -235,7 +235,7 @@ Json operationJson(const Operation& operation) {
               {"role", toString(operation.role)},
               {"pattern", path.pattern},
               {"regions", listOf(path.regions, regionPatternsJson)},
-              {"layers", path.layers},
+              {"layers", path.depths},
               {"z_top_mm", number(operation.z_top_mm)},
               {"z_floor_mm", number(operation.z_floor_mm)},
               {"step_over_mm", number(path.step_over_mm)},

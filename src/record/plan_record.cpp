@@ -105,7 +105,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.tool = tools.at(json["tool"]);
     operation.role = known(roleFrom(json["role"].get<std::string>()), json["role"]);
     operation.pattern = json["pattern"];
-    operation.layers = json["layers"];
+    operation.depths = json["layers"];
     operation.z_floor_mm = json["z_floor_mm"];
     operation.leaves = {json.value("leaves_on_walls_mm", 0.0), json.value("leaves_on_floor_mm", 0.0)};
     operation.step_down_mm = json["step_down_mm"];

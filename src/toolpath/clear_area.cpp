@@ -25,9 +25,9 @@ Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData
 /// higher depths less.
 double deepApproachMm(const Toolpath& path) {
     double sum_mm = 0;
-    for (int above = 0; above < path.layers; ++above)
+    for (int above = 0; above < path.depths; ++above)
         sum_mm += std::max(0.0, toolpath::kApproachMm - above * path.step_down_mm);
-    return sum_mm / path.layers;
+    return sum_mm / path.depths;
 }
 
 /// The word for a pattern, with the angle of lines in whole degrees.

@@ -33,8 +33,8 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double re
     path.pattern = "drill";
     path.start = {at.x(), at.y(), retract_z_mm};
     const double depth = top_z_mm - floor_z_mm;
-    path.layers = toolpath::depthsFor(depth, peck);
-    path.step_down_mm = depth / path.layers;
+    path.depths = toolpath::depthsFor(depth, peck);
+    path.step_down_mm = depth / path.depths;
     path.feed_mm_per_min = std::min(cutting.feed_mm_per_min, limit);
     path.plunge_feed_mm_per_min = std::min(plunge_feed, limit);
 
@@ -46,11 +46,11 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double re
         at_z = z;
     };
     double drilled_z = top_z_mm;
-    for (int i = 1; i <= path.layers; ++i) {
+    for (int i = 1; i <= path.depths; ++i) {
         go(MoveKind::Rapid, i == 1 ? over_z : std::min(over_z, drilled_z + kOverLastPeckMm));
-        drilled_z = i == path.layers ? floor_z_mm : top_z_mm - i * path.step_down_mm;
+        drilled_z = i == path.depths ? floor_z_mm : top_z_mm - i * path.step_down_mm;
         go(MoveKind::Plunge, drilled_z);
-        go(MoveKind::Rapid, i == path.layers ? retract_z_mm : over_z);
+        go(MoveKind::Rapid, i == path.depths ? retract_z_mm : over_z);
     }
     path.totals = measure(path, machine);
     return path;

@@ -130,7 +130,7 @@ void writePasses(const ClearingTask& clearing, const std::vector<WallPass>& pass
         const WallPass& pass = passes[i];
         const Over back = overWay(standing, cleared, pass.path.end(), pass.path.start);
         const Over first = path.moves.empty() ? Over::Retract : betweenPasses(writer.at(), pass.path.start);
-        for (int depth = 1; depth <= frame.layers; ++depth)
+        for (int depth = 1; depth <= frame.depths; ++depth)
             writer.writeDepth(
                 scriptOf(pass), depth == 1 ? first : back,
                 {floorOf(clearing, frame, depth - 1), floorOf(clearing, frame, depth), clearing.floor_z_mm,

@@ -39,8 +39,8 @@ Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const
                    const Machine& machine) {
     Toolpath path;
     path.step_over_mm = usedStepOver(cutting, radius_mm);
-    path.layers = depths;
-    path.step_down_mm = (task.top_z_mm - task.floor_z_mm) / path.layers;
+    path.depths = depths;
+    path.step_down_mm = (task.top_z_mm - task.floor_z_mm) / path.depths;
     const double limit = machine.max_feed_mm_per_min;
     const auto limited = [&](double feed) { return limit > 0 ? std::min(feed, limit) : feed; };
     path.feed_mm_per_min = limited(cutting.feed_mm_per_min);
@@ -59,7 +59,7 @@ Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const
 }
 
 double floorOf(const ClearingTask& task, const Toolpath& frame, int depth) {
-    return depth == frame.layers ? task.floor_z_mm : task.top_z_mm - depth * frame.step_down_mm;
+    return depth == frame.depths ? task.floor_z_mm : task.top_z_mm - depth * frame.step_down_mm;
 }
 
 }  // namespace stepmill::toolpath

@@ -33,7 +33,7 @@ void check(const PlanRecord& record) {
         require(!diagnose(planned.feature.obstruction), "an obstruction is a region");
     }
     for (const auto& [id, operation] : record.operations)
-        require(operation.speed_rpm >= 1 && operation.layers >= 1, "an operation cuts");
+        require(operation.speed_rpm >= 1 && operation.depths >= 1, "an operation cuts");
 }
 
 }  // namespace

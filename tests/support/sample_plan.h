@@ -37,7 +37,7 @@ inline Operation makeOperation(const std::string& id, const std::string& tool, c
     operation.path.start = start;
     operation.path.moves = std::move(moves);
     operation.path.pattern = "contour-parallel";
-    operation.path.layers = 1;
+    operation.path.depths = 1;
     operation.path.step_down_mm = 2;
     operation.path.feed_mm_per_min = 1200;
     operation.path.plunge_feed_mm_per_min = 300;

@@ -27,7 +27,7 @@ struct Operation : OperationData {
     Toolpath path;
     PathProof proof;
     double z_top_mm = 0;
-    /// Area cleared / step-over x layers: how long the path would be if all its passes lay evenly side by
+    /// Area cleared / step-over x depths: how long the path would be if all its passes lay evenly side by
     /// side and nothing else had to be cut; 0 for drills [mm].
     double even_length_mm = 0;
 };
@@ -36,7 +36,7 @@ struct Operation : OperationData {
 struct OperationSheet : OperationData {
     ToolAssembly tool;  ///< from plan.json without cutting data
     std::string pattern;
-    int layers = 1;
+    int depths = 1;  ///< "layers" in plan.json
     double step_down_mm = 0;
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;

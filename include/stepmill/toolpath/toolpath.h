@@ -87,9 +87,9 @@ struct Toolpath {
     std::string pattern;  ///< "contour-parallel", "zigzag at 30 deg", "drill"; several: joined by " + "
     /// Regions in the order they are cut; empty for drills.
     std::vector<RegionPatterns> regions;
-    int layers = 0;           ///< depths of cut, evenly divided
+    int depths = 0;           ///< number of depths of cut, evenly divided
     double step_over_mm = 0;  ///< as used
-    double step_down_mm = 0;  ///< depth / layers
+    double step_down_mm = 0;  ///< whole depth / depths
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
     /// rampFeed() of the two feeds above and the ramp angle; 0 where the path has no ramps.

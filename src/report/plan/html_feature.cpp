@@ -132,7 +132,7 @@ Element stepFigure(const PlannedFeature& planned, std::size_t index, const Opera
     const double depth_mm = operation.z_top_mm - operation.z_floor_mm;
     const std::string words = fmt::format(
         "{}. {} ({}): {:.2f} mm² new ({:.3f} cm³), {} layers of {:.2f} mm, {}", index + 1, step.tool_id,
-        toString(step.role), step.area.new_area_mm2, step.area.new_area_mm2 * depth_mm / 1000, path.layers,
+        toString(step.role), step.area.new_area_mm2, step.area.new_area_mm2 * depth_mm / 1000, path.depths,
         path.step_down_mm, clockTime(path.totals.time_s()));
     return Element("figure", stepDrawing(planned, index, path), Element("figcaption", words));
 }

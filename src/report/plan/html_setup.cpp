@@ -98,7 +98,7 @@ Element operationsTable(const PlannedSetup& setup) {
         table
             .row(operation.id, linkTo(featureAnchor(operation.feature_id), operation.feature_id),
                  operation.tool_id, toString(operation.role) + leavesWords(operation.leaves), path.pattern,
-                 std::to_string(path.layers), fixed(path.step_down_mm, 2), fixed(path.step_over_mm, 2),
+                 std::to_string(path.depths), fixed(path.step_down_mm, 2), fixed(path.step_over_mm, 2),
                  fixed(path.feed_mm_per_min, 0), fixed(path.plunge_feed_mm_per_min, 0),
                  fixed(operation.speed_rpm, 0), toString(operation.coolant), metres(operation.even_length_mm),
                  metres(totals.cut_length_mm), metres(totals.feed_air_length_mm),

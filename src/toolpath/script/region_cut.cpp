@@ -100,7 +100,7 @@ RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry&
     made.time = {variant.pattern, degrees(variant.angle_rad), timeOf(made), false};
     // Blocks still to be cut stand beside shank and holder while one is cut deep.
     const bool dips = task_.clearing.top_z_mm - task_.clearing.floor_z_mm > task_.clearing.free_reach_mm;
-    if (frame_.layers == 1 || script.apart.empty() || dips) return made;
+    if (frame_.depths == 1 || script.apart.empty() || dips) return made;
     RegionCut apart{std::move(script.apart), made.time};
     apart.time.time_s = timeOf(apart);
     return apart.time.time_s < made.time.time_s ? apart : made;
@@ -119,7 +119,7 @@ double RegionCutter::leastTime(const std::vector<Pass>& passes) const {
     double length_mm = 0;
     for (const Pass& pass : passes)
         if (!mayBeNeedless(passes, pass)) length_mm += length(pass.path);
-    return length_mm * frame_.layers / frame_.feed_mm_per_min * kSecondsPerMinute;
+    return length_mm * frame_.depths / frame_.feed_mm_per_min * kSecondsPerMinute;
 }
 
 double RegionCutter::floorOf(int depth) const {
@@ -137,7 +137,7 @@ void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writ
     for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
         const DepthBlock& block = cut.blocks[k];
         if (k > 0) over = task_.standing.isClearForAll(writer.at(), block.begin) ? Over::Top : Over::Retract;
-        for (int i = 1; i <= frame_.layers; ++i)
+        for (int i = 1; i <= frame_.depths; ++i)
             writer.writeDepth(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
     }
 }
@@ -149,7 +149,7 @@ bool RegionCutter::writeLoneRing(const DepthBlock& block, MoveWriter& writer) co
     const double turn_mm = length(ramp->curve);
     if (turn_mm > task_.rates.descent_mm + kLeastLevelMm) {
         std::vector<DepthHeights> depths;
-        for (int i = 1; i <= frame_.layers; ++i)
+        for (int i = 1; i <= frame_.depths; ++i)
             depths.push_back(heights(i - 1, i));
         writer.writeRing(ramp->curve, task_.rates.descent_mm, depths);
         return true;
@@ -158,7 +158,7 @@ bool RegionCutter::writeLoneRing(const DepthBlock& block, MoveWriter& writer) co
     const double depth_mm = task_.clearing.top_z_mm - task_.clearing.floor_z_mm + kDescentStartMm;
     const double slope = std::min(std::tan(ramp_angle_rad_), frame_.step_down_mm / turn_mm);
     writer.writeDepth({rampAlong(ramp->curve, true, depth_mm / slope)}, Over::Retract,
-                      heights(0, frame_.layers));
+                      heights(0, frame_.depths));
     return true;
 }
 

@@ -47,7 +47,7 @@ TEST(FinishingPlan, OperationsTellTheirHeightsAndWhatTheyLeave) {
     EXPECT_FALSE(operations.back().leaves.any());
     for (const Operation& operation : operations) {
         EXPECT_DOUBLE_EQ(operation.z_floor_mm, -12 + operation.leaves.floors_mm) << operation.id;
-        const double deep_mm = operation.path.layers * operation.path.step_down_mm;
+        const double deep_mm = operation.path.depths * operation.path.step_down_mm;
         EXPECT_NEAR(operation.z_top_mm - operation.z_floor_mm, deep_mm, 1e-9) << operation.id;
         if (operation.role != Role::Finish) {
             EXPECT_EQ(operation.leaves, kAllowance) << operation.id;

@@ -36,7 +36,7 @@ TEST_P(PocketWithIsland, IsClearedToTheWallsByAnyTool) {
     const Region target = pocketWithIsland();
     const ClearingTask task = fullTask(target, blockAround(target, {}, kTol), r, kTol);
     const Toolpath path = clearArea(task, flatEndMill(2 * r), cuttingData(r, 4), kMachine, kTol);
-    EXPECT_EQ(path.layers, 2);
+    EXPECT_EQ(path.depths, 2);
     expectSound(path, task, r);
     // The passes along the walls keep no more than the guard.
     EXPECT_LT(prove(path, task, r, kTol).least_clearance_mm, 2 * kTol.guard_mm);
@@ -74,7 +74,7 @@ TEST(ClearArea, StaysBelowTheTopBetweenDepthsOfAPocket) {
     const Region pocket = makeRoundedRectangle({0, 0}, {50, 40}, 6);
     const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
     const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(4, 2), kMachine, kTol);
-    ASSERT_EQ(path.layers, 3);
+    ASSERT_EQ(path.depths, 3);
     expectSound(path, task, 5);
     int at_retract = 0;
     for (const Move& move : path.moves)
@@ -86,7 +86,7 @@ TEST(ClearArea, BoresAHoleAsOneHelixAndALevelTurn) {
     const Region hole = makeCircle({0, 0}, 6);
     const ClearingTask task = fullTask(hole, blockAround(hole, {}, kTol), 4, kTol);
     const Toolpath path = clearArea(task, flatEndMill(8), cuttingData(4, 2), kMachine, kTol);
-    ASSERT_EQ(path.layers, 3);
+    ASSERT_EQ(path.depths, 3);
     expectSound(path, task, 4);
     const double helix_mm = 6.2 / std::sin(degToRad(3));
     EXPECT_NEAR(path.totals.cut_length_mm, 0.8 + helix_mm + 2 * kPi * 2, 0.02);
@@ -221,10 +221,10 @@ TEST(ClearArea, DividesTheDepthEvenly) {
             if (move.kind == MoveKind::Feed) levels.insert(move.to.z());
             from = move.to;
         }
-        EXPECT_EQ(static_cast<int>(levels.size()), path.layers);
+        EXPECT_EQ(static_cast<int>(levels.size()), path.depths);
         EXPECT_EQ(*levels.begin(), -10);
-        EXPECT_NEAR(path.step_down_mm * path.layers, 10, 1e-12);
-        return path.layers;
+        EXPECT_NEAR(path.step_down_mm * path.depths, 10, 1e-12);
+        return path.depths;
     };
     EXPECT_EQ(layers(4), 3);
     EXPECT_EQ(layers(2.5), 4);

@@ -22,7 +22,7 @@ ToolAssembly drill(double diameter_mm) {
 TEST(DrillHole, PecksDownAndOut) {
     CuttingData cutting = cuttingData(0, 5);
     const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(6), cutting, kMachine);
-    EXPECT_EQ(path.layers, 3);
+    EXPECT_EQ(path.depths, 3);
     double lowest_rapid = 10;
     double deepest = 0;
     double drilled = 0;
@@ -48,7 +48,7 @@ TEST(DrillHole, PecksDownAndOut) {
 
 TEST(DrillHole, PecksTwoDiametersWithoutAStepDown) {
     const Toolpath path = drillHole({0, 0}, 0, -30, 10, drill(5), cuttingData(0, 0), kMachine);
-    EXPECT_EQ(path.layers, 3);
+    EXPECT_EQ(path.depths, 3);
 }
 
 TEST(Measure, AddsHelicesAndFeedsByKind) {

@@ -67,7 +67,7 @@ TEST(FinishWalls, OfAPocketGoesRoundOnceOnTangentQuarterCircles) {
     const Roughed roughed(makeRoundedRectangle({0, 0}, {60, 40}, 6));
     const Toolpath path = roughed.path();
     expectFinished(path, roughed);
-    EXPECT_EQ(path.layers, 1);
+    EXPECT_EQ(path.depths, 1);
     EXPECT_EQ(path.pattern, "walls");
     const std::vector<std::size_t> feeds = levelFeeds(path);
     ASSERT_GE(feeds.size(), 4U);
@@ -163,7 +163,7 @@ TEST(FinishWalls, TakesDeepWallsInEvenDepths) {
     roughed.clearing.floor_z_mm = -30;
     const Toolpath path = roughed.path();
     expectFinished(path, roughed);
-    EXPECT_EQ(path.layers, 2);
+    EXPECT_EQ(path.depths, 2);
     EXPECT_EQ(path.step_down_mm, 15);
 }
 
