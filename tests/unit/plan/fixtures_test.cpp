@@ -6,6 +6,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/plan/plan.h"
+#include "support/told.h"
 
 namespace stepmill {
 namespace {
@@ -69,8 +70,7 @@ TEST(Fixtures, AreRefusedInTheStockAndNamedWhereTheSetupDoesNotExist) {
         FAIL() << "taken";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::Usage);
-        EXPECT_NE(std::string(error.what()).find("'stop' of S1 stands in the stock"), std::string::npos)
-            << error.what();
+        EXPECT_TRUE(test::tells(error.what(), {"stop", "S1", "stock"}));
     }
     PlanRequest request;
     request.sequence.material = "aluminium";
