@@ -12,25 +12,26 @@
 namespace stepmill::access {
 namespace {
 
-/// Distances to the material at which a tool goes down beside it, the best first [mm].
+/// Distances between the material and a tool that goes down beside it, the best first [mm].
 constexpr std::array<double, 3> kOpenEdgeClearanceMm{1.0, 0.25, 0.05};
 
-/// Shares of an edge's length at which an entry is tried: its middle first.
+/// Entries are tried at these shares of an edge's length, its middle first.
 constexpr std::array<double, 7> kAlongEdge{0.5, 0.25, 0.75, 0.125, 0.875, 0.02, 0.98};
 
-/// A helix wider than this share of the cutter's radius leaves a post in its middle.
+/// A helix whose radius is a larger share of the cutter's radius leaves a post in its middle.
 constexpr double kWidestHelixShare = 0.9;
-/// One narrower than this share of the cutter's diameter asks the tool to cut with its centre.
+/// A helix whose radius is a smaller share of the cutter's diameter makes the tool cut with its centre.
 constexpr double kNarrowestHelixShare = 0.15;
 
-/// A ramp shorter than this share of the cutter's diameter leaves a core under a cutter with a dead centre.
+/// A ramp shorter than this share of the cutter's diameter leaves a core under a cutter that has no teeth at
+/// its centre.
 constexpr double kShortestRampShare = 1.0;
-/// Straight edges whose directions are tried for a ramp, longest first.
+/// A ramp is tried along this many straight edges, the longest first,
 constexpr std::size_t kRampEdges = 8;
-/// Directions tried besides, for components with none but curved edges.
+/// and along this many evenly spaced directions, for components that have curved edges only.
 constexpr int kRampFanDirections = 8;
 
-/// All edges, the longest first; equals stay in loop order.
+/// All edges, the longest first; edges of equal length stay in loop order.
 std::vector<Edge> edgesByLength(const Region& region) {
     std::vector<Edge> edges = edgesOf(region);
     std::stable_sort(edges.begin(), edges.end(),
@@ -38,15 +39,15 @@ std::vector<Edge> edgesByLength(const Region& region) {
     return edges;
 }
 
-/// Out of the region that lies on the edge's left.
+/// Unit direction out of the region, which lies on the edge's left.
 Vec2 outward(const Edge& edge, double share) {
     return -leftOf(tangentAt(edge, share));
 }
 
-/// Goes down beside the material and moves in over an open edge.
+/// The entry beside the material, from where the tool moves in over an open edge.
 ///
-/// Along an open edge the component ends where the disc loses touch with the target, at the distance r from
-/// it; one step further out the disc meets nothing.
+/// Along an open edge the component ends where the disc just touches the target, at the distance r from it. A
+/// disc one step farther out touches nothing.
 std::optional<Entry> overOpenEdge(const FeatureGround& ground, double radius_mm,
                                   const std::vector<Edge>& edges) {
     const Tolerances& tol = ground.tolerances();
@@ -73,12 +74,12 @@ std::optional<Entry> overOpenEdge(const FeatureGround& ground, double radius_mm,
     return std::nullopt;
 }
 
-/// Largest disc of axis positions in the component.
+/// The largest disc inside the component, which consists of axis positions.
 std::optional<ClearanceDiagram::Disc> widestDisc(const FeatureGround& ground, double radius_mm,
                                                  const Region& component) {
     if (ground.walledIn()) {
-        // The component is the target shrunk by r: where it holds the target's own widest disc, that disc
-        // shrunk is its widest.
+        // The component is a part of the target shrunk by r. If it contains the centre of the target's widest
+        // disc, that disc shrunk by r is the component's widest.
         const auto whole = ground.widestDiscInTarget();
         if (whole && whole->radius_mm > radius_mm && contains(component, whole->centre))
             return ClearanceDiagram::Disc{whole->centre, whole->radius_mm - radius_mm};
@@ -86,7 +87,7 @@ std::optional<ClearanceDiagram::Disc> widestDisc(const FeatureGround& ground, do
     return ClearanceDiagram(component, ground.tolerances()).largestInscribedDisc();
 }
 
-/// The straight piece of the component through `base`.
+/// The stretch of the line through `base` that lies in the component and contains `base`.
 std::optional<Path> chordThrough(const Region& component, const Vec2& base, const Vec2& direction,
                                  const Tolerances& tol) {
     const double reach_mm = boundingBox(component).sizes().norm() + 1;
@@ -100,7 +101,7 @@ std::optional<Path> chordThrough(const Region& component, const Vec2& base, cons
     return std::nullopt;
 }
 
-/// The middle of the component beside the edge's midpoint, across to its other side.
+/// The middle of the line across the component that starts at the edge's midpoint.
 Vec2 middleBeside(const Region& component, const Edge& edge, const Tolerances& tol) {
     const Vec2 inward = -outward(edge, 0.5);
     const Vec2 foot = pointAt(edge, 0.5) + inward * tol.linear_mm * 2;
@@ -129,7 +130,8 @@ std::optional<Entry> ramp(const FeatureGround& ground, const ToolAssembly& tool,
         consider(middle, Vec2(std::cos(angle_rad), std::sin(angle_rad)));
     }
     if (!longest) return std::nullopt;
-    // Ends keep off the component's boundary, so that a path shrunk by the guard still holds them.
+    // The ends keep a distance from the component's boundary: they must lie in the area that paths use, which
+    // is smaller by the guard.
     const Vec2 along = (longest->end() - longest->start).normalized() * tol.sliver_mm;
     const Vec2 start = snapToGrid(Vec2(longest->start + along));
     const Vec2 end = snapToGrid(Vec2(longest->end() - along));

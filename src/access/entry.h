@@ -6,8 +6,8 @@
 
 namespace stepmill::access {
 
-/// How the tool gets into one component of its free centres: over an open edge, else by a helix, a ramp or
-/// straight down; nothing when it can do none of these.
+/// The entry of the tool into one component of its free centres: over an open edge if it has one, else by a
+/// helix, a ramp, or straight down. Nothing where the tool can do none of these.
 std::optional<Entry> findEntry(const FeatureGround& ground, const ToolAssembly& tool,
                                const Region& component);
 

@@ -11,14 +11,15 @@
 namespace stepmill::access {
 namespace {
 
-/// How far points that were computed from the walls may be off the 1 nm grid the walls are on [mm].
+/// Largest rounding error of a point computed from the walls, whose own points lie on the 1 nm grid [mm].
 constexpr double kRoundingMm = 3e-6;
-/// Step beside a neck, as a share of its width, at which clearance is asked whether it rises.
+/// The clearance beside a neck is compared at this distance from it, as a share of the neck's width.
 constexpr double kBesideShare = 0.02;
 
 using PointPair = std::pair<Vec2, Vec2>;
 
-/// The middle of where two lines lie opposite to each other: the one place that stands for parallel walls.
+/// Adds places along the stretch where two lines face each other, its middle first: one of them stands for a
+/// pair of parallel walls.
 void addMiddleOfOverlap(const Edge& a, const Edge& b, std::vector<PointPair>& pairs) {
     const Vec2 first = nearestPoint(a, b.from);
     const Vec2 last = nearestPoint(a, b.segment.to);
@@ -29,7 +30,8 @@ void addMiddleOfOverlap(const Edge& a, const Edge& b, std::vector<PointPair>& pa
     }
 }
 
-/// Where the straight way from `towards` through the arc's centre meets the arc, on either side.
+/// Adds the points where the line through `towards` and the arc's centre meets the arc, each with the point
+/// of the other edge nearest to it.
 void addAlongCentre(const Edge& arc_edge, const Vec2& towards, const Edge& other,
                     std::vector<PointPair>& pairs) {
     const Arc& arc = *arc_edge.segment.arc;
@@ -42,8 +44,8 @@ void addAlongCentre(const Edge& arc_edge, const Vec2& towards, const Edge& other
     }
 }
 
-/// Pairs of points, one on each edge, among which are all where the distance is least; the middles of
-/// parallel lines apart, as they shall come first.
+/// Finds pairs of points, one on each edge, that include every pair at a local minimum of the distance.
+/// \param middles  the middles of parallel lines only, which are sought first; else all pairs but these
 void closePairs(const Edge& a, const Edge& b, bool middles, std::vector<PointPair>& pairs) {
     pairs.clear();
     if (middles) {
@@ -62,8 +64,8 @@ void closePairs(const Edge& a, const Edge& b, bool middles, std::vector<PointPai
         pairs.emplace_back(nearestPoint(a, end), end);
 }
 
-/// Does clearance not fall on both sides of the way between the two wall points? Between hollow walls it
-/// does: there the disc is the widest, not the narrowest.
+/// Is the disc between the two wall points a narrowest one? Between hollow walls clearance falls on both
+/// sides of it, and the disc is the widest.
 bool isNarrowest(const Walls& walls, const Vec2& p, const Vec2& q) {
     const Vec2 middle = (p + q) / 2;
     const double radius_mm = (p - q).norm() / 2;
@@ -77,8 +79,8 @@ bool before(const Neck& a, const Neck& b) {
     return std::tie(a.width_mm, a.at.y(), a.at.x()) < std::tie(b.width_mm, b.at.y(), b.at.x());
 }
 
-/// Is that neck there already, or another place between the same parallel walls, where the way from one to
-/// the other is nowhere wider?
+/// Is the neck in the list? Another place between the same parallel walls counts as the same neck: the
+/// passage from one to the other has the same width all along.
 bool known(const Walls& walls, const std::vector<Neck>& necks, const Neck& neck, double same_mm) {
     return std::any_of(necks.begin(), necks.end(), [&](const Neck& other) {
         if (std::abs(other.width_mm - neck.width_mm) > same_mm) return false;

@@ -7,14 +7,14 @@
 
 namespace stepmill::access {
 
-/// The walls that a cutter must not touch in a feature, and the room between them.
+/// The walls of a feature that a cutter must not touch, and the room between them.
 class Walls {
   public:
     explicit Walls(const FeatureGround& ground);
 
-    /// The boundary edges the cutter must keep clear of.
+    /// The edges of the walls.
     const std::vector<Edge>& edges() const { return walls_.edges(); }
-    /// Is a disc there clear of all walls (within `slack_mm`), outside material and at work on the target?
+    /// Does a disc there clear all walls (to within `slack_mm`), lie outside material, and touch the target?
     bool discFits(const Vec2& centre, double radius_mm, double slack_mm) const;
     /// Distance to the nearest wall [mm].
     double clearance(const Vec2& p) const { return walls_.distanceTo(p); }
@@ -28,15 +28,14 @@ class Walls {
     EdgeIndex walls_;
 };
 
-/// Two walls that face each other across a free disc which touches both: a minimum of clearance along the way
-/// between them.
+/// A narrowest place of the room: a free disc that touches two walls on opposite sides.
 struct Neck {
     double width_mm = 0;
     Vec2 at = Vec2::Zero();
 };
 
-/// All necks up to that width, by width, then y, then x. Of parallel walls the middle alone.
-/// O(n^2) pairs of edges; most end at the first look.
+/// All necks up to that width, ordered by width, then y, then x. Parallel walls have one, in their middle.
+/// O(n^2) pairs of edges; most pairs are rejected by their boxes.
 std::vector<Neck> findNecks(const Walls& walls, double widest_mm, const Tolerances& tol);
 
 }  // namespace stepmill::access

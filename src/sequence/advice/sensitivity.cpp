@@ -14,10 +14,11 @@ constexpr EnumWord<Parameter> kParameters[] = {{Parameter::ToolChange, "tool-cha
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// A line lower by less than this share is the same line, rounded.
+/// Lines that differ by less than this share are the same line but for rounding.
 constexpr double kSameShare = 1e-9;
 
-/// Splits ranges until no line lies below the two that are best at their ends.
+/// Splits ranges of the parameter until in each the lines that are best at its two ends are best in all of
+/// it.
 class Splitter {
   public:
     explicit Splitter(const CheapestAt& cheapest) : cheapest_(cheapest) {}
@@ -31,11 +32,11 @@ class Splitter {
     }
 
   private:
-    /// Adds the pieces between two values at which these lines are best.
+    /// Adds the pieces between `from`, where `left` is best, and `to`, where `right` is best.
     void split(double from, const CostLine& left, double to, const CostLine& right) {
         const bool falls = left.per_unit > right.per_unit * (1 + kSameShare);
         if (!falls) {
-            // One of them is best all along; where rounding made two of one line, the left one stays.
+            // One of the two is best in all of the range: the left one, unless the right one is really lower.
             add(from, left.fixed <= right.fixed * (1 + kSameShare) ? left : right);
             return;
         }
@@ -72,7 +73,7 @@ ToolAssembly withPrice(ToolAssembly tool, double price) {
     return tool;
 }
 
-/// Machine and library as they would be at this value of the parameter, and what then is to be made least.
+/// Machine and library at one value of the parameter, and the objective there.
 struct Shop {
     ToolLibrary library;
     Machine machine;
@@ -80,7 +81,7 @@ struct Shop {
 };
 
 Shop shopAt(double value, Shop shop, Parameter parameter) {
-    // Longer than any path takes, so that sequences with fewer tools always win.
+    // A change that takes longer than any path: the sequence with the fewest tools wins.
     constexpr double kEndlessChangeS = 1e9;
     const bool endless = value == kInfinite;
     switch (parameter) {
@@ -88,14 +89,14 @@ Shop shopAt(double value, Shop shop, Parameter parameter) {
             shop.machine.tool_change_s = endless ? kEndlessChangeS : value;
             break;
         case Parameter::HourlyRate:
-            // At an endless rate only time counts.
+            // At an infinite rate only time counts.
             if (endless)
                 shop.objective = Objective::Time;
             else
                 shop.machine.hourly_rate = value;
             break;
         case Parameter::ToolPrice:
-            // At endless prices only wear counts.
+            // At infinite prices only wear counts.
             if (endless) shop.machine.hourly_rate = 0;
             for (ToolAssembly& tool : shop.library.tools)
                 tool.price *= endless ? 1 : value;
@@ -104,7 +105,7 @@ Shop shopAt(double value, Shop shop, Parameter parameter) {
     return shop;
 }
 
-/// What the steps of a sequence cost; steps in a row with one tool share its change.
+/// The cost of a sequence. Consecutive steps with the same tool share one tool change.
 CostLine lineOf(const ToolSequence& sequence, const Shop& shop, Parameter parameter, Objective objective) {
     CostLine sum;
     PathTotals totals;
@@ -123,7 +124,7 @@ CostLine lineOf(const ToolSequence& sequence, const Shop& shop, Parameter parame
     return sum;
 }
 
-/// The tool DAG of evaluated edges by node numbers, tools in falling diameter.
+/// The tool DAG with a cost line for each evaluated edge. Nodes are numbered by falling diameter.
 class EdgeLines {
   public:
     EdgeLines(const EdgeLines&) = delete;
@@ -197,7 +198,7 @@ Objective objectiveFor(Parameter parameter, Objective asked) {
 
 CostLine edgeLine(const PathTotals& totals, const ToolAssembly& tool, const Machine& machine,
                   Parameter parameter, Objective objective) {
-    // Eq. 12 and 13 are linear in each parameter: the line is the cost at 0 and what one unit of it adds.
+    // Eq. 12 and 13 are linear in each parameter: the line is the cost at 0 and the cost that one unit adds.
     CostLine line;
     Machine at = machine;
     switch (parameter) {

@@ -172,7 +172,8 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;
     clearing.obstruction = n.own->obstructionIn(feature);
-    // The plan may set the tool out less far than it can be, and then takes the shortest that will do.
+    // The plan may set the tool out shorter than the library allows: it takes the shortest stick-out that
+    // works.
     addHolder(feature, *n.tool, clearing);
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
@@ -223,7 +224,8 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
     if (n.drill()) return drilledBy(task, n);
     SequenceStep step = stepOf(task, m, n);
     step.path = pathBy(task.options.pattern, task, n, step.area, nullptr);
-    // Regions choose for themselves; what lies between them may cost more than they save.
+    // Each region takes its own quickest pattern; the links between the regions may cost more than that
+    // saves.
     Toolpath weighed = pathBy(kWeighedPattern, task, n, step.area, nullptr);
     const auto weight = [&](const Toolpath& path) {
         return weightOf(edgeCost(path.totals, *n.tool, task.machine), task.options.objective);

@@ -11,7 +11,7 @@ namespace stepmill {
 class SurrogateFinder;
 using SharedRings = std::shared_ptr<const RingFamily>;
 
-/// One feature's tools and settings, as every edge of its DAG needs them.
+/// The tools and settings of one feature, which the evaluation of every edge of its DAG needs.
 struct DagTask {
     const FeatureGround& ground;
     const std::vector<Candidate>& tools;
@@ -19,14 +19,14 @@ struct DagTask {
     const SequenceOptions& options;
     const Machine& machine;
     double retract_z_mm = 0;
-    /// Finds the surrogates of tools that have lumps; null: none of the tools has any.
+    /// Finds the surrogates of tools that have lumps; null where no tool has any.
     const SurrogateFinder* surrogates = nullptr;
-    /// Weight of the cheapest tool that does all alone, where that is known: then only cheaper sequences of
-    /// several tools are sought. kNoEdge: not known.
+    /// Weight of the cheapest tool that does the whole feature alone; kNoEdge: not known. Where it is known,
+    /// the search is for cheaper sequences of several tools only.
     double alone_weight = kNoEdge;
 };
 
-/// An edge as it was evaluated, whatever follows it.
+/// An evaluated edge. Its weight still depends on the node after it.
 struct WeighedEdge {
     int from = 0;  ///< node numbers
     int to = 0;
@@ -34,7 +34,7 @@ struct WeighedEdge {
     EdgeSurrogates surrogates;
     double weight = 0;  ///< seconds or money, changes included
 
-    /// The same when that node follows.
+    /// The weight if that node follows.
     double weightBefore(int next) const { return weight - surrogates.saving(next); }
 };
 
@@ -50,24 +50,24 @@ struct DagResult {
 /// The edge between two nodes; null where none was evaluated.
 const WeighedEdge* edgeBetween(const DagResult& dag, int from, int to);
 
-/// Evaluates the edges on real tool paths, in parallel, and finds the cheapest path. The result is the
-/// same for any number of threads: every edge has a slot of its own and what is pruned depends on earlier
-/// rounds only.
+/// Evaluates the edges on real tool paths, in parallel, and finds the cheapest path. The result is the same
+/// for any number of threads: every edge has its own slot, and pruning depends on earlier rounds only.
 DagResult evaluateDag(const DagTask& task);
 
-/// Pattern of the paths that edges are weighed by. To weigh all patterns on every edge costs several times as
-/// much and hardly ever changes which tools are cheapest; the chosen steps get the best of all.
+/// Pattern of the paths that edges are weighed by. Weighing all patterns on every edge costs several times as
+/// much and rarely changes which tools are cheapest. The chosen steps get the best pattern of all.
 inline constexpr Pattern kWeighedPattern = Pattern::ContourInsideOut;
 
-/// What n itself sweeps after m (null: nothing swept yet), with the tool path an edge is weighed by. No
-/// moves: nothing. \param rings  ringsOf() the tool
+/// The step of tool n itself after m (null: nothing swept yet), with the path that the edge is weighed by. A
+/// path without moves: n has nothing to cut. \param rings  ringsOf() the tool
 SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings);
 
-/// The rings that all paths of a tool share while edges are weighed; null for a drill.
+/// The rings that all paths of one tool share while edges are weighed; null for a drill.
 SharedRings ringsOf(const DagTask& task, const Candidate& tool);
 
-/// Step n of a chosen path, after m (null for the first), with the tool path to run, of the quickest
-/// patterns, proved. Surrogates' steps are not in it. \throws Error(Internal) if the path gouges
+/// The step of tool n of a chosen path, after m (null for the first), with the tool path to run: of the
+/// quickest patterns, and proved. It does not contain the surrogates' steps. \throws Error(Internal) if the
+/// path gouges
 SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n);
 
 }  // namespace stepmill
