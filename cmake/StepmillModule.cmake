@@ -1,9 +1,10 @@
-# stepmill_module(NAME SOURCES ... DEPENDS modules ... LIBRARIES targets ... [PRECOMPILE headers...])
+# stepmill_module(NAME SOURCES ... DEPENDS modules ... LIBRARIES targets ...)
 #
 # One static library `stepmill_<name>` per module. DEPENDS are modules above it in the data flow and are
-# public, since their types stand in this module's headers; LIBRARIES stay private.
+# public, since their types stand in this module's headers; LIBRARIES stay private. Modules that use
+# nlohmann_json share the precompiled header with it, the others the one without.
 function(stepmill_module name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
   set(target stepmill_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(stepmill::${name} ALIAS ${target})
@@ -15,5 +16,9 @@ function(stepmill_module name)
   foreach(module ${ARG_DEPENDS})
     target_link_libraries(${target} PUBLIC stepmill_${module})
   endforeach()
-  target_precompile_headers(${target} PRIVATE ${STEPMILL_PRECOMPILED} ${ARG_PRECOMPILE})
+  if(nlohmann_json::nlohmann_json IN_LIST ARG_LIBRARIES)
+    target_precompile_headers(${target} REUSE_FROM stepmill_precompiled_json)
+  else()
+    target_precompile_headers(${target} REUSE_FROM stepmill_precompiled)
+  endif()
 endfunction()
