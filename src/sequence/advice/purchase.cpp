@@ -106,6 +106,7 @@ class Adviser {
                          [&](std::size_t a, std::size_t b) { return isBetter(forecasts[a], forecasts[b]); });
         if (order.size() > kPurchaseTrials) order.resize(kPurchaseTrials);
         std::vector<TrialTool> chosen;
+        chosen.reserve(order.size());
         for (const std::size_t i : order)
             chosen.push_back(std::move(trials[i]));
         return chosen;
