@@ -8,8 +8,7 @@ namespace stepmill::clearance {
 /// Draws stretches of boundary, moved into the free side by a distance.
 class BoundaryDrawer {
   public:
-    BoundaryDrawer(const Profile& profile, double distance)
-        : profile_(profile), sites_(profile.sites()), distance_(distance) {}
+    BoundaryDrawer(const Profile& profile, double distance) : sites_(profile.sites()), distance_(distance) {}
 
     /// The ring's vertex at a place. Its distances to the stop and to the place's own site are equal but for
     /// a few nanometres, because both are rounded and the level steps aside.
@@ -23,7 +22,6 @@ class BoundaryDrawer {
     Vec2 endOf(int index) const;
     void drawSite(int index, double from_u, double to_u, const Vec2& to, LoopDrawer& loop) const;
 
-    const Profile& profile_;
     const std::vector<Site>& sites_;
     double distance_;
 };
