@@ -1,5 +1,7 @@
 // From solids to layers.
 
+#include <span>
+
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -36,6 +38,9 @@ struct Solids {
 /// To see whether a slab hides air worth another one, it is integrated over at most as many stretches between
 /// bends; the stock's own volume corrects the sum.
 constexpr int kStretches = 6;
+/// A slab of the stock under several levels may hold air of this share of what is worth nothing: the rest is
+/// left to the joining of slabs.
+constexpr double kSharedAir = 0.25;
 
 bool isUprightBox(const Setup& setup) {
     if (setup.stock.kind != Stock::Kind::Box) return false;
@@ -73,31 +78,77 @@ void cutStock(const Solids& solids, const SliceOptions& options, const Tolerance
     Layer& layer = cut.layer;
     layer.stock = solids.stock_box;
     double stock_mm3 = area(layer.stock) * layer.height_mm();
-    const double half_way = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-    Region raw_half_way = layer.stock;
     if (solids.raw_stock) {
         SlabCut raw = layers::cutSlab(*solids.raw_stock, layer.top_z_mm, layer.bottom_z_mm, options, tol);
         layer.stock = std::move(raw.region);
+        cut.raw_stock_upright = raw.vertical;
         stock_mm3 = raw.vertical ? area(layer.stock) * layer.height_mm() : raw.volume_mm3;
         for (const std::string& remark : raw.remarks)
             cut.remarks.push_back("stock: " + remark);
-        raw_half_way = layer.stock;
-        if (!raw.vertical && !solids.air.empty())
-            raw_half_way = layers::exactSection(*solids.raw_stock, half_way, tol).value_or(layer.stock);
     }
     if (!solids.air.empty()) {
-        stock_mm3 -= solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm, kStretches);
-        layer.stock = subtract(layer.stock, solids.air.between(layer.bottom_z_mm, layer.top_z_mm), tol);
+        // A slab that holds no more than makes a difference is not worth a quadrature: settleAir() looks at
+        // its middle.
+        const bool counts = stock_mm3 > solids.worthless_mm3;
+        const Region air = solids.air.between(layer.bottom_z_mm, layer.top_z_mm);
+        stock_mm3 -= counts ? solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm, kStretches)
+                            : area(intersect(layer.stock, air, tol)) * layer.height_mm();
+        layer.stock = subtract(layer.stock, air, tol);
     }
-    const double air_mm3 = area(layer.stock) * layer.height_mm() - stock_mm3;
-    const bool leans = air_mm3 > tol.area_mm2 * layer.height_mm();
-    layer.stock_air_mm3 = leans ? air_mm3 : 0;
-    if (leans && !solids.air.empty())
-        layer.stock_half_way = subtract(raw_half_way, solids.air.at(half_way), tol);
+    layer.stock_air_mm3 = area(layer.stock) * layer.height_mm() - stock_mm3;
 }
 
-CutLayer cutLayer(const Solids& solids, double top_mm, double bottom_mm, const SliceOptions& options,
-                  const Tolerances& tol) {
+/// The stock half-way up a slab, less what earlier setups cut.
+Region stockHalfWay(const Solids& solids, const Tolerances& tol, const CutLayer& cut) {
+    const Layer& layer = cut.layer;
+    const double half_way = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+    Region raw = solids.stock_box;
+    if (solids.raw_stock) {
+        raw = layer.stock;
+        if (!cut.raw_stock_upright)
+            raw = layers::exactSection(*solids.raw_stock, half_way, tol).value_or(layer.stock);
+    }
+    return subtract(raw, solids.air.at(half_way), tol);
+}
+
+/// Settles whether the stock leans in a slab that stays, and where it stands half-way up if so.
+void settleAir(const Solids& solids, const Tolerances& tol, CutLayer& cut) {
+    Layer& layer = cut.layer;
+    const double nothing_mm3 = tol.area_mm2 * layer.height_mm();
+    const bool cut_before = !solids.air.empty();
+    if (cut_before && !solids.air.isUpright(layer.bottom_z_mm, layer.top_z_mm)) {
+        layer.stock_half_way = stockHalfWay(solids, tol, cut);
+        // In thin slabs the quadrature misses more than there is; there the middle stands for all heights.
+        if (layer.stock_air_mm3 <= nothing_mm3)
+            layer.stock_air_mm3 = (area(layer.stock) - area(layer.stock_half_way)) * layer.height_mm();
+    } else if (cut_before && layer.stock_air_mm3 > nothing_mm3) {
+        layer.stock_half_way = stockHalfWay(solids, tol, cut);
+    }
+    if (layer.stock_air_mm3 > nothing_mm3) return;
+    layer.stock_air_mm3 = 0;
+    layer.stock_half_way = {};
+}
+
+/// Slabs of the stock that hold several of the part's, from the top down.
+using StockSlabs = std::vector<CutLayer>;
+
+/// Takes the stock from the slab that holds this one's heights; false if there is none.
+bool takeStock(const StockSlabs& slabs, CutLayer& cut) {
+    const double middle = (cut.layer.top_z_mm + cut.layer.bottom_z_mm) / 2;
+    const auto holds = std::find_if(slabs.begin(), slabs.end(), [&](const CutLayer& slab) {
+        return slab.layer.bottom_z_mm < middle && middle < slab.layer.top_z_mm;
+    });
+    if (holds == slabs.end()) return false;
+    const double share = cut.layer.height_mm() / holds->layer.height_mm();
+    cut.layer.stock = holds->layer.stock;
+    cut.layer.stock_half_way = holds->layer.stock_half_way;
+    cut.layer.stock_air_mm3 = cut.shared_air_mm3 = share * holds->layer.stock_air_mm3;
+    if (cut.layer.top_z_mm == holds->layer.top_z_mm) cut.remarks = holds->remarks;
+    return true;
+}
+
+CutLayer cutLayer(const Solids& solids, const StockSlabs& stock_slabs, double top_mm, double bottom_mm,
+                  const SliceOptions& options, const Tolerances& tol) {
     CutLayer cut;
     cut.layer.top_z_mm = top_mm;
     cut.layer.bottom_z_mm = bottom_mm;
@@ -107,8 +158,8 @@ CutLayer cutLayer(const Solids& solids, double top_mm, double bottom_mm, const S
     cut.layer.mended_by_mm = part.mended_by_mm;
     cut.part_volume_mm3 = part.volume_mm3;
     cut.leaning = std::move(part.leaning);
-    cut.remarks = std::move(part.remarks);
-    cutStock(solids, options, tol, cut);
+    if (!takeStock(stock_slabs, cut)) cutStock(solids, options, tol, cut);
+    std::move(part.remarks.begin(), part.remarks.end(), std::back_inserter(cut.remarks));
     // Hulls of facets may reach out of the stock; the part does not.
     if (part.mended_by_mm > 0) cut.layer.part = intersect(cut.layer.part, cut.layer.stock, tol);
     return cut;
@@ -131,6 +182,7 @@ double gainableVolume(const CutLayer& cut, const std::vector<FaceTrace>& traces)
 /// What all slabs are cut from.
 struct Cutting {
     const Solids& solids;
+    const StockSlabs& stock_slabs;
     const std::vector<FaceTrace>& traces;
     const SliceOptions& options;
     const Tolerances& tol;
@@ -138,7 +190,7 @@ struct Cutting {
 
 /// One slab between levels, halved while leaning walls hide too much of what is to be removed.
 void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vector<CutLayer>& out) {
-    CutLayer cut = cutLayer(from.solids, top_mm, bottom_mm, from.options, from.tol);
+    CutLayer cut = cutLayer(from.solids, from.stock_slabs, top_mm, bottom_mm, from.options, from.tol);
     const double height = top_mm - bottom_mm;
     const double removable = area(cut.layer.stock) * height - cut.part_volume_mm3;
     const double allowed = std::max({from.options.largest_hidden_share * removable,
@@ -146,6 +198,7 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
     const bool thin = height / 2 < from.options.thinnest_slab_mm;
     const bool stock_leans = cut.layer.stock_air_mm3 > allowed;
     if (thin || (gainableVolume(cut, from.traces) <= allowed && !stock_leans)) {
+        if (cut.shared_air_mm3 <= 0) settleAir(from.solids, from.tol, cut);
         out.push_back(std::move(cut));
         return;
     }
@@ -153,6 +206,64 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
         stock_leans ? from.solids.air.bendNearMiddle(bottom_mm, top_mm) : (top_mm + bottom_mm) / 2;
     cutAndHalve(from, top_mm, middle, out);
     cutAndHalve(from, middle, bottom_mm, out);
+}
+
+/// Heights where slabs of the stock end in any case: hard levels, and those where the raw stock's own form
+/// changes.
+std::vector<std::size_t> stockBounds(const Solids& solids, const std::vector<Level>& levels,
+                                     const SliceOptions& options) {
+    std::vector<Level> of_stock;
+    if (solids.raw_stock) layers::addLevels(*solids.raw_stock, Level::Rank::Plane, of_stock);
+    std::vector<std::size_t> bounds;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const bool of_raw = std::any_of(of_stock.begin(), of_stock.end(), [&](const Level& level) {
+            return std::abs(level.z_mm - levels[i].z_mm) <= 2 * options.level_merge_mm;
+        });
+        if (of_raw || !levels[i].soft()) bounds.push_back(i);
+    }
+    return bounds;
+}
+
+/// One slab of the stock between two levels, parted at a level while it holds air worth a slab of its own.
+/// Between neighbouring levels it is left to the part's slab.
+void cutStockSlab(const Solids& solids, std::span<const Level> levels, const SliceOptions& options,
+                  const Tolerances& tol, StockSlabs& out) {
+    if (levels.size() <= 2) return;
+    CutLayer cut;
+    cut.layer.top_z_mm = levels.front().z_mm;
+    cut.layer.bottom_z_mm = levels.back().z_mm;
+    cutStock(solids, options, tol, cut);
+    if (cut.layer.stock_air_mm3 <= kSharedAir * solids.worthless_mm3) {
+        settleAir(solids, tol, cut);
+        out.push_back(std::move(cut));
+        return;
+    }
+    const double middle = (cut.layer.top_z_mm + cut.layer.bottom_z_mm) / 2;
+    std::size_t at = 1;
+    for (std::size_t i = 1; i + 1 < levels.size(); ++i)
+        if (std::abs(levels[i].z_mm - middle) < std::abs(levels[at].z_mm - middle)) at = i;
+    cutStockSlab(solids, levels.first(at + 1), options, tol, out);
+    cutStockSlab(solids, levels.subspan(at), options, tol, out);
+}
+
+/// Seen askew every wall that earlier setups cut leans, and the part has a level at every vertex: slabs of
+/// the stock are cut where its air asks for them, not at each of these.
+StockSlabs cutStockSlabs(const Solids& solids, const std::vector<Level>& levels, const SliceOptions& options,
+                         const Tolerances& tol) {
+    StockSlabs all;
+    if (!solids.air.leans() || !options.join_slabs) return all;
+    const std::vector<std::size_t> bounds = stockBounds(solids, levels, options);
+    std::vector<StockSlabs> slabs(bounds.size() - 1);
+    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t i) {
+        guardOcct(ErrorCode::GeometryKernel, fmt::format("stock under z {:.4f} mm", levels[bounds[i]].z_mm),
+                  [&] {
+                      const std::span<const Level> between(&levels[bounds[i]], bounds[i + 1] - bounds[i] + 1);
+                      cutStockSlab(solids, between, options, tol, slabs[i]);
+                  });
+    });
+    for (StockSlabs& some : slabs)
+        std::move(some.begin(), some.end(), std::back_inserter(all));
+    return all;
 }
 
 std::vector<CutLayer> cutAll(const Cutting& from, const std::vector<Level>& levels) {
@@ -203,7 +314,8 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
         stack.remarks.push_back(fmt::format("the part's facets leave {} gaps", solids.part.openSides()));
     guardOcct(ErrorCode::GeometryKernel, "faces of the part",
               [&] { stack.traces = layers::traceFaces(solids.part, tol); });
-    std::vector<CutLayer> cuts = cutAll({solids, stack.traces, options, tol}, levels);
+    const StockSlabs stock_slabs = cutStockSlabs(solids, levels, options, tol);
+    std::vector<CutLayer> cuts = cutAll({solids, stock_slabs, stack.traces, options, tol}, levels);
     layers::closeBooks(cuts, setup, tol, stack.remarks);
     layers::castShadows(cuts, tol);
     if (options.join_slabs) cuts = layers::mergeSlabs(std::move(cuts), solids.worthless_mm3, options, tol);

@@ -14,6 +14,8 @@ namespace stepmill::layers {
 struct CutLayer {
     Layer layer;
     bool soft_top = false;             ///< no plane and no end of the stock lies at its top
+    bool raw_stock_upright = true;     ///< before earlier setups cut it
+    double shared_air_mm3 = 0;         ///< of `stock_air_mm3`: where the stock is that of a thicker slab
     double part_volume_mm3 = 0;        ///< of the solid itself
     std::map<int, FaceShare> leaning;  ///< what leans in the slab, by face
     std::vector<std::string> remarks;

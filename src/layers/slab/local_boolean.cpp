@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "layers/indexed_region.h"
 #include "layers/section/tidy_loop.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
@@ -177,9 +178,8 @@ Region soundUnion(const Region& a, const Region& b, const Tolerances& tol) {
 /// Does a point of b's boundary lie plainly outside a? Found at corners and middles of edges, it saves the
 /// boolean that would only say no.
 bool sticksOut(const Region& a, const Region& b, const Tolerances& tol) {
-    const auto outside = [&](const Vec2& p) {
-        return !contains(a, p) && distanceToBoundary(a, p) > 2 * tol.linear_mm;
-    };
+    const IndexedRegion indexed(a);
+    const auto outside = [&](const Vec2& p) { return indexed.isBeyond(p, 2 * tol.linear_mm); };
     for (const auto& [from, segment] : eachEdge(b))
         if (outside(segment.to) || outside(pointAt(from, segment, 0.5))) return true;
     return false;

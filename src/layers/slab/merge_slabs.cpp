@@ -89,8 +89,9 @@ struct Contents {
     double air_mm3 = 0;  ///< in `stock_mm3`
     double shadow_mm3 = 0;
 
-    void add(const Layer& layer) {
-        stock_mm3 += area(layer.stock) * layer.height_mm();
+    void add(const CutLayer& cut) {
+        const Layer& layer = cut.layer;
+        stock_mm3 += area(layer.stock) * layer.height_mm() - cut.shared_air_mm3;
         air_mm3 += layer.stock_air_mm3;
         shadow_mm3 += area(layer.shadow) * layer.height_mm();
     }
@@ -103,7 +104,7 @@ std::optional<Region> commonStock(const Layer& upper, const CutLayer& lower, Con
     if (!lower.soft_top || worthless_mm3 <= 0) return std::nullopt;
     // Where the stock's walls stand upright a vise can hold it: such slabs do not join leaning ones.
     if ((upper.stock_air_mm3 > 0) != (lower.layer.stock_air_mm3 > 0)) return std::nullopt;
-    apart.add(lower.layer);
+    apart.add(lower);
     const double height = upper.top_z_mm - lower.layer.bottom_z_mm;
     const double hidden_mm3 = area(lower.layer.shadow) * height - apart.shadow_mm3;
     const double widest_mm2 = std::max(area(upper.stock), area(lower.layer.stock));
@@ -130,14 +131,14 @@ std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, double worthless_mm
             Layer& above = merged.back().layer;
             topmost.bottom_z_mm = above.bottom_z_mm;
             if (mayJoin(topmost, cut, thinnest, options, tol)) {
-                apart.add(cut.layer);
+                apart.add(cut);
                 const double more_air_mm3 = cut.layer.stock_air_mm3;
                 join(merged.back(), std::move(cut), tol);
                 above.stock_air_mm3 += more_air_mm3;
                 continue;
             }
             if (std::optional<Region> stock = commonStock(above, cut, apart, worthless_mm3, tol)) {
-                apart.add(cut.layer);
+                apart.add(cut);
                 join(merged.back(), std::move(cut), tol);
                 above.stock_air_mm3 =
                     std::max(0.0, apart.air_mm3 + area(*stock) * above.height_mm() - apart.stock_mm3);
@@ -147,7 +148,7 @@ std::vector<CutLayer> mergeSlabs(std::vector<CutLayer> cuts, double worthless_mm
         }
         topmost = cut.layer;
         apart = {};
-        apart.add(cut.layer);
+        apart.add(cut);
         merged.push_back(std::move(cut));
     }
     return merged;

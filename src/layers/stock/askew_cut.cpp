@@ -54,21 +54,39 @@ Region insidePolygon(const Region& region) {
     return inside;
 }
 
+/// What meets the walls of a loop on its way out: the ground between each run of edges that the way leaves
+/// the region over and the run moved back. Where the way comes in it was outside before.
+void addSwept(const Loop& loop, const Vec2& travel, const Box2& reached, std::vector<Region>& into) {
+    std::vector<Vec2> run;
+    const auto finish = [&] {
+        Box2 wall;
+        for (const Vec2& p : run)
+            wall.extend(p);
+        if (run.size() > 1 && wall.intersects(reached)) {
+            for (std::size_t i = run.size(); i > 0; --i)
+                run.push_back(run[i - 1] - travel);
+            into.push_back(makePolygon(run));
+        }
+        run.clear();
+    };
+    Vec2 from = loop.start;
+    for (const Segment& segment : loop.segments) {
+        const bool leaves = cross(travel, segment.to - from) > kGridMm;
+        if (!leaves) finish();
+        if (leaves && run.empty()) run.push_back(from);
+        if (leaves) run.push_back(segment.to);
+        from = segment.to;
+    }
+    finish();
+}
+
 /// Points of `from_where`, inside the outline, that stay inside all the way to where `travel` takes them.
 Region staysInside(const Region& from_where, const Region& outline, const Vec2& travel,
                    const Tolerances& tol) {
     const Box2 reached = grown(boundingBox(from_where), travel.norm());
     std::vector<Region> meets_wall;
-    for (const auto& [from, segment] : eachEdge(outline)) {
-        Box2 wall;
-        wall.extend(from);
-        wall.extend(segment.to);
-        const double area_mm2 = cross(segment.to - from, -travel);
-        std::vector<Vec2> corners = {from, segment.to, segment.to - travel, from - travel};
-        if (area_mm2 < 0) std::reverse(corners.begin(), corners.end());
-        if (std::abs(area_mm2) > kGridMm && wall.intersects(reached))
-            meets_wall.push_back(makePolygon(corners));
-    }
+    for (const Loop& loop : outline.loops)
+        addSwept(loop, travel, reached, meets_wall);
     return meets_wall.empty() ? from_where : subtract(from_where, unite(meets_wall, tol), tol);
 }
 
@@ -99,6 +117,30 @@ Region AskewCut::between(double low_mm, double high_mm, const Tolerances& tol) c
     Region inside = intersect(outline_, in_reach, tol);
     if (rise_mm > 0 && !inside.empty()) inside = staysInside(inside, outline_, up_.head<2>() * rise_mm, tol);
     return toSetup(inside, low_mm);
+}
+
+BandedPolygon AskewCut::at(double z_mm) const {
+    const double base = z_mm - to_setup_.translation().z();
+    const auto seen = [&](const Vec2& p) {
+        const double reach = (base - up_.head<2>().dot(p)) / up_.z();
+        return Vec2((to_setup_ * Vec3(p.x(), p.y(), reach)).head<2>());
+    };
+    BandedPolygon section;
+    for (const Loop& loop : outline_.loops) {
+        Vec2 from = seen(loop.start);
+        for (const Segment& segment : loop.segments) {
+            const Vec2 to = seen(segment.to);
+            section.sides.push_back({from, to});
+            from = to;
+        }
+    }
+    // Heights along the prism's own axis lie between its ends.
+    const Vec3 axis = to_setup_.linear().col(2);
+    const double raised = axis.z() * z_mm - axis.dot(to_setup_.translation());
+    section.across = axis.head<2>();
+    section.low = bottom_mm_ - raised;
+    section.high = top_mm_ - raised;
+    return section;
 }
 
 /// Where a point of the setup's plane at z lies between the prism's ends, and is still there after the rise.

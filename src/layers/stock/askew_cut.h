@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "layers/stock/scanned_area.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/part/part.h"
 #include "stepmill/planar/region.h"
@@ -25,6 +26,8 @@ class AskewCut {
     /// Points over and under which the prism goes on at all heights between, in the setup's plane. The same
     /// height twice gives the section there. O(n log n) in the outline's edges.
     Region between(double low_mm, double high_mm, const Tolerances& tol) const;
+    /// The section at a height as its sides seen in the setup. O(edges).
+    BandedPolygon at(double z_mm) const;
 
   private:
     Region strip(double z_mm, double rise_mm) const;

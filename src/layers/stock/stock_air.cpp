@@ -6,7 +6,8 @@
 #include <array>
 #include <set>
 
-#include "stepmill/core/units.h"
+#include "layers/indexed_region.h"
+#include "layers/stock/rectangle_union.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
@@ -40,37 +41,6 @@ constexpr std::array<Node, 4> kNodes = {{{0.011847712960255552, 0.05912219651077
 /// Cuts askew to the axis that are less than this share of all there is to remove count as uncut: each costs
 /// a union a slab.
 constexpr double kAskewShare = 3e-5;
-
-/// Shares of an arc at which it passes the outermost points of its circle.
-std::vector<double> turningShares(const Vec2& from, const Segment& segment) {
-    const Arc& arc = *segment.arc;
-    const Vec2 out = from - arc.centre;
-    const double start = std::atan2(out.y(), out.x());
-    const double sweep = sweepAngle(from, segment.to, arc);
-    std::vector<double> shares;
-    // A start in (-pi, pi] and a full turn either way: six quarter turns cover them.
-    for (int quarter = -6; quarter <= 6; ++quarter) {
-        const double share = (quarter * kPi / 2 - start) / sweep;
-        if (share > 1e-9 && share < 1 - 1e-9) shares.push_back(share);
-    }
-    std::sort(shares.begin(), shares.end());
-    return shares;
-}
-
-void addPieces(const Vec2& from, const Segment& segment, std::vector<MonotonePiece>& into) {
-    if (!segment.arc) return into.push_back({from, segment.to, std::nullopt, false});
-    std::vector<double> shares = turningShares(from, segment);
-    shares.push_back(1);
-    Vec2 at = from;
-    double done = 0;
-    for (const double share : shares) {
-        const Vec2 to = share == 1 ? segment.to : pointAt(from, segment, share);
-        const Vec2 middle = pointAt(from, segment, (done + share) / 2);
-        into.push_back({at, to, segment.arc, middle.x() > segment.arc->centre.x()});
-        at = to;
-        done = share;
-    }
-}
 
 /// Loops of a region, moved by an isometry of the plane.
 template <typename Move>
@@ -109,16 +79,6 @@ std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolera
         if (!gone.empty()) found.push_back({unite(gone, tol), high, *low});
     }
     return found;
-}
-
-bool isUprightRectangle(const Region& region) {
-    const Vec2 size = boundingBox(region).sizes();
-    return region.loops.size() == 1 && area(region) >= size.x() * size.y();
-}
-
-bool around(const Box2& outer, const Box2& inner) {
-    return (outer.min().array() <= inner.min().array() + kGridMm).all() &&
-           (inner.max().array() <= outer.max().array() + kGridMm).all();
 }
 
 bool isLevel(const MonotonePiece& piece) {
@@ -183,25 +143,21 @@ std::vector<Interval> clearIntervals(const LyingCut& cut, const Slab& slab) {
 
 }  // namespace
 
-double MonotonePiece::xAt(double y) const {
-    if (!arc) {
-        const double rise = to.y() - from.y();
-        return rise == 0 ? from.x()
-                         : from.x() + (to.x() - from.x()) * std::clamp((y - from.y()) / rise, 0.0, 1.0);
-    }
-    const double up = y - arc->centre.y();
-    const double out = std::sqrt(std::max(0.0, arc->radius_mm * arc->radius_mm - up * up));
-    return arc->centre.x() + (right_of_centre ? out : -out);
-}
-
-Region LyingCut::box(double place_from, double place_to, double reach_to) const {
+std::vector<Vec2> LyingCut::box(double place_from, double place_to, double reach_to) const {
     const auto corner = [&](double place, double reach) {
         return Vec2(origin + place * along + reach * sweep);
     };
     std::vector<Vec2> corners = {corner(place_from, from_mm), corner(place_to, from_mm),
                                  corner(place_to, reach_to), corner(place_from, reach_to)};
     if (along.x() * sweep.y() < along.y() * sweep.x()) std::reverse(corners.begin(), corners.end());
-    return makePolygon(corners);
+    return corners;
+}
+
+bool LyingCut::alongAxes() const {
+    // Turned by less the far end of the longest box stays on its grid point.
+    constexpr double kNotTurned = 1e-12;
+    return std::min(std::abs(along.x()), std::abs(along.y())) < kNotTurned &&
+           std::min(std::abs(sweep.x()), std::abs(sweep.y())) < kNotTurned;
 }
 
 StockAir::StockAir(const Setup& setup, double least_level_mm3, const Tolerances& tol)
@@ -292,19 +248,42 @@ double StockAir::bendNearMiddle(double bottom_mm, double top_mm) const {
     return best;
 }
 
-Region StockAir::between(double bottom_mm, double top_mm) const {
+AirParts StockAir::partsBetween(double bottom_mm, double top_mm) const {
     const Slab slab(bottom_mm, top_mm);
-    std::vector<Region> air;
-    for (const Prism& prism : upright_)
-        if (slab.isSpannedBy(prism)) air.push_back(prism.region);
-    addBoxes(bottom_mm, top_mm, air);
-    for (const AskewCut& cut : askew_)
-        if (Region gone = cut.between(slab.low_mm, slab.high_mm, tol_); !gone.empty())
-            air.push_back(std::move(gone));
-    return air.empty() ? Region{} : unite(air, tol_);
+    AirParts air;
+    for (std::size_t i = 0; i < upright_.size(); ++i)
+        if (slab.isSpannedBy(upright_[i])) air.upright.push_back(static_cast<int>(i));
+    addLyingBoxes(bottom_mm, top_mm, air);
+    return air;
 }
 
-void StockAir::addBoxes(double bottom_mm, double top_mm, std::vector<Region>& air) const {
+Region StockAir::uprightUnion(const std::vector<int>& numbers) const {
+    if (numbers.empty()) return {};
+    {
+        const std::lock_guard lock(unions_->mutex);
+        const auto known = unions_->by_numbers.find(numbers);
+        if (known != unions_->by_numbers.end()) return known->second;
+    }
+    std::vector<Region> regions;
+    for (const int number : numbers)
+        regions.push_back(upright_[static_cast<std::size_t>(number)].region);
+    Region all = unite(regions, tol_);
+    const std::lock_guard lock(unions_->mutex);
+    return unions_->by_numbers.emplace(numbers, std::move(all)).first->second;
+}
+
+Region StockAir::between(double bottom_mm, double top_mm) const {
+    const Slab slab(bottom_mm, top_mm);
+    AirParts parts = partsBetween(bottom_mm, top_mm);
+    std::vector<Region> air = std::move(parts.turned);
+    air.push_back(uprightUnion(parts.upright));
+    air.push_back(RectangleUnion(parts.boxes, tol_.linear_mm).outline());
+    for (const AskewCut& cut : askew_)
+        air.push_back(cut.between(slab.low_mm, slab.high_mm, tol_));
+    return unite(air, tol_);
+}
+
+void StockAir::addLyingBoxes(double bottom_mm, double top_mm, AirParts& air) const {
     /// A box that may go on through the next cut.
     struct Run {
         const LyingCut* lying = nullptr;
@@ -313,8 +292,13 @@ void StockAir::addBoxes(double bottom_mm, double top_mm, std::vector<Region>& ai
     };
     std::vector<Run> runs;
     const auto finish = [&](const std::vector<Run>& done) {
-        for (const Run& run : done)
-            air.push_back(run.lying->box(run.place.from, run.place.to, run.to_mm));
+        for (const Run& run : done) {
+            const std::vector<Vec2> corners = run.lying->box(run.place.from, run.place.to, run.to_mm);
+            if (run.lying->alongAxes())
+                air.boxes.emplace_back(corners[0].cwiseMin(corners[2]), corners[0].cwiseMax(corners[2]));
+            else
+                air.turned.push_back(makePolygon(corners));
+        }
     };
     const Slab slab(bottom_mm, top_mm);
     for (const LyingCut& lying : lying_) {
@@ -354,6 +338,56 @@ bool StockAir::isUpright(double bottom_mm, double top_mm) const {
            });
 }
 
+/// Areas of air over one region.
+class StockAir::Meter {
+  public:
+    Meter(const StockAir& air, const Region& over)
+        : air_(air), over_(over), over_mm2_(area(over)), rest_(over), rest_mm2_(over_mm2_) {}
+
+    /// Of what is air at all heights between, lying and upright cuts only [mm2].
+    double between(double bottom_mm, double top_mm) {
+        return areaOf(air_.partsBetween(bottom_mm, top_mm), {});
+    }
+    double at(double z_mm) {
+        std::vector<BandedPolygon> askew;
+        for (const AskewCut& cut : air_.askew_)
+            if (cut.low_mm() < z_mm && z_mm < cut.high_mm()) askew.push_back(cut.at(z_mm));
+        return areaOf(air_.partsBetween(z_mm, z_mm), std::move(askew));
+    }
+
+  private:
+    double areaOf(const AirParts& parts, std::vector<BandedPolygon> polygons) {
+        leaveOut(parts.upright);
+        const std::vector<Box2> boxes = RectangleUnion(parts.boxes, air_.tol_.linear_mm).apart();
+        double area_mm2 = over_mm2_ - rest_mm2_;
+        if (polygons.empty() && parts.turned.empty()) {
+            for (const Box2& box : boxes)
+                area_mm2 += rest_.areaIn(box);
+            return area_mm2;
+        }
+        for (const Box2& box : boxes)
+            polygons.push_back(banded(box));
+        for (const Region& turned : parts.turned)
+            polygons.push_back(banded(turned));
+        return area_mm2 + scannedArea(rest_, polygons);
+    }
+    /// Upright prisms span many heights: what they leave of the region is cut once.
+    void leaveOut(const std::vector<int>& upright) {
+        if (upright == left_out_) return;
+        const Region rest = subtract(over_, air_.uprightUnion(upright), air_.tol_);
+        left_out_ = upright;
+        rest_mm2_ = area(rest);
+        rest_ = IndexedRegion(rest);
+    }
+
+    const StockAir& air_;
+    const Region& over_;
+    double over_mm2_;
+    std::vector<int> left_out_;
+    IndexedRegion rest_;
+    double rest_mm2_;
+};
+
 double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm, int most_stretches) const {
     if (over.empty() || empty()) return 0;
     std::vector<double> ends{bottom_mm};
@@ -362,21 +396,16 @@ double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm, i
          bend != bends_.end() && *bend < top_mm - apart; ++bend)
         if (*bend > ends.back() + apart) ends.push_back(*bend);
     ends.push_back(top_mm);
-    const bool is_box = isUprightRectangle(over);
+    Meter meter(*this, over);
     double volume_mm3 = 0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
         const double height = ends[i + 1] - ends[i];
-        const auto areaOf = [&](const Region& air) {
-            if (air.empty()) return 0.0;
-            return area(is_box && around(boundingBox(over), boundingBox(air)) ? air
-                                                                              : intersect(over, air, tol_));
-        };
         if (isUpright(ends[i], ends[i + 1])) {
-            volume_mm3 += areaOf(between(ends[i], ends[i + 1])) * height;
+            volume_mm3 += meter.between(ends[i], ends[i + 1]) * height;
             continue;
         }
         for (const Node& node : kNodes)
-            volume_mm3 += node.weight * height * areaOf(at(ends[i] + node.at * height));
+            volume_mm3 += node.weight * height * meter.at(ends[i] + node.at * height);
     }
     return volume_mm3;
 }

@@ -1,27 +1,17 @@
 #pragma once
 
-#include <optional>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <vector>
 
+#include "layers/monotone_piece.h"
 #include "layers/stock/askew_cut.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/planar/region.h"
 #include "stepmill/setup/setup.h"
 
 namespace stepmill::layers {
-
-/// A stretch of boundary that rises and falls nowhere and turns back nowhere: at every height in its range
-/// it has one place.
-struct MonotonePiece {
-    Vec2 from;
-    Vec2 to;
-    std::optional<Arc> arc;
-    bool right_of_centre = false;  ///< which half of its circle
-
-    double low() const { return std::min(from.y(), to.y()); }
-    double high() const { return std::max(from.y(), to.y()); }
-    double xAt(double y) const;
-};
 
 /// A prism across a setup's axis, seen along its own.
 struct LyingCut {
@@ -35,8 +25,18 @@ struct LyingCut {
     double from_mm = 0;
     double to_mm = 0;
 
-    /// What stretch of places covers in the plane, from the prism's near end to `reach_to`.
-    Region box(double place_from, double place_to, double reach_to) const;
+    /// Corners of what a stretch of places covers in the plane, from the prism's near end to `reach_to`,
+    /// counter-clockwise.
+    std::vector<Vec2> box(double place_from, double place_to, double reach_to) const;
+    /// Do the boxes lie along x and y?
+    bool alongAxes() const;
+};
+
+/// What is air at all heights between two, as what it comes from.
+struct AirParts {
+    std::vector<int> upright;    ///< numbers of the upright prisms that span the heights
+    std::vector<Box2> boxes;     ///< of lying prisms along x or y
+    std::vector<Region> turned;  ///< rectangles of other lying prisms
 };
 
 /// The air that earlier setups cut into a stock, seen from another setup.
@@ -52,24 +52,32 @@ class StockAir {
     StockAir(const Setup& setup, double least_level_mm3, const Tolerances& tol);
 
     bool empty() const { return upright_.empty() && lying_.empty() && askew_.empty(); }
+    /// Are there cuts to which walls lean at every height, along axes askew to the setup's?
+    bool leans() const { return !askew_.empty(); }
     /// Heights of horizontal walls of the cuts and of the ends of their outlines [mm], ascending.
     const std::vector<double>& planes() const { return planes_; }
     /// The height nearest to the middle, in the middle half of the slab, where the outline of a cut turns
     /// or bends; the middle itself where there is none.
     double bendNearMiddle(double bottom_mm, double top_mm) const;
-    /// What is air at every height of the slab. O(edges of the cuts) and a union.
+    /// What is air at every height of the slab. O(edges of the cuts) and a union. The union of the upright
+    /// prisms is made once for all slabs they span.
     Region between(double bottom_mm, double top_mm) const;
     /// What is air at that height.
     Region at(double z_mm) const { return between(z_mm, z_mm); }
     /// Is `between` all the air there is in the slab?
     bool isUpright(double bottom_mm, double top_mm) const;
     /// Air in the slab over the region [mm3]; where walls lean by quadrature over as many stretches between
-    /// bends, with 32 to about a thousandth of what they hide.
+    /// bends, with 32 to about a thousandth of what they hide. Areas come from boundaries and scan lines: one
+    /// boolean for each set of upright prisms, none for each height.
     double volumeIn(const Region& over, double bottom_mm, double top_mm, int most_stretches) const;
 
   private:
+    class Meter;
+
     void add(const CutPrisms& cut, const Setup& setup);
-    void addBoxes(double bottom_mm, double top_mm, std::vector<Region>& air) const;
+    AirParts partsBetween(double bottom_mm, double top_mm) const;
+    void addLyingBoxes(double bottom_mm, double top_mm, AirParts& air) const;
+    Region uprightUnion(const std::vector<int>& numbers) const;
     void addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup);
     void addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying);
 
@@ -80,6 +88,13 @@ class StockAir {
     std::vector<AskewCut> askew_;
     std::vector<double> planes_;
     std::vector<double> bends_;  ///< heights where the outline of a cut turns or bends
+
+    /// Unions of upright prisms by their numbers. Shared by the slabs, whatever thread cuts them.
+    struct Unions {
+        std::mutex mutex;
+        std::map<std::vector<int>, Region> by_numbers;
+    };
+    std::unique_ptr<Unions> unions_ = std::make_unique<Unions>();
 };
 
 }  // namespace stepmill::layers
