@@ -38,6 +38,8 @@ struct Solids {
 /// To see whether a slab hides air worth another one, it is integrated over at most as many stretches between
 /// bends; the stock's own volume corrects the sum.
 constexpr int kStretches = 6;
+/// ... and where cuts stand askew to the axis over this many: there every height has a scan of its own.
+constexpr int kAskewStretches = 3;
 /// A slab of the stock under several levels may hold air of this share of what is worth nothing: the rest is
 /// left to the joining of slabs.
 constexpr double kSharedAir = 0.25;
@@ -91,7 +93,8 @@ void cutStock(const Solids& solids, const SliceOptions& options, const Tolerance
         // its middle.
         const bool counts = stock_mm3 > solids.worthless_mm3;
         const Region air = solids.air.between(layer.bottom_z_mm, layer.top_z_mm);
-        stock_mm3 -= counts ? solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm, kStretches)
+        const int stretches = solids.air.leans() ? kAskewStretches : kStretches;
+        stock_mm3 -= counts ? solids.air.volumeIn(layer.stock, layer.bottom_z_mm, layer.top_z_mm, stretches)
                             : area(intersect(layer.stock, air, tol)) * layer.height_mm();
         layer.stock = subtract(layer.stock, air, tol);
     }

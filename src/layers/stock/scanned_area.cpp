@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <numeric>
 #include <utility>
 
 namespace stepmill::layers {
@@ -95,6 +96,23 @@ std::vector<Line> linesOf(const IndexedRegion& within, const std::vector<BandedP
     return corners.lines();
 }
 
+/// Sorts by line, then along it. O(n log m) for m on one line.
+template <typename OnLine>
+void sortByLine(std::vector<OnLine>& all, std::size_t lines) {
+    std::vector<std::size_t> ends(lines + 1, 0);
+    for (const OnLine& one : all)
+        ++ends[static_cast<std::size_t>(one.line) + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<OnLine> sorted(all.size());
+    std::vector<std::size_t> next = ends;
+    for (const OnLine& one : all)
+        sorted[next[static_cast<std::size_t>(one.line)]++] = one;
+    for (std::size_t i = 0; i < lines; ++i)
+        std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(ends[i]),
+                  sorted.begin() + static_cast<std::ptrdiff_t>(ends[i + 1]));
+    all = std::move(sorted);
+}
+
 /// Adds where lines cross an edge between two heights.
 template <typename XAt>
 void cross(const std::vector<Line>& lines, double one_y, double other_y, const XAt& x_at,
@@ -135,7 +153,7 @@ void addInside(const BandedPolygon& polygon, const std::vector<Line>& lines, std
             lines, side.from.y(), side.to.y(),
             [&](double y) { return side.from.x() + run.x() * (y - side.from.y()) / run.y(); }, crossings);
     }
-    std::sort(crossings.begin(), crossings.end());
+    sortByLine(crossings, lines.size());
     const std::size_t first = into.size();
     addInside(crossings, into);
     const bool bounded = std::isfinite(polygon.low) || std::isfinite(polygon.high);
@@ -151,7 +169,7 @@ std::vector<Stretch> regionOnLines(const IndexedRegion& within, const std::vecto
     for (const MonotonePiece& piece : within.pieces())
         cross(
             lines, piece.from.y(), piece.to.y(), [&](double y) { return piece.xAt(y); }, crossings);
-    std::sort(crossings.begin(), crossings.end());
+    sortByLine(crossings, lines.size());
     std::vector<Stretch> inside;
     addInside(crossings, inside);
     return inside;
@@ -181,7 +199,7 @@ double scannedArea(const IndexedRegion& within, const std::vector<BandedPolygon>
     std::vector<Stretch> covered;
     for (const BandedPolygon& polygon : polygons)
         addInside(polygon, lines, covered);
-    std::sort(covered.begin(), covered.end());
+    sortByLine(covered, lines.size());
     double area_mm2 = 0;
     std::size_t at = 0;
     Stretch done{-1, 0, 0};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 
 #include "layers/indexed_region.h"
 #include "layers/stock/rectangle_union.h"
@@ -37,6 +38,9 @@ constexpr std::array<Node, 4> kNodes = {{{0.011847712960255552, 0.05912219651077
                                          {0.2454921072521225, 0.4408778034892249},
                                          {0.7545078927478774, 0.440877803489225},
                                          {0.9881522870397446, 0.059122196510774994}}};
+
+/// Gauss' two points, for sections of cuts askew to the axis: they begin and end at corners.
+constexpr std::array<Node, 2> kAskewNodes = {{{0.21132486540518713, 0.5}, {0.7886751345948129, 0.5}}};
 
 /// Cuts askew to the axis that are less than this share of all there is to remove count as uncut: each costs
 /// a union a slab.
@@ -404,7 +408,9 @@ double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm, i
             volume_mm3 += meter.between(ends[i], ends[i + 1]) * height;
             continue;
         }
-        for (const Node& node : kNodes)
+        const std::span<const Node> nodes =
+            askew_.empty() ? std::span<const Node>(kNodes) : std::span<const Node>(kAskewNodes);
+        for (const Node& node : nodes)
             volume_mm3 += node.weight * height * meter.at(ends[i] + node.at * height);
     }
     return volume_mm3;
