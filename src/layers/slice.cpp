@@ -42,7 +42,7 @@ constexpr int kStretches = 6;
 constexpr int kAskewStretches = 3;
 /// A slab of the stock under several levels may hold air of this share of what is worth nothing: the rest is
 /// left to the joining of slabs.
-constexpr double kSharedAir = 0.25;
+constexpr double kSharedAir = 1.0 / 16;
 
 bool isUprightBox(const Setup& setup) {
     if (setup.stock.kind != Stock::Kind::Box) return false;
@@ -144,7 +144,7 @@ bool takeStock(const StockSlabs& slabs, CutLayer& cut) {
     if (holds == slabs.end()) return false;
     const double share = cut.layer.height_mm() / holds->layer.height_mm();
     cut.layer.stock = holds->layer.stock;
-    cut.layer.stock_half_way = holds->layer.stock_half_way;
+    cut.raw_stock_upright = holds->raw_stock_upright;
     cut.layer.stock_air_mm3 = cut.shared_air_mm3 = share * holds->layer.stock_air_mm3;
     if (cut.layer.top_z_mm == holds->layer.top_z_mm) cut.remarks = holds->remarks;
     return true;
@@ -201,7 +201,10 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
     const bool thin = height / 2 < from.options.thinnest_slab_mm;
     const bool stock_leans = cut.layer.stock_air_mm3 > allowed;
     if (thin || (gainableVolume(cut, from.traces) <= allowed && !stock_leans)) {
-        if (cut.shared_air_mm3 <= 0) settleAir(from.solids, from.tol, cut);
+        if (cut.shared_air_mm3 <= 0)
+            settleAir(from.solids, from.tol, cut);
+        else
+            cut.layer.stock_half_way = stockHalfWay(from.solids, from.tol, cut);
         out.push_back(std::move(cut));
         return;
     }
@@ -237,7 +240,7 @@ void cutStockSlab(const Solids& solids, std::span<const Level> levels, const Sli
     cut.layer.bottom_z_mm = levels.back().z_mm;
     cutStock(solids, options, tol, cut);
     if (cut.layer.stock_air_mm3 <= kSharedAir * solids.worthless_mm3) {
-        settleAir(solids, tol, cut);
+        cut.layer.stock_air_mm3 = std::max(0.0, cut.layer.stock_air_mm3);
         out.push_back(std::move(cut));
         return;
     }
