@@ -228,10 +228,12 @@ DepthLimit depthLimitOf(const FeatureGround& ground, const ToolAssembly& tool, c
 
 double leastStickOutMm(const ToolAssembly& tool, const std::function<bool(const ToolAssembly&)>& clears) {
     if (!tool.stick_out_range) return tool.stick_out_mm;
-    const auto [shortest_mm, longest_mm] = *tool.stick_out_range;
-    const auto at = [&](int step) { return std::min(shortest_mm + step * kStickOutStepMm, longest_mm); };
+    const StickOutRange range = *tool.stick_out_range;
+    const auto at = [&](int step) {
+        return std::min(range.shortest_mm + step * kStickOutStepMm, range.longest_mm);
+    };
     int too_short = -1;
-    int long_enough = static_cast<int>(std::ceil((longest_mm - shortest_mm) / kStickOutStepMm));
+    int long_enough = static_cast<int>(std::ceil((range.longest_mm - range.shortest_mm) / kStickOutStepMm));
     while (long_enough - too_short > 1) {
         const int middle = (too_short + long_enough) / 2;
         (clears(setTo(tool, at(middle))) ? long_enough : too_short) = middle;

@@ -154,9 +154,9 @@ SmallerLibraries smallerLibraries(const Cautions& cautions, const ToolLibrary& l
     SmallerLibraries smaller;
     for (const auto& [feature, caution] : cautions) {
         if (caution.without_tools.empty()) continue;
+        const std::set<std::string>& without = caution.without_tools;
         ToolLibrary left = library;
-        std::erase_if(left.tools,
-                      [&](const ToolAssembly& tool) { return caution.without_tools.count(tool.id) > 0; });
+        std::erase_if(left.tools, [&](const ToolAssembly& tool) { return without.count(tool.id) > 0; });
         smaller.emplace(feature, std::move(left));
     }
     return smaller;

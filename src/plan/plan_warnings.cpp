@@ -173,7 +173,8 @@ std::vector<Warning> remarksOf(const LayerStack& layers) {
 
 std::vector<Warning> unusedFixtures(const FixtureFile& given, const std::vector<PlannedSetup>& setups) {
     Warnings warnings;
-    for (const auto& [id, fixtures] : given.setups) {
+    for (const auto& entry : given.setups) {
+        const std::string& id = entry.first;
         const bool used = std::any_of(setups.begin(), setups.end(),
                                       [&](const PlannedSetup& setup) { return setup.setup.id == id; });
         if (!used)

@@ -25,7 +25,8 @@ class PartForms : public ::testing::Test {
         return forms.empty() ? PartForm{} : forms.front();
     }
 
-    static constexpr int kLeft = 0, kRight = 1, kFront = 2, kBack = 3, kBottom = 4, kTop = 5;
+    // 0 and 1 are left and right.
+    static constexpr int kFront = 2, kBack = 3, kBottom = 4, kTop = 5;
     GraphMaker maker_;
 };
 
