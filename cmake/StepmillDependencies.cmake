@@ -5,6 +5,8 @@ if(CCACHE_PROGRAM)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE_PROGRAM})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-fpch-preprocess)
+  else()
+    add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
   endif()
 endif()
 
@@ -37,13 +39,13 @@ add_library(stepmill_warnings INTERFACE)
 target_compile_options(stepmill_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Werror
   # GCC 12 reports these in Eigen and the standard library under -O2, in code that is right.
-  -Wno-error=maybe-uninitialized -Wno-error=null-dereference -Wno-error=array-bounds
-  -Wno-error=stringop-overflow -Wno-error=restrict)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized -Wno-error=null-dereference -Wno-error=array-bounds
+  -Wno-error=stringop-overflow -Wno-error=restrict>)
 if(STEPMILL_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
-# The standard headers nearly every file needs, compiled once per module.
+# The standard headers nearly every file needs, compiled once for all modules.
 set(STEPMILL_PRECOMPILED
   <algorithm> <cmath> <functional> <map> <memory> <optional> <set> <span> <string> <vector> <Eigen/Geometry>)
