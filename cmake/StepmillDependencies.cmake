@@ -43,6 +43,7 @@ target_compile_options(stepmill_warnings INTERFACE
   -Wno-error=stringop-overflow -Wno-error=restrict>)
 if(STEPMILL_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_compile_definitions(STEPMILL_SANITIZED)
   add_link_options(-fsanitize=address,undefined)
 endif()
 

@@ -87,7 +87,7 @@ void flushStreams() {
     std::fflush(nullptr);
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef STEPMILL_SANITIZED
 constexpr bool kShadowed = true;  // the sanitizer's shadow alone is larger than any limit
 #else
 constexpr bool kShadowed = false;

@@ -90,7 +90,7 @@ TEST(Supervise, TellsACrashFromAKillWithTheSignal) {
 }
 
 TEST(Supervise, TellsThatMemoryRanOut) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef STEPMILL_SANITIZED
     GTEST_SKIP() << "the sanitizer's allocator calls no new-handler";
 #endif
     constexpr std::uint64_t kLimit = std::uint64_t{256} << 20;
@@ -209,7 +209,7 @@ TEST(Supervise, GrandchildrenDoNotOutliveTheRun) {
     ::close(ends[0]);
 }
 
-#ifndef __SANITIZE_ADDRESS__
+#ifndef STEPMILL_SANITIZED
 TEST(Supervise, SaysSoWhereTheSystemGrantsNoMoreMemory) {
     const Supervised run = runSupervised(
         [](StageBoard&) {
