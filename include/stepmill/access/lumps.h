@@ -7,7 +7,8 @@
 namespace stepmill {
 
 // What a holder keeps from a cutter, in lumps, and each lump as a small feature of its own
-// [tool-dag.md, 'Surrogates'].
+// [tool-dag.md, 'Surrogates']. Each function throws Error(GeometryKernel) where a Boolean or an offset fails,
+// and costs a few Booleans of the regions it is given.
 
 /// The pieces of `blocked` without strips narrower than `sliver_mm` and crumbs below `area_mm2`; pieces
 /// nearer to each other than `apart_mm` are one lump, since a tool of that size clears none of them without

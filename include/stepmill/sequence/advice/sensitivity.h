@@ -45,6 +45,7 @@ struct BestSequence {
 /// about twice as often as there are pieces.
 ///
 /// \pre `cheapest` finds the optimum over one fixed set of lines with per_unit >= 0
+/// \throws what `cheapest` throws
 std::vector<BestSequence> bestSequences(const CheapestAt& cheapest);
 
 /// Money counts where the parameter is an hourly rate or a price.
@@ -56,11 +57,13 @@ CostLine edgeLine(const PathTotals& totals, const ToolAssembly& tool, const Mach
 
 /// The cheapest sequence over evaluated edges of a tool DAG. The edges must hold every one that may be
 /// cheapest at some value: sequenceTools() leaves out those that cannot be at the machine's own
-/// (ToolSequence::pruned_edges).
+/// (ToolSequence::pruned_edges). Each value costs a shortest path over n tools: O(n^2).
+/// \pre the edges name tools of the library
 CheapestAt cheapestOverEdges(const std::vector<DagEdge>& edges, const ToolLibrary& library,
                              const Machine& machine, Parameter parameter, Objective objective);
 
-/// The same with a feature sequenced anew at each value, so that no edge is missing.
+/// The same with a feature sequenced anew at each value, so that no edge is missing: each value costs what
+/// sequenceTools() does, and throws what it throws.
 /// \pre all outlive the result
 CheapestAt cheapestBySequencing(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                                 const SequenceOptions& options, const Tolerances& tol, Parameter parameter);
