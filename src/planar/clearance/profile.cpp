@@ -24,6 +24,10 @@ constexpr int kRounds = 100;
 /// Rounds of look-ups: the first finds nearly all there is; where rounding makes two sites contradict each
 /// other, no number of them would be enough.
 constexpr int kLookUpRounds = 12;
+/// A site has about as many pieces as there are sites at most. More come of sites that contradict each other:
+/// every look-up then adds some, and none of them is the last.
+constexpr std::size_t kMostPiecesPerSite = 4;
+constexpr std::size_t kFewPieces = 64;
 /// Fewer are done before another thread has woken up.
 constexpr std::size_t kSitesPerTask = 128;
 
@@ -239,6 +243,7 @@ bool Profile::lookUp(int from, const Piece& seen, double share, std::vector<Piec
     const int index = seen.stop;
     const double v = parameterOf(sites()[index], centreAt(from, u, clearance));
     Pieces& pieces = all[index];
+    if (pieces.size() > kFewPieces + kMostPiecesPerSite * sites().size()) return false;
     const auto at = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& p) { return v <= p.to; });
     if (at == pieces.end() || at->stop == from) return false;
     const double believed = clearanceAt(index, v, at->stop);
