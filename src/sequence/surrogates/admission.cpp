@@ -29,34 +29,32 @@ void checkDrill(const SequenceJob& job, const ToolAssembly& drill, ToolReach& re
     }
 }
 
-/// The lumps of a tool that could clear more than every tool without surrogates; none of other tools.
-Lumps lumpsThatMatter(const SurrogateFinder& finder, const ToolReach& reach, double enough_mm2) {
-    if (reach.cleared().coverable_area_mm2 <= enough_mm2) return {};
-    return finder.lumpsOf(nullptr, reach);
-}
-
-/// What nobody can do of them.
-Region unservedIn(const Admission& admission, double enough_mm2, const Tolerances& tol) {
-    std::vector<Lumps> lumps(admission.reaches.size());
-    tbb::parallel_for(std::size_t{0}, lumps.size(), [&](std::size_t i) {
-        lumps[i] = lumpsThatMatter(*admission.finder, admission.reaches[i], enough_mm2);
-    });
-    std::vector<Region> unserved;
-    for (const Lumps& of_tool : lumps)
-        for (const auto& lump : of_tool)
-            if (!lump->servable()) unserved.push_back(lump->unserved());
-    return unserved.empty() ? Region{} : unite(unserved, tol);
+/// Tools with surrogates that could clear more than every tool without, those that could clear most first.
+std::vector<std::size_t> byWhatTheyCouldClear(const Admission& admission, double enough_mm2) {
+    const auto could_mm2 = [&](std::size_t i) { return admission.reaches[i].cleared().coverable_area_mm2; };
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < admission.reaches.size(); ++i)
+        if (admission.reaches[i].surrogates() != nullptr && could_mm2(i) > enough_mm2) found.push_back(i);
+    std::stable_sort(found.begin(), found.end(),
+                     [&](std::size_t a, std::size_t b) { return could_mm2(a) > could_mm2(b); });
+    return found;
 }
 
 /// Turns down tools that could clear more than every other, but with a lump nobody can do: the feature must
-/// not end with one of them.
-void turnDownUnserved(const std::vector<ToolReach>& alone, double enough_mm2, Admission& admission) {
-    tbb::parallel_for(std::size_t{0}, alone.size(), [&](std::size_t i) {
-        const Lumps lumps = lumpsThatMatter(*admission.finder, admission.reaches[i], enough_mm2);
-        const bool served =
-            std::all_of(lumps.begin(), lumps.end(), [](const auto& lump) { return lump->servable(); });
-        if (!served) admission.reaches[i] = alone[i];
-    });
+/// not end with one of them. The first whose lumps can all be done ends the search: tools that clear less end
+/// no feature, and of those that clear the same the DAG leaves out the edges that nobody can do.
+/// \return  what nobody can do of the lumps of those turned down
+Region turnDownUnserved(const std::vector<ToolReach>& alone, double enough_mm2, const Tolerances& tol,
+                        Admission& admission) {
+    std::vector<Region> unserved;
+    for (const std::size_t i : byWhatTheyCouldClear(admission, enough_mm2)) {
+        const std::size_t before = unserved.size();
+        for (const auto& lump : admission.finder->lumpsOf(nullptr, admission.reaches[i]))
+            if (!lump->servable()) unserved.push_back(lump->unserved());
+        if (unserved.size() == before) break;
+        admission.reaches[i] = alone[i];
+    }
+    return unserved.empty() ? Region{} : unite(unserved, tol);
 }
 
 Admission admitWithSurrogates(const std::shared_ptr<const SequenceJob>& job,
@@ -73,8 +71,7 @@ Admission admitWithSurrogates(const std::shared_ptr<const SequenceJob>& job,
         const double could_mm2 = admission.mostCoveredMm2();
         // What was given up does not come back, so no later round can do better than this.
         if (round > 0 && could_mm2 <= best.mostCoveredMm2() + same_mm2) break;
-        const Region unserved = unservedIn(admission, enough_mm2, tol);
-        turnDownUnserved(alone, enough_mm2, admission);
+        const Region unserved = turnDownUnserved(alone, enough_mm2, tol, admission);
         if (round == 0 || admission.mostCoveredMm2() > best.mostCoveredMm2() + same_mm2)
             best = std::move(admission);
         if (unserved.empty() || best.mostCoveredMm2() >= could_mm2 - same_mm2) break;
