@@ -76,6 +76,11 @@ struct SliceOptions {
     double largest_hidden_share = 0.1;
     /// ... but never below this height [mm].
     double thinnest_slab_mm = 1.0;
+    /// Levels are one floor to a cutter as long as the stairs that joining their slabs leaves on walls that
+    /// lean are no wider than this, about what roughing leaves on a wall, [mm] ...
+    double widest_stair_mm = 0.5;
+    /// ... and no component loses more than this share of its area by it.
+    double largest_joined_share = 0.03;
     /// On stock that earlier setups cut, slabs are not parted either for less than this share of what all
     /// setups have to remove: steps and corners they left would make a slab at every height.
     double least_gain_share = 2e-4;
@@ -84,11 +89,11 @@ struct SliceOptions {
     double least_gain_share_indexed = 5e-3;
     /// Levels closer than this are one [mm].
     double level_merge_mm = 1e-3;
-    /// Join neighbouring slabs where no tool from above can tell them apart, or where the upper one is
-    /// thinner than `thinnest_slab_mm` and joining costs no removal component more than
-    /// `largest_hidden_share` of its area. On stock that earlier setups cut, also where that costs less than
-    /// `least_gain_share` in air and lost removal. Never over a horizontal plane of the part or an end of
-    /// the stock.
+    /// Join neighbouring slabs where no tool from above can tell them apart, or where joining leaves no
+    /// more than the stairs above, or, where the upper one is thinner than `thinnest_slab_mm`, costs no
+    /// removal component more than `largest_hidden_share` of its area. On stock that earlier setups cut, also
+    /// where that costs less than `least_gain_share` in air and lost removal. Never over a horizontal plane
+    /// of the part or an end of the stock.
     bool join_slabs = true;
 };
 

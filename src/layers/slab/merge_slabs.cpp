@@ -1,10 +1,12 @@
 // Fewer slabs where they tell no more.
 
 #include <algorithm>
+#include <limits>
 
 #include "layers/slab/cut_layer.h"
 #include "layers/slab/local_boolean.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill::layers {
 
@@ -35,22 +37,38 @@ Vec2 deepestVertex(const Region& region, const Region& inside) {
     return deepest;
 }
 
-/// Does every component of what is removed above keep all but that share of its area if the lower shadow
-/// is kept clear of above as well?
-bool losesLittle(const Layer& upper, const Layer& lower, double share, const Tolerances& tol) {
+/// Is there no place in the piece for a disc wider than that?
+bool isNoWider(const Region& piece, double widest_mm, const Tolerances& tol) {
+    // Every planar region holds a disc of radius area / perimeter, so most need no closer look.
+    if (2 * area(piece) > widest_mm * perimeter(piece)) return false;
+    const auto disc = ClearanceDiagram(piece, tol).largestInscribedDisc();
+    return !disc || 2 * disc->radius_mm <= widest_mm;
+}
+
+/// What of the upper slab joining may cost.
+struct AllowedLoss {
+    double share = 0;  ///< of the area of each component of what is removed
+    /// Stairs on walls may be so wide; what is wider stands there for itself.
+    double widest_mm = std::numeric_limits<double>::infinity();
+};
+
+/// Does every component of what is removed above lose no more than that if the lower shadow is kept clear of
+/// above as well?
+bool losesLittle(const Layer& upper, const Layer& lower, const AllowedLoss& allowed, const Tolerances& tol) {
     // If all components together lose more, one of them does.
-    if (area(lower.shadow) - area(upper.shadow) > share * (area(upper.stock) - area(upper.shadow)))
+    if (area(lower.shadow) - area(upper.shadow) > allowed.share * (area(upper.stock) - area(upper.shadow)))
         return false;
     const std::vector<Region> removed = components(subtract(upper.stock, upper.shadow, tol));
     std::vector<double> lost(removed.size(), 0);
     for (const Region& piece : components(subtract(lower.shadow, upper.shadow, tol))) {
         if (area(piece) <= tol.area_mm2) continue;
+        if (!isNoWider(piece, allowed.widest_mm, tol)) return false;
         std::size_t at = 0;
         while (at < removed.size() && !contains(removed[at], deepestVertex(piece, removed[at])))
             ++at;
         if (at == removed.size()) return false;
         lost[at] += area(piece);
-        if (lost[at] > share * area(removed[at])) return false;
+        if (lost[at] > allowed.share * area(removed[at])) return false;
     }
     return true;
 }
@@ -59,8 +77,10 @@ bool mayJoin(const Layer& upper, const CutLayer& lower, double thinnest_mm, cons
              const Tolerances& tol) {
     if (!lower.soft_top || !sameStock(upper, lower.layer)) return false;
     if (sameShadow(upper, lower.layer, tol)) return true;
-    return upper.height_mm() < thinnest_mm &&
-           losesLittle(upper, lower.layer, options.largest_hidden_share, tol);
+    const bool thin = upper.height_mm() < thinnest_mm;
+    const AllowedLoss allowed = thin ? AllowedLoss{options.largest_hidden_share}
+                                     : AllowedLoss{options.largest_joined_share, options.widest_stair_mm};
+    return losesLittle(upper, lower.layer, allowed, tol);
 }
 
 const Region& halfWay(const Layer& layer) {
