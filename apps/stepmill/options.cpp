@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -16,6 +17,8 @@ namespace {
 
 /// Stock that stands over the part by more is a unit gone wrong [mm].
 constexpr double kMostMarginMm = 1000;
+/// Solids that are together less than this share of the largest are crumbs that came off it.
+constexpr double kCrumbSolidsShare = 0.01;
 /// What of a wrong value a message repeats.
 constexpr std::size_t kLongestQuote = 40;
 
@@ -163,6 +166,24 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     return request;
 }
 
+/// The one solid that the others are crumbs beside, such as islands of engraved letters that came loose;
+/// nothing where several are parts. It says what was left out.
+std::optional<Part> onlyRealPart(const std::vector<Part>& parts) {
+    const auto largest = std::max_element(
+        parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.volume_mm3 < b.volume_mm3; });
+    double others_mm3 = -largest->volume_mm3;
+    for (const Part& part : parts)
+        others_mm3 += part.count * part.volume_mm3;
+    if (others_mm3 >= kCrumbSolidsShare * largest->volume_mm3) return std::nullopt;
+    Part only = *largest;
+    only.remarks.push_back(
+        {kInputDoubt,
+         fmt::format("the file holds {} different solids; {} is planned, the others have {:.3g} mm3 "
+                     "together, {:.2g} % of it: --solid chooses another",
+                     parts.size(), only.name, others_mm3, 100 * others_mm3 / only.volume_mm3)});
+    return only;
+}
+
 std::vector<Part> chooseParts(const PlanOptions& options) {
     ReadOptions read;
     read.unit = options.unit;
@@ -175,6 +196,7 @@ std::vector<Part> chooseParts(const PlanOptions& options) {
     if (all || (options.solid.empty() && parts.size() == 1)) return parts;
 
     if (options.solid.empty()) {
+        if (auto only = onlyRealPart(parts)) return {std::move(*only)};
         std::string names;
         for (const Part& part : parts)
             names += fmt::format("\n  --solid {}: {} ({} times, {:.1f} x {:.1f} x {:.1f} mm)",
