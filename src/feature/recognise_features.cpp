@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "feature/bands.h"
 #include "feature/boundary.h"
 #include "feature/classify.h"
 #include "feature/feature_groups.h"
@@ -29,6 +30,7 @@ class Recogniser {
         FeatureSet found;
         for (const feature::FeatureGroup& group : feature::featureGroups(forest_, layers_, tol_))
             found.features.push_back(makeFeature(group));
+        feature::joinBands(found.features, layers_, tol_);
         found.unplanned = feature::findUnplanned(layers_, forest_, tol_);
         return found;
     }

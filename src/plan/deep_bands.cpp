@@ -32,34 +32,54 @@ double bandMm(const ToolLibrary& library, const std::string& material) {
     return reach_mm;
 }
 
+/// How many bands one feature, or one band of it, is cut in.
+int bandsOf(const Feature& feature, double band_mm) {
+    if (band_mm <= 0 || isHole(feature.feature_class) || feature.depth_mm() <= band_mm) return 1;
+    return static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostBands)));
+}
+
+/// The whole feature that it is, or belongs to.
+const std::string& wholeOf(const Feature& feature) {
+    return feature.band ? feature.band->of : feature.id;
+}
+
+/// Band `i` of `count` equally deep ones.
+Feature partedOff(const Feature& feature, int i, int count) {
+    Feature band = feature;
+    band.top_z_mm = feature.top_z_mm - feature.depth_mm() * i / count;
+    if (i + 1 < count) band.floor_z_mm = feature.top_z_mm - feature.depth_mm() * (i + 1) / count;
+    band.volume_mm3 = feature.volume_mm3 / count;
+    band.through = feature.through && i + 1 == count;
+    return band;
+}
+
 }  // namespace
 
 std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLibrary& library,
                              const std::string& material) {
     const double band_mm = bandMm(library, material);
+    std::map<std::string, int> bands_of_whole;
+    for (const Feature& feature : features)
+        bands_of_whole[wholeOf(feature)] += bandsOf(feature, band_mm);
     std::vector<Feature> bands;
-    std::map<std::string, std::string> last_band;  // of features that were parted
+    std::map<std::string, int> made;
+    std::map<std::string, std::string> last_band;  // of every feature, by its id before
     for (const Feature& feature : features) {
-        Feature band = feature;
-        for (std::string& parent : band.parents)
-            if (const auto parted = last_band.find(parent); parted != last_band.end())
-                parent = parted->second;
-        const bool whole = band_mm <= 0 || isHole(feature.feature_class) || feature.depth_mm() <= band_mm;
-        const int count =
-            whole ? 1 : static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostBands)));
-        for (int i = 0; i < count && !whole; ++i) {
-            band.band = Band{feature.id, i + 1, count};
-            band.id = fmt::format("{}.{}", feature.id, i + 1);
-            band.top_z_mm = feature.top_z_mm - feature.depth_mm() * i / count;
-            band.floor_z_mm =
-                i + 1 == count ? feature.floor_z_mm : feature.top_z_mm - feature.depth_mm() * (i + 1) / count;
-            band.volume_mm3 = feature.volume_mm3 / count;
-            band.through = feature.through && i + 1 == count;
-            bands.push_back(band);
-            band.parents = {band.id};
-            last_band[feature.id] = band.id;
+        const std::string& whole = wholeOf(feature);
+        const int all = bands_of_whole.at(whole);
+        const int count = bandsOf(feature, band_mm);
+        for (int i = 0; i < count; ++i) {
+            Feature band = count > 1 ? partedOff(feature, i, count) : feature;
+            if (all > 1) {
+                band.band = Band{whole, ++made[whole], all};
+                band.id = fmt::format("{}.{}", whole, made[whole]);
+            }
+            if (i > 0) band.parents = {bands.back().id};
+            for (std::string& parent : band.parents)
+                if (i == 0) parent = last_band.at(parent);
+            bands.push_back(std::move(band));
         }
-        if (whole) bands.push_back(std::move(band));
+        last_band[feature.id] = bands.back().id;
     }
     return bands;
 }

@@ -47,13 +47,14 @@ struct Obstacle {
     Region section;  ///< part or stock that stands anywhere at or above bottom_z_mm (the shadow)
 };
 
-/// Which of the bands it is that a deep feature is parted into, one below the other.
+/// Which of the bands it is that one feature is parted into, one below the other: where its walls lean, every
+/// level has a target of its own, and a deep one is cut in several by tools of several lengths.
 struct Band {
     std::string of;  ///< id of the whole feature
     int number = 1;  ///< from above, from 1 on
     int count = 1;
 
-    /// Does the same target go on below? Then the band's floor is no face of the part.
+    /// Does the feature go on below? Then the band's floor is no face of the part.
     bool isUpper() const { return number < count; }
 };
 

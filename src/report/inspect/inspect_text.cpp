@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,15 +30,25 @@ std::string featureRow(const InspectedFeature& inspected) {
                                  : fmt::format("after {}", fmt::join(feature.parents, ", ")));
 }
 
+/// "12 features", "12 features in 30 bands".
+std::string featureCount(const InspectedSetup& setup) {
+    const auto whole =
+        std::count_if(setup.features.begin(), setup.features.end(), [](const InspectedFeature& inspected) {
+            return !inspected.feature.band || inspected.feature.band->number == 1;
+        });
+    const auto all = static_cast<std::ptrdiff_t>(setup.features.size());
+    return fmt::format("{} features{}", whole, whole < all ? fmt::format(" in {} bands", all) : "");
+}
+
 std::string setupBlock(const InspectedSetup& setup) {
     double volume_mm3 = 0;
     for (const InspectedFeature& inspected : setup.features)
         volume_mm3 += inspected.feature.volume_mm3;
     const Vec3 size = setup.setup.stock_bbox_mm.sizes();
-    std::string text = fmt::format(
-        "\n{}  tool axis {}{}, stock {:.2f} x {:.2f} x {:.2f} mm as it arrives, {} features, {:.3f} cm3\n",
-        setup.setup.id, axisName(setup.setup.axis), setup.setup.indexed ? " (indexed)" : "", size.x(),
-        size.y(), size.z(), setup.features.size(), volume_mm3 / 1000);
+    std::string text =
+        fmt::format("\n{}  tool axis {}{}, stock {:.2f} x {:.2f} x {:.2f} mm as it arrives, {}, {:.3f} cm3\n",
+                    setup.setup.id, axisName(setup.setup.axis), setup.setup.indexed ? " (indexed)" : "",
+                    size.x(), size.y(), size.z(), featureCount(setup), volume_mm3 / 1000);
     if (!setup.clamping.text.empty()) text += "    clamping: " + setup.clamping.text + "\n";
     if (setup.features.empty()) return text;
     text += fmt::format("  {:<8} {:<15} {:>8} {:>8} {:>6} {:>7} {:>14} {:>6} {:>10}  {:<5}\n", "feature",

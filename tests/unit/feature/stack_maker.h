@@ -13,7 +13,17 @@ struct Slab {
     Region part;
 };
 
-/// A stack with vertical walls in a box of stock whose top is z = 0; shadows and volumes follow from it.
+/// A horizontal face of the part.
+inline FaceTrace floorFace(double z_mm, const Region& region) {
+    FaceTrace trace;
+    trace.stand = FaceStand::Floor;
+    trace.top_z_mm = trace.bottom_z_mm = z_mm;
+    trace.region = region;
+    return trace;
+}
+
+/// A stack with vertical walls in a box of stock whose top is z = 0; shadows, floors and volumes follow from
+/// it.
 inline LayerStack makeStack(const Region& stock, const std::vector<Slab>& slabs, const Tolerances& tol = {}) {
     LayerStack stack;
     stack.setup_id = "S1";
@@ -25,6 +35,11 @@ inline LayerStack makeStack(const Region& stock, const std::vector<Slab>& slabs,
         layer.bottom_z_mm = slab.bottom_z_mm;
         layer.part = slab.part;
         layer.stock = stock;
+        const Region floor = subtract(slab.part, shadow, tol);
+        if (!floor.empty()) {
+            stack.traces.push_back(floorFace(top_z_mm, floor));
+            stack.traces.back().face = static_cast<int>(stack.traces.size()) - 1;
+        }
         if (shadow.empty())
             shadow = slab.part;
         else if (!slab.part.empty())

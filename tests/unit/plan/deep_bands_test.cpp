@@ -63,5 +63,23 @@ TEST(DeepBands, HolesStayWholeAndSoDoesAllWithoutMills) {
     EXPECT_EQ(inBands({feature("S1.F1", FeatureClass::ClosedPocket, 100)}, {}, kMaterial).size(), 1U);
 }
 
+TEST(DeepBands, ABandThatIsTooDeepIsPartedAndAllAreNumberedAnew) {
+    Feature upper = feature("S1.F1.1", FeatureClass::ClosedPocket, 60);
+    upper.band = Band{"S1.F1", 1, 2};
+    Feature lower = feature("S1.F1.2", FeatureClass::ClosedPocket, 70, {"S1.F1.1"});
+    lower.top_z_mm = -60;
+    lower.band = Band{"S1.F1", 2, 2};
+    const std::vector<Feature> bands = inBands(
+        {upper, lower, feature("S1.F2", FeatureClass::ClosedPocket, 30, {"S1.F1.2"})}, library(), kMaterial);
+    ASSERT_EQ(bands.size(), 4U);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(bands[i].id, "S1.F1." + std::to_string(i + 1));
+        EXPECT_EQ(bands[i].band->number, i + 1);
+        EXPECT_EQ(bands[i].band->count, 3);
+    }
+    EXPECT_EQ(bands[2].parents, std::vector<std::string>{"S1.F1.2"});
+    EXPECT_EQ(bands[3].parents, std::vector<std::string>{"S1.F1.3"});
+}
+
 }  // namespace
 }  // namespace stepmill
