@@ -1,7 +1,10 @@
 #include "plan/make_operations.h"
 
+#include <map>
+
 #include <fmt/format.h>
 
+#include "plan/early_starts.h"
 #include "plan/order_operations.h"
 
 namespace stepmill {
@@ -18,10 +21,9 @@ void takeShopData(Operation& operation, const ToolLibrary& library, const std::s
     if (operation.role == Role::Drill) operation.dwell_s = cutting->dwell_s;
 }
 
-/// Drills come with cycles, whose rapids stay in the hole.
-bool getsPlainRapids(const Operation& operation, const Cautions& cautions) {
-    const auto caution = cautions.find(operation.feature_id);
-    return operation.role != Role::Drill && caution != cautions.end() && caution->second.plain_ways;
+bool takesPlainWays(const std::string& feature_id, const Cautions& cautions) {
+    const auto caution = cautions.find(feature_id);
+    return caution != cautions.end() && caution->second.plain_ways;
 }
 
 /// The step's path moves to the operation.
@@ -32,7 +34,8 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Operati
     operation.tool_id = step.tool_id;
     operation.role = step.role;
     operation.path = std::move(step.path);
-    if (getsPlainRapids(operation, settings.cautions))
+    // Drills come with cycles, whose rapids stay in the hole.
+    if (operation.role != Role::Drill && takesPlainWays(operation.feature_id, settings.cautions))
         operation.path = withPlainRapids(operation.path, kStockTopZMm, settings.machine);
     operation.proof = step.proof;
     operation.leaves = step.leaves;
@@ -49,13 +52,48 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Operati
     return operation;
 }
 
+ToolAssembly setOutFor(const SequenceStep& step, const ToolLibrary& library) {
+    const ToolAssembly& tool = library.tool(step.tool_id);
+    return tool.stick_out_range ? setTo(tool, step.least_stick_out_mm) : tool;
+}
+
+/// The operations of a setup's feature, from `first` on.
+BandOperations bandOf(const PlannedFeature& planned, const Operation* first,
+                      const OperationSettings& settings) {
+    BandOperations band;
+    band.planned = &planned;
+    band.plain_ways = takesPlainWays(planned.feature.id, settings.cautions);
+    for (const SequenceStep& step : planned.sequence.steps)
+        band.operations.push_back({first++, setOutFor(step, settings.library), step.area.area});
+    return band;
+}
+
+/// Operations on lower bands of a feature need not wait until those above are wholly cut.
+void letStartEarly(const PlannedSetup& setup, std::size_t first, const OperationSettings& settings,
+                   std::vector<Operation>& operations) {
+    std::map<std::string, std::vector<BandOperations>> bands;  // from above, by the whole feature
+    for (const PlannedFeature& planned : setup.features) {
+        const std::size_t count = planned.sequence.steps.size();
+        if (planned.feature.band) {
+            std::vector<BandOperations>& of_whole = bands[planned.feature.band->of];
+            of_whole.push_back(bandOf(planned, operations.data() + first, settings));
+            std::vector<std::vector<Wait>> starts = earlyStarts(of_whole, settings.tol);
+            for (std::size_t i = 0; i < count; ++i)
+                operations[first + i].waits = std::move(starts[i]);
+        }
+        first += count;
+    }
+}
+
 }  // namespace
 
 std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
                                          const OperationSettings& settings) {
     std::vector<Operation> operations;
     std::vector<std::size_t> setup_of;
+    std::vector<std::size_t> first_of_setup;
     for (std::size_t s = 0; s < setups.size(); ++s) {
+        first_of_setup.push_back(operations.size());
         for (PlannedFeature& planned : setups[s].features) {
             for (SequenceStep& step : planned.sequence.steps) {
                 operations.push_back(operationOf(planned, step, settings));
@@ -63,6 +101,8 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
             }
         }
     }
+    for (std::size_t s = 0; s < setups.size(); ++s)
+        letStartEarly(setups[s], first_of_setup[s], settings, operations);
     for (const int index : orderOperations(operations, inSetupOrder(setups))) {
         PlannedSetup& setup = setups[setup_of[index]];
         setup.operations.push_back(std::move(operations[index]));

@@ -12,7 +12,8 @@ struct OperationSettings {
     const ToolLibrary& library;
     const Machine& machine;
     const std::string& material;
-    const Cautions& cautions;  ///< features whose mills get plain rapids
+    const Cautions& cautions;  ///< features whose mills get plain rapids, and whose bands wait for each other
+    const Tolerances& tol;
 };
 
 /// The setups with the steps of all features as operations, in machining order and numbered in it. The steps'

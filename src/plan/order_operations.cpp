@@ -8,16 +8,20 @@
 namespace stepmill {
 namespace {
 
-/// The operations as a precedence problem: per feature a queue, which opens when the queues of its
-/// ancestors are empty.
+/// So many operations of a feature must be done.
+struct Need {
+    int feature = 0;
+    int operations = 0;
+};
+
+/// The operations as a precedence problem: per feature a queue, whose operations may run when those of its
+/// ancestors that each of them waits for are done.
 struct Problem {
-    std::vector<int> tool;                ///< of each operation, numbered by first appearance
-    std::vector<int> feature;             ///< of each operation
-    std::vector<int> setup;               ///< of each feature
-    std::vector<std::vector<int>> queue;  ///< operations of each feature in their own order
-    /// Of each feature: its nearest ancestors with operations, ascending. When theirs are done, so are those
-    /// of all before them.
-    std::vector<std::vector<int>> waits_for;
+    std::vector<int> tool;                 ///< of each operation, numbered by first appearance
+    std::vector<int> feature;              ///< of each operation
+    std::vector<int> setup;                ///< of each feature
+    std::vector<std::vector<int>> queue;   ///< operations of each feature in their own order
+    std::vector<std::vector<Need>> needs;  ///< of each operation
     int tools = 0;
 };
 
@@ -29,8 +33,9 @@ struct Partial {
     int tools_left = 0;  ///< of every setup, summed: no setup has fewer visits
 };
 
-/// A parent without operations does not hold its children back, but its own parents do. \pre parents come
-/// before their children
+/// Of each feature its nearest ancestors with operations, ascending: when theirs are done, so are those of
+/// all before them. A parent without operations does not hold its children back, but its own parents do. \pre
+/// parents come before their children
 std::vector<std::vector<int>> nearestWithOperations(const std::vector<std::vector<int>>& parents,
                                                     const std::vector<std::vector<int>>& queue) {
     std::vector<std::vector<int>> nearest(parents.size());
@@ -76,21 +81,25 @@ Problem makeProblem(const std::vector<Operation>& operations, const std::vector<
         problem.queue[found->second].push_back(static_cast<int>(i));
     }
     problem.tools = static_cast<int>(tool_number.size());
-    problem.waits_for = nearestWithOperations(parents, problem.queue);
+    const std::vector<std::vector<int>> waits_for = nearestWithOperations(parents, problem.queue);
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        std::vector<Need>& needs = problem.needs.emplace_back();
+        for (const Wait& wait : operations[i].waits)
+            needs.push_back({feature_number.at(wait.feature_id), wait.operations});
+        if (!needs.empty()) continue;
+        for (const int ancestor : waits_for[problem.feature[i]])
+            needs.push_back({ancestor, static_cast<int>(problem.queue[ancestor].size())});
+    }
     return problem;
-}
-
-bool isFinished(const Problem& problem, const std::vector<int>& done, int feature) {
-    return done[feature] == static_cast<int>(problem.queue[feature].size());
 }
 
 /// The feature's next operation if it may run now, else -1.
 int nextOperation(const Problem& problem, const std::vector<int>& done, int feature) {
     if (done[feature] == static_cast<int>(problem.queue[feature].size())) return -1;
-    for (const int parent : problem.waits_for[feature]) {
-        if (!isFinished(problem, done, parent)) return -1;
-    }
-    return problem.queue[feature][done[feature]];
+    const int next = problem.queue[feature][done[feature]];
+    for (const Need& need : problem.needs[next])
+        if (done[need.feature] < need.operations) return -1;
+    return next;
 }
 
 void countToolsLeft(const Problem& problem, Partial& partial) {
@@ -172,12 +181,19 @@ Vec2 endOf(const Operation& operation) {
 std::vector<Precedence> inSetupOrder(const std::vector<PlannedSetup>& setups) {
     std::vector<Precedence> order;
     std::vector<std::string> ends_before;  // features of the setup before that no other waits for
+    std::map<std::string, std::vector<std::string>> bands;  // by the whole feature
     for (const PlannedSetup& setup : setups) {
         std::set<std::string> ends;
         for (const PlannedFeature& planned : setup.features) {
             const Feature& feature = planned.feature;
-            order.push_back({feature.id, feature.parents.empty() ? ends_before : feature.parents,
-                             static_cast<int>(&setup - setups.data())});
+            order.push_back({feature.id,
+                             feature.parents.empty() ? ends_before : feature.parents,
+                             static_cast<int>(&setup - setups.data()),
+                             {}});
+            if (feature.band) {
+                order.back().bands_above = bands[feature.band->of];
+                bands[feature.band->of].push_back(feature.id);
+            }
             for (const std::string& parent : feature.parents)
                 ends.erase(parent);
             ends.insert(feature.id);

@@ -184,9 +184,11 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const PlanningShop shop{request, usable.library, smaller, machine, tol};
 
     std::vector<PlannedStage> stages = planStages(setups, shop, progress);
-    SharedSetups shared = withSharedTools(setupsOf(stages), machine, request.sequence.objective);
-    std::vector<PlannedSetup> operating = withOperations(
-        std::move(shared.setups), {usable.library, machine, request.sequence.material, request.cautions});
+    SharedSetups shared =
+        withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
+    std::vector<PlannedSetup> operating =
+        withOperations(std::move(shared.setups),
+                       {usable.library, machine, request.sequence.material, request.cautions, tol});
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.library = withStickOuts(usable.library, operating);

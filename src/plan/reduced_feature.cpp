@@ -8,12 +8,6 @@
 namespace stepmill {
 namespace {
 
-/// Material left by features above, seen from above, and how high it may stand.
-struct Standing {
-    Region region;
-    double top_z_mm = 0;
-};
-
 std::vector<Standing> standingOf(const std::vector<const PlannedFeature*>& planned) {
     std::vector<Standing> found;
     for (const PlannedFeature* feature : planned) {
@@ -108,9 +102,8 @@ void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, c
                const std::string& advice, const Tolerances& tol) {
     if (standing.empty()) return;
     Feature& free = reduced.feature;
-    raiseObstacles(free, standing, tol);
+    free = beside(std::move(free), standing, tol);
     const Region above = unionOf(standing, tol);
-    free.obstruction = unite(free.obstruction, above, tol);
 
     Residual blocked;
     blocked.region = intersect(free.target, above, tol);
@@ -134,6 +127,13 @@ void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, c
 }
 
 }  // namespace
+
+Feature beside(Feature feature, const std::vector<Standing>& standing, const Tolerances& tol) {
+    if (standing.empty()) return feature;
+    raiseObstacles(feature, standing, tol);
+    feature.obstruction = unite(feature.obstruction, unionOf(standing, tol), tol);
+    return feature;
+}
 
 std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const PlannedById& planned) {
     std::vector<const PlannedFeature*> parents;

@@ -1,5 +1,6 @@
 #include "plan/share_tools.h"
 
+#include <map>
 #include <set>
 
 #include "stepmill/core/units.h"
@@ -31,8 +32,13 @@ struct Score {
 class Sharing {
   public:
     Sharing(const std::vector<Precedence>& features, const std::vector<std::vector<SequenceChoice>>& choices,
-            double change_weight, int magazine)
-        : features_(features), choices_(choices), change_(change_weight), magazine_(magazine) {}
+            double change_weight, const ToolLibrary& library, int magazine)
+        : features_(features), choices_(choices), change_(change_weight), magazine_(magazine) {
+        for (const ToolAssembly& tool : library.tools)
+            diameter_mm_[tool.id] = tool.diameter_mm;
+        for (std::size_t f = 0; f < features.size(); ++f)
+            number_[features[f].feature_id] = f;
+    }
 
     SharedChoice best() const {
         const Choice own(choices_.size(), 0);
@@ -86,6 +92,7 @@ class Sharing {
                 Operation operation;
                 operation.feature_id = features_[f].feature_id;
                 operation.tool_id = tool;
+                operation.waits = likelyWaits(choice, f, tool);
                 operations.push_back(std::move(operation));
             }
         }
@@ -94,6 +101,22 @@ class Sharing {
         score.weight += score.visits * change_;
         if (magazine_ > 0) score.too_many = std::max(0, score.tools - magazine_);
         return score;
+    }
+
+    /// What earlyStarts() will say once there are paths: a tool may go down where none wider works any more.
+    std::vector<Wait> likelyWaits(const Choice& choice, std::size_t feature, const std::string& tool) const {
+        std::vector<Wait> waits;
+        for (const std::string& band : features_[feature].bands_above) {
+            const std::size_t above = number_.at(band);
+            if (choices_[above].empty()) return {};
+            const std::vector<std::string>& visits = toolsOf(choice, above);
+            const auto as_narrow = std::find_if(visits.begin(), visits.end(), [&](const std::string& visit) {
+                return diameter_mm_.at(visit) <= diameter_mm_.at(tool);
+            });
+            const auto all = static_cast<int>(visits.size());
+            waits.push_back({band, std::min(static_cast<int>(as_narrow - visits.begin()) + 1, all)});
+        }
+        return waits;
     }
 
     Choice bestOfAll() const {
@@ -187,17 +210,20 @@ class Sharing {
     const std::vector<std::vector<SequenceChoice>>& choices_;
     double change_;
     int magazine_;
+    std::map<std::string, double> diameter_mm_;  ///< by tool id
+    std::map<std::string, std::size_t> number_;  ///< of each feature
 };
 
 }  // namespace
 
 SharedChoice shareTools(const std::vector<Precedence>& features,
                         const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,
-                        int magazine) {
-    return Sharing(features, choices, change_weight, magazine).best();
+                        const ToolLibrary& library, int magazine) {
+    return Sharing(features, choices, change_weight, library, magazine).best();
 }
 
-SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const Machine& machine, Objective objective) {
+SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const ToolLibrary& library,
+                             const Machine& machine, Objective objective) {
     std::vector<std::vector<SequenceChoice>> choices;
     for (const PlannedSetup& setup : setups)
         for (const PlannedFeature& planned : setup.features)
@@ -206,7 +232,7 @@ SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const Machine& ma
     const double change_weight =
         objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
     const SharedChoice shared =
-        shareTools(inSetupOrder(setups), choices, change_weight, machine.magazine_size);
+        shareTools(inSetupOrder(setups), choices, change_weight, library, machine.magazine_size);
     std::size_t feature = 0;
     for (PlannedSetup& setup : setups) {
         for (PlannedFeature& planned : setup.features) {

@@ -19,10 +19,11 @@ struct SharedChoice {
 /// than the features' own cheapest.
 /// \param choices        of each feature, its own cheapest first
 /// \param change_weight  of one tool change, in the unit of the choices' paths
+/// \param library        tells the tools' diameters: a wide one may go down all bands of a feature first
 /// \param magazine       places for tools; 0: no limit
 SharedChoice shareTools(const std::vector<Precedence>& features,
                         const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,
-                        int magazine);
+                        const ToolLibrary& library, int magazine);
 
 /// Setups with their features' sequences as they are best together.
 struct SharedSetups {
@@ -32,6 +33,7 @@ struct SharedSetups {
 
 /// Makes the features' sequences anew where shareTools() finds better ones for the plan together. All choices
 /// leave the same material, so what later setups found stands.
-SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const Machine& machine, Objective objective);
+SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const ToolLibrary& library,
+                             const Machine& machine, Objective objective);
 
 }  // namespace stepmill

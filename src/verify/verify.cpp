@@ -60,13 +60,9 @@ class SetupProver {
         FeatureState& state = stateOf(planned.feature_id);
         OperationProof proof{operation.id, planned.feature_id, planned.tool.id, file_, operation.line};
         const verify::Findings findings{file_, proof, into_.failures};
-        checkOrder(operation, planned, findings);
         verify::proveStates(*program_, operation, planned, findings);
         verify::proveFeeds(*program_, operation, planned, record_.machine.max_feed_mm_per_min, findings);
-        verify::proveMoves(operation, planned, state, tol_, findings);
-        verify::proveDrilling(operation, planned, state, findings);
-        verify::proveHolder(operation, planned, state, tol_, findings);
-        verify::proveDepths(operation, planned, state, tol_, findings);
+        proveOnStock(operation, planned, state, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
         for (verify::StandingAbove& above : state.standing)
             if (!cleared.empty() && above.z_mm >= planned.z_floor_mm - verify::kSameHeightMm)
@@ -113,19 +109,52 @@ class SetupProver {
         return states_.emplace(id, std::move(state)).first->second;
     }
 
-    /// What must be cut before is: the ancestors' operations, and this feature's own earlier ones.
-    void checkOrder(const ReadOperation& operation, const RecordedOperation& planned,
-                    const verify::Findings& findings) {
-        std::set<std::string> before;
+    /// Moves against what stands: where features above are not wholly cut yet, beside what is left of them.
+    void proveOnStock(const ReadOperation& operation, const RecordedOperation& planned, FeatureState& state,
+                      const verify::Findings& findings) {
+        const std::vector<std::string> undone = undoneAbove(planned);
+        FeatureState beside_standing;
+        if (!undone.empty()) {
+            beside_standing = state;
+            beside_standing.feature = beside(state.feature, standingAbove(undone), tol_);
+        }
+        const FeatureState& now = undone.empty() ? state : beside_standing;
+        const std::size_t failures = into_.failures.size();
+        verify::proveMoves(operation, planned, now, tol_, findings);
+        verify::proveDrilling(operation, planned, now, findings);
+        verify::proveHolder(operation, planned, now, tol_, findings);
+        verify::proveDepths(operation, planned, now, tol_, findings);
+        if (into_.failures.size() == failures) return;
+        for (const std::string& id : undone)
+            findings.add(operation.line, fmt::format("runs before {}, which clears {} above it", id,
+                                                     record_.operations.at(id).feature_id));
+    }
+
+    /// Operations of features above that have not run yet.
+    std::vector<std::string> undoneAbove(const RecordedOperation& planned) const {
+        std::set<std::string> above;
         for (const PlannedFeature* ancestor :
              ancestorsOf(record_.features.at(planned.feature_id).feature, by_id_))
-            before.insert(ancestor->feature.id);
-        for (const std::string& id : setup_.operation_ids) {
-            const RecordedOperation& other = record_.operations.at(id);
-            if (before.count(other.feature_id) > 0 && done_.count(id) == 0)
-                findings.add(operation.line,
-                             fmt::format("runs before {}, which clears {} above it", id, other.feature_id));
+            above.insert(ancestor->feature.id);
+        std::vector<std::string> undone;
+        for (const std::string& id : setup_.operation_ids)
+            if (above.count(record_.operations.at(id).feature_id) > 0 && done_.count(id) == 0)
+                undone.push_back(id);
+        return undone;
+    }
+
+    /// What the features of these operations still have over their floors; crumbs are cut in passing.
+    std::vector<Standing> standingAbove(const std::vector<std::string>& undone) {
+        std::set<std::string> features;
+        for (const std::string& id : undone)
+            features.insert(record_.operations.at(id).feature_id);
+        std::vector<Standing> standing;
+        for (const std::string& id : features) {
+            const FeatureState& above = stateOf(id);
+            for (Region& piece : leftOf(id, above.standing.front().z_mm, above))
+                if (area(piece) > kCrumbMm2) standing.push_back({std::move(piece), above.feature.top_z_mm});
         }
+        return standing;
     }
 
     bool isLastOfFeature(const RecordedOperation& planned) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "stepmill/catalog/tool.h"
 #include "stepmill/sequence/sequence.h"
@@ -21,6 +22,12 @@ struct OperationData {
     double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
 };
 
+/// How many operations of another feature, from its first on, must be done before.
+struct Wait {
+    std::string feature_id;
+    int operations = 0;
+};
+
 /// A planned one, with its path.
 struct Operation : OperationData {
     std::string tool_id;
@@ -30,6 +37,8 @@ struct Operation : OperationData {
     /// Area cleared / step-over x depths: how long the path would be if all its passes lay evenly side by
     /// side and nothing else had to be cut; 0 for drills [mm].
     double even_length_mm = 0;
+    /// How far the bands above must be cut before it may run; empty: its feature's parents wholly.
+    std::vector<Wait> waits;
 };
 
 /// One as it is told without its moves: with its tool, and of its path what it was made by.

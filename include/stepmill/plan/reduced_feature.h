@@ -18,6 +18,15 @@ struct ReducedFeature {
     std::vector<Residual> blocked;  ///< what of the feature lies below material that stays, or fixtures
 };
 
+/// Material that stands above a feature, seen from above, and how high it may stand.
+struct Standing {
+    Region region;
+    double top_z_mm = 0;
+};
+
+/// The feature with more for cutter, shank and holder to keep clear of; its target stays.
+Feature beside(Feature feature, const std::vector<Standing>& standing, const Tolerances& tol);
+
 /// The planned feature of an id.
 using PlannedById = std::function<const PlannedFeature&(const std::string& id)>;
 

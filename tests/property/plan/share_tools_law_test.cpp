@@ -118,7 +118,7 @@ TEST(ShareToolsLaw, IsAsGoodAsTheBestOfAllCombinations) {
     for (unsigned seed = 0; seed < 60; ++seed) {
         std::mt19937 random(seed);
         const Shop shop = randomShop(random, between(random, 2, 4), 4);
-        const SharedChoice shared = shareTools(shop.features, shop.choices, shop.change, 0);
+        const SharedChoice shared = shareTools(shop.features, shop.choices, shop.change, {}, 0);
         std::vector<std::size_t> choice(shop.features.size(), 0);
         double least = weightOf(shop, choice);
         while (next(shop, choice))
@@ -134,7 +134,7 @@ TEST(ShareToolsLaw, IsNeverWorseThanEachFeaturesOwnCheapest) {
     for (unsigned seed = 100; seed < 130; ++seed) {
         std::mt19937 random(seed);
         const Shop shop = randomShop(random, 9, 5);
-        const SharedChoice shared = shareTools(shop.features, shop.choices, shop.change, 0);
+        const SharedChoice shared = shareTools(shop.features, shop.choices, shop.change, {}, 0);
         const std::vector<std::size_t> own(shop.features.size(), 0);
         EXPECT_GE(shared.gain.saved, 0) << "seed " << seed;
         EXPECT_LE(weightOf(shop, shared.choice), weightOf(shop, own) + 1e-9) << "seed " << seed;
@@ -148,7 +148,7 @@ TEST(ShareToolsLaw, KeepsToTheMagazineWhereSomeCombinationDoes) {
         std::mt19937 random(seed);
         const Shop shop = randomShop(random, 3, 5);
         const int places = between(random, 1, 4);
-        const SharedChoice shared = shareTools(shop.features, shop.choices, shop.change, places);
+        const SharedChoice shared = shareTools(shop.features, shop.choices, shop.change, {}, places);
         std::vector<std::size_t> choice(shop.features.size(), 0);
         int fewest = toolsIn(shop, choice);
         while (next(shop, choice))

@@ -61,6 +61,17 @@ TEST(OrderOperations, AToolStaysInTheSpindleOverTheChangeOfSetup) {
     EXPECT_EQ(toolVisits(operations, order, kBeamWidth).size(), 2U);
 }
 
+TEST(OrderOperations, AToolGoesDownAllBandsWhereItNeedNotWait) {
+    std::vector<Operation> operations{operation("F1.1", "20"), operation("F1.1", "6"),
+                                      operation("F1.2", "20"), operation("F1.2", "6")};
+    const std::vector<Precedence> bands{feature("F1.1"), feature("F1.2", {"F1.1"})};
+    EXPECT_EQ(changes(toolsInOrder(operations, orderOperations(operations, bands))), 4);
+    operations[2].waits = {{"F1.1", 1}};
+    operations[3].waits = {{"F1.1", 2}};
+    EXPECT_EQ(toolsInOrder(operations, orderOperations(operations, bands)),
+              (std::vector<std::string>{"20", "20", "6", "6"}));
+}
+
 TEST(OrderOperations, MergesTwoPocketsToolByTool) {
     const std::vector<Operation> operations{operation("F1", "20"), operation("F1", "6"),
                                             operation("F2", "20"), operation("F2", "6")};

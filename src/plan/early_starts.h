@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// An operation with what tells whether others may run before it.
+struct BandOperation {
+    const Operation* operation = nullptr;
+    ToolAssembly tool;  ///< set out as far as the operation needs
+    Region cleared;     ///< of its band's target, down to its floor
+};
+
+/// The operations of one band, in their order.
+struct BandOperations {
+    const PlannedFeature* planned = nullptr;
+    std::vector<BandOperation> operations;
+    bool plain_ways = false;  ///< FeatureCaution::plain_ways
+};
+
+/// How far the bands above must be cut before each operation of the last band may run: a wide cutter goes
+/// down all bands before a narrow one comes for their corners.
+///
+/// An operation waits for those of a band above until what then still stands there is out of the way of its
+/// cutter, shank and holder on every move, with a tool that is set out no farther than it needs.
+///
+/// \param bands  of one feature, from above
+/// \return  one entry an operation of the last band; an empty one waits for all that stands above it, as
+///          every operation does where a band has none or takes plain ways
+/// \note  O(operations x bands x moves x log edges)
+std::vector<std::vector<Wait>> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol);
+
+}  // namespace stepmill

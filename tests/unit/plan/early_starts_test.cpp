@@ -1,0 +1,86 @@
+#include "plan/early_starts.h"
+
+#include <gtest/gtest.h>
+
+#include "stepmill/planar/boolean.h"
+#include "support/tool_makers.h"
+
+namespace stepmill {
+namespace {
+
+using test::makeMill;
+
+const Tolerances kTol;
+/// Ground that the wide cutter leaves for the narrow one.
+const Region kCorner = makeRectangle({40, 0}, {50, 10});
+
+Operation levelCut(double from_x_mm, double to_x_mm, double z_mm) {
+    Operation operation;
+    operation.path.start = Vec3(from_x_mm, 25, 5);
+    operation.path.moves.push_back({MoveKind::Plunge, Vec3(from_x_mm, 25, z_mm), {}, false});
+    operation.path.moves.push_back({MoveKind::Feed, Vec3(to_x_mm, 5, z_mm), {}, false});
+    return operation;
+}
+
+/// The upper band, 50 mm wide and 10 mm deep: cut by EM16, which leaves the corner, and by EM6.
+class EarlyStarts : public testing::Test {
+  protected:
+    EarlyStarts() {
+        const Region target = makeRectangle({0, 0}, {50, 50});
+        upper_planned_.feature.id = "S1.F1.1";
+        upper_planned_.feature.target = target;
+        upper_planned_.feature.top_z_mm = 0;
+        upper_planned_.feature.floor_z_mm = -10;
+        lower_planned_.feature.id = "S1.F1.2";
+        upper_.planned = &upper_planned_;
+        upper_.operations.push_back({&wide_, makeMill(16), subtract(target, kCorner, kTol)});
+        upper_.operations.push_back({&narrow_, makeMill(6), kCorner});
+    }
+
+    std::vector<Wait> waitsOf(const Operation& operation, const ToolAssembly& tool) {
+        BandOperations lower{&lower_planned_, {{&operation, tool, {}}}, false};
+        return earlyStarts({upper_, lower}, kTol).front();
+    }
+
+    PlannedFeature upper_planned_;
+    PlannedFeature lower_planned_;
+    Operation wide_;
+    Operation narrow_;
+    BandOperations upper_;
+};
+
+TEST_F(EarlyStarts, AWideCutterGoesDownBeforeANarrowOneComes) {
+    const Operation clear = levelCut(10, 30, -20);
+    const std::vector<Wait> waits = waitsOf(clear, makeMill(16));
+    ASSERT_EQ(waits.size(), 1U);
+    EXPECT_EQ(waits[0].feature_id, "S1.F1.1");
+    EXPECT_EQ(waits[0].operations, 1);
+}
+
+TEST_F(EarlyStarts, ACutterWaitsForWhatStandsInItsWay) {
+    const Operation under_the_corner = levelCut(10, 35, -20);
+    EXPECT_EQ(waitsOf(under_the_corner, makeMill(16)).front().operations, 2) << "5 mm beside it, 8 needed";
+    const Operation over_it = levelCut(10, 35, 0);
+    EXPECT_EQ(waitsOf(over_it, makeMill(16)).front().operations, 1);
+}
+
+TEST_F(EarlyStarts, ANarrowerCutterThanThoseBeforeWaitsForItsOwn) {
+    const Operation clear = levelCut(10, 30, -20);
+    EXPECT_EQ(waitsOf(clear, makeMill(6)).front().operations, 2);
+}
+
+TEST_F(EarlyStarts, AHolderWaitsWhereItWouldMeetWhatStands) {
+    const Operation clear = levelCut(10, 30, -20);
+    EXPECT_EQ(waitsOf(clear, test::inHolder(makeMill(16), 15, 40)).front().operations, 2)
+        << "begins at Z-5, below the top, and is 20 mm wide to each side";
+    EXPECT_EQ(waitsOf(clear, test::inHolder(makeMill(16), 25, 40)).front().operations, 1);
+}
+
+TEST_F(EarlyStarts, WithPlainWaysEveryBandWaitsForThoseAbove) {
+    upper_.plain_ways = true;
+    const Operation clear = levelCut(10, 30, -20);
+    EXPECT_TRUE(waitsOf(clear, makeMill(16)).empty());
+}
+
+}  // namespace
+}  // namespace stepmill
