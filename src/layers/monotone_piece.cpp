@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "stepmill/core/units.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::layers {
 
@@ -82,13 +83,8 @@ void addPieces(const Vec2& from, const Segment& segment, std::vector<MonotonePie
 
 std::vector<MonotonePiece> piecesOf(const Region& region) {
     std::vector<MonotonePiece> pieces;
-    for (const Loop& loop : region.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            addPieces(from, segment, pieces);
-            from = segment.to;
-        }
-    }
+    for (const auto& [from, segment] : eachEdge(region))
+        addPieces(from, segment, pieces);
     return pieces;
 }
 

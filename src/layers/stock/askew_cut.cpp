@@ -69,13 +69,11 @@ void addSwept(const Loop& loop, const Vec2& travel, const Box2& reached, std::ve
         }
         run.clear();
     };
-    Vec2 from = loop.start;
-    for (const Segment& segment : loop.segments) {
+    for (const auto& [from, segment] : eachEdge(loop)) {
         const bool leaves = cross(travel, segment.to - from) > kGridMm;
         if (!leaves) finish();
         if (leaves && run.empty()) run.push_back(from);
         if (leaves) run.push_back(segment.to);
-        from = segment.to;
     }
     finish();
 }

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "stepmill/planar/edge.h"
+
 namespace stepmill::layers {
 
 namespace {
@@ -179,13 +181,8 @@ std::vector<Stretch> regionOnLines(const IndexedRegion& within, const std::vecto
 
 BandedPolygon banded(const Region& polygon) {
     BandedPolygon result;
-    for (const Loop& loop : polygon.loops) {
-        Vec2 from = loop.start;
-        for (const Segment& segment : loop.segments) {
-            result.sides.push_back({from, segment.to});
-            from = segment.to;
-        }
-    }
+    for (const auto& [from, segment] : eachEdge(polygon))
+        result.sides.push_back({from, segment.to});
     return result;
 }
 
