@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::feature {
 namespace {
@@ -20,7 +20,7 @@ bool isUpright(const Vec2& p, double top_z_mm, double bottom_z_mm, const LayerSt
     return std::any_of(layers.traces.begin(), layers.traces.end(), [&](const FaceTrace& trace) {
         if (trace.stand != FaceStand::Wall || trace.footprint.segments.empty()) return false;
         if (trace.bottom_z_mm >= top_z_mm || trace.top_z_mm <= bottom_z_mm) return false;
-        return EdgeIndex(trace.footprint).anyNearer(p, tol.sliver_mm);
+        return distanceTo(p, trace.footprint) < tol.sliver_mm;
     });
 }
 
@@ -52,9 +52,10 @@ std::vector<std::size_t> nextBands(const std::vector<Feature>& features, const L
         if (child.parents.size() != 1 || isUprightHole(child, layers, tol)) continue;
         const std::size_t parent = number.at(child.parents.front());
         if (features[parent].floor_z_mm != child.top_z_mm) continue;
-        if (!isSoft(features[parent], layers, tol)) continue;
         if (next[parent] == kNone || features[next[parent]].area_mm2 < child.area_mm2) next[parent] = i;
     }
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (next[i] != kNone && !isSoft(features[i], layers, tol)) next[i] = kNone;
     return next;
 }
 
