@@ -97,13 +97,20 @@ void stopAboveFixtures(Feature& feature, const std::vector<Fixture>& fixtures, c
     });
 }
 
+/// Adds what stands to what the feature's tools keep clear of. \param above  unionOf() it
+void keepOff(Feature& feature, const std::vector<Standing>& standing, const Region& above,
+             const Tolerances& tol) {
+    raiseObstacles(feature, standing, tol);
+    feature.obstruction = unite(feature.obstruction, above, tol);
+}
+
 /// Adds what stands to what the feature's tools keep clear of, and takes it off the target as a residual.
 void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, const StayReason& reason,
                const std::string& advice, const Tolerances& tol) {
     if (standing.empty()) return;
     Feature& free = reduced.feature;
-    free = beside(std::move(free), standing, tol);
     const Region above = unionOf(standing, tol);
+    keepOff(free, standing, above, tol);
 
     Residual blocked;
     blocked.region = intersect(free.target, above, tol);
@@ -129,9 +136,7 @@ void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, c
 }  // namespace
 
 Feature beside(Feature feature, const std::vector<Standing>& standing, const Tolerances& tol) {
-    if (standing.empty()) return feature;
-    raiseObstacles(feature, standing, tol);
-    feature.obstruction = unite(feature.obstruction, unionOf(standing, tol), tol);
+    if (!standing.empty()) keepOff(feature, standing, unionOf(standing, tol), tol);
     return feature;
 }
 
