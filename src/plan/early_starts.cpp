@@ -87,14 +87,17 @@ bool mayBeLeftHalfDone(const BandOperations& band) {
 
 }  // namespace
 
-std::vector<std::vector<Wait>> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol) {
-    const std::vector<BandOperation>& lowest = bands.back().operations;
-    std::vector<std::vector<Wait>> starts(lowest.size());
-    if (!std::all_of(bands.begin(), bands.end(), mayBeLeftHalfDone)) return starts;
-    for (std::size_t i = 0; i + 1 < bands.size(); ++i) {
+std::vector<BandStarts> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol) {
+    std::vector<BandStarts> starts;
+    for (const BandOperations& band : bands)
+        starts.emplace_back(band.operations.size());
+    const auto end = std::find_if_not(bands.begin(), bands.end(), mayBeLeftHalfDone) - bands.begin();
+    for (std::ptrdiff_t i = 0; i < end; ++i) {
         BandBefore above(bands[i], tol);
-        for (std::size_t k = 0; k < lowest.size(); ++k)
-            starts[k].push_back({bands[i].planned->feature.id, above.operationsBefore(lowest[k])});
+        for (std::ptrdiff_t lower = i + 1; lower < end; ++lower)
+            for (std::size_t k = 0; k < starts[lower].size(); ++k)
+                starts[lower][k].push_back(
+                    {bands[i].planned->feature.id, above.operationsBefore(bands[lower].operations[k])});
     }
     return starts;
 }

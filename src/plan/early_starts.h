@@ -20,16 +20,19 @@ struct BandOperations {
     bool plain_ways = false;  ///< FeatureCaution::plain_ways
 };
 
-/// How far the bands above must be cut before each operation of the last band may run: a wide cutter goes
-/// down all bands before a narrow one comes for their corners.
+/// What each operation of a band waits for; an empty entry waits for all that stands above it.
+using BandStarts = std::vector<std::vector<Wait>>;
+
+/// How far the bands above must be cut before each operation of a lower band may run: a wide cutter goes down
+/// all bands before a narrow one comes for their corners.
 ///
 /// An operation waits for those of a band above until what then still stands there is out of the way of its
 /// cutter, shank and holder on every move, with a tool that is set out no farther than it needs.
 ///
 /// \param bands  of one feature, from above
-/// \return  one entry an operation of the last band; an empty one waits for all that stands above it, as
-///          every operation does where a band has none or takes plain ways
+/// \return  of every band; entries are empty on the first, and on and below a band that has no operation or
+///          takes plain ways
 /// \note  O(operations x bands x moves x log edges)
-std::vector<std::vector<Wait>> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol);
+std::vector<BandStarts> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol);
 
 }  // namespace stepmill

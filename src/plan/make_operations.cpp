@@ -68,20 +68,30 @@ BandOperations bandOf(const PlannedFeature& planned, const Operation* first,
     return band;
 }
 
+/// The bands of one feature, with where the operations of each begin.
+struct BandedFeature {
+    std::vector<BandOperations> bands;  ///< from above
+    std::vector<std::size_t> first;
+};
+
 /// Operations on lower bands of a feature need not wait until those above are wholly cut.
+/// \param first  where the setup's operations begin
 void letStartEarly(const PlannedSetup& setup, std::size_t first, const OperationSettings& settings,
                    std::vector<Operation>& operations) {
-    std::map<std::string, std::vector<BandOperations>> bands;  // from above, by the whole feature
+    std::map<std::string, BandedFeature> features;
     for (const PlannedFeature& planned : setup.features) {
-        const std::size_t count = planned.sequence.steps.size();
         if (planned.feature.band) {
-            std::vector<BandOperations>& of_whole = bands[planned.feature.band->of];
-            of_whole.push_back(bandOf(planned, operations.data() + first, settings));
-            std::vector<std::vector<Wait>> starts = earlyStarts(of_whole, settings.tol);
-            for (std::size_t i = 0; i < count; ++i)
-                operations[first + i].waits = std::move(starts[i]);
+            BandedFeature& whole = features[planned.feature.band->of];
+            whole.bands.push_back(bandOf(planned, operations.data() + first, settings));
+            whole.first.push_back(first);
         }
-        first += count;
+        first += planned.sequence.steps.size();
+    }
+    for (const auto& [id, whole] : features) {
+        std::vector<BandStarts> starts = earlyStarts(whole.bands, settings.tol);
+        for (std::size_t band = 0; band < starts.size(); ++band)
+            for (std::size_t i = 0; i < starts[band].size(); ++i)
+                operations[whole.first[band] + i].waits = std::move(starts[band][i]);
     }
 }
 

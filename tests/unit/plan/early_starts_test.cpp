@@ -39,7 +39,7 @@ class EarlyStarts : public testing::Test {
 
     std::vector<Wait> waitsOf(const Operation& operation, const ToolAssembly& tool) {
         BandOperations lower{&lower_planned_, {{&operation, tool, {}}}, false};
-        return earlyStarts({upper_, lower}, kTol).front();
+        return earlyStarts({upper_, lower}, kTol).back().front();
     }
 
     PlannedFeature upper_planned_;
