@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/wider_than.h"
 
 namespace stepmill::feature {
 namespace {
@@ -25,12 +25,8 @@ bool identical(const Region& a, const Region& b) {
 }
 
 bool isSliver(const Region& region, const Tolerances& tol) {
-    for (const Region& component : components(region)) {
-        // Every planar region holds a disc of radius area / perimeter, so most need no closer look.
-        if (area(component) > tol.sliver_mm / 2 * perimeter(component)) return false;
-        const auto disc = ClearanceDiagram(component, tol).largestInscribedDisc();
-        if (disc && 2 * disc->radius_mm > tol.sliver_mm) return false;
-    }
+    for (const Region& component : components(region))
+        if (isWiderThan(component, tol.sliver_mm, tol)) return false;
     return true;
 }
 

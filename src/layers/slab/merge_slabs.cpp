@@ -1,12 +1,12 @@
 // Fewer slabs where they tell no more.
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 #include "layers/slab/cut_layer.h"
 #include "layers/slab/local_boolean.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/wider_than.h"
 
 namespace stepmill::layers {
 
@@ -37,19 +37,11 @@ Vec2 deepestVertex(const Region& region, const Region& inside) {
     return deepest;
 }
 
-/// Is there no place in the piece for a disc wider than that?
-bool isNoWider(const Region& piece, double widest_mm, const Tolerances& tol) {
-    // Every planar region holds a disc of radius area / perimeter, so most need no closer look.
-    if (2 * area(piece) > widest_mm * perimeter(piece)) return false;
-    const auto disc = ClearanceDiagram(piece, tol).largestInscribedDisc();
-    return !disc || 2 * disc->radius_mm <= widest_mm;
-}
-
 /// What of the upper slab joining may cost.
 struct AllowedLoss {
     double share = 0;  ///< of the area of each component of what is removed
-    /// Stairs on walls may be so wide; what is wider stands there for itself.
-    double widest_mm = std::numeric_limits<double>::infinity();
+    /// Stairs on walls may be so wide, what is wider stands there for itself; nothing: as wide as they are.
+    std::optional<double> widest_mm;
 };
 
 /// Does every component of what is removed above lose no more than that if the lower shadow is kept clear of
@@ -62,7 +54,7 @@ bool losesLittle(const Layer& upper, const Layer& lower, const AllowedLoss& allo
     std::vector<double> lost(removed.size(), 0);
     for (const Region& piece : components(subtract(lower.shadow, upper.shadow, tol))) {
         if (area(piece) <= tol.area_mm2) continue;
-        if (!isNoWider(piece, allowed.widest_mm, tol)) return false;
+        if (allowed.widest_mm && isWiderThan(piece, *allowed.widest_mm, tol)) return false;
         std::size_t at = 0;
         while (at < removed.size() && !contains(removed[at], deepestVertex(piece, removed[at])))
             ++at;
@@ -78,7 +70,7 @@ bool mayJoin(const Layer& upper, const CutLayer& lower, double thinnest_mm, cons
     if (!lower.soft_top || !sameStock(upper, lower.layer)) return false;
     if (sameShadow(upper, lower.layer, tol)) return true;
     const bool thin = upper.height_mm() < thinnest_mm;
-    const AllowedLoss allowed = thin ? AllowedLoss{options.largest_hidden_share}
+    const AllowedLoss allowed = thin ? AllowedLoss{options.largest_hidden_share, std::nullopt}
                                      : AllowedLoss{options.largest_joined_share, options.widest_stair_mm};
     return losesLittle(upper, lower.layer, allowed, tol);
 }
