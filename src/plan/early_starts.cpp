@@ -89,6 +89,7 @@ bool mayBeLeftHalfDone(const BandOperations& band) {
 
 std::vector<BandStarts> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol) {
     std::vector<BandStarts> starts;
+    starts.reserve(bands.size());
     for (const BandOperations& band : bands)
         starts.emplace_back(band.operations.size());
     const auto end = std::find_if_not(bands.begin(), bands.end(), mayBeLeftHalfDone) - bands.begin();
