@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "planar/boolean/arrangement.h"
+#include "planar/boolean/windings.h"
 #include "planar/intersection.h"
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
@@ -91,11 +92,11 @@ bool partElsewhere(const planar::Curve& a, const planar::Curve& b) {
 /// that part from each other.
 Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_mm, double short_mm,
                           double touch_mm) {
-    const planar::Arrangement arrangement(curves, snap_mm);
+    const planar::Arrangement arrangement = planar::arrange(curves, snap_mm);
     std::vector<bool> clean(curves.empty() ? 0 : static_cast<std::size_t>(curves.back().loop) + 1, false);
-    const std::vector<planar::LabelledPiece> pieces = arrangement.labelled();
+    const std::vector<planar::LabelledPiece> pieces = planar::labelled(arrangement);
     const auto loopOf = [&](const planar::LabelledPiece& p) {
-        return static_cast<std::size_t>(arrangement.curves()[static_cast<std::size_t>(p.piece.curve)].loop);
+        return static_cast<std::size_t>(arrangement.curves[static_cast<std::size_t>(p.piece.curve)].loop);
     };
     const auto counts = [&](const planar::Piece& piece) { return arrangement.lengthOf(piece) > short_mm; };
     const auto along = [&](const planar::Piece& piece) {
@@ -103,10 +104,10 @@ Trouble diagnoseCrossings(const std::vector<planar::Curve>& curves, double snap_
     };
     const auto shareAWall = [&](const planar::Piece& piece) {
         if (arrangement.lengthOf(piece) <= touch_mm) return false;
-        const auto curve = [&](int index) { return arrangement.curves()[static_cast<std::size_t>(index)]; };
+        const auto curve = [&](int index) { return arrangement.curves[static_cast<std::size_t>(index)]; };
         return piece.twin < 0 || !partElsewhere(curve(piece.curve), curve(piece.twin));
     };
-    for (const planar::Piece& piece : arrangement.cancelled())
+    for (const planar::Piece& piece : arrangement.cancelled)
         if (shareAWall(piece)) return along(piece);
     for (const auto& p : pieces) {
         if (p.piece.step[0] != 1 && shareAWall(p.piece)) return along(p.piece);

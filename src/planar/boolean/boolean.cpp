@@ -9,6 +9,7 @@
 
 #include "planar/boolean/arrangement.h"
 #include "planar/boolean/loop_builder.h"
+#include "planar/boolean/windings.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/clearance_diagram.h"
 
@@ -22,8 +23,8 @@ using Rule = std::function<bool(int, int)>;
 constexpr double kChordMm = 1e-4;
 
 Region overlayOnChords(const std::vector<planar::Curve>& curves, const Rule& inside, const Tolerances& tol) {
-    const auto arrangement = planar::Arrangement::onChords(curves, kChordMm);
-    const auto pieces = planar::Arrangement::boundary(arrangement.labelled(), inside);
+    const auto arrangement = planar::arrangeOnChords(curves, kChordMm);
+    const auto pieces = planar::boundary(planar::labelled(arrangement), inside);
     auto region = planar::buildLoops(arrangement, pieces, tol.linear_mm);
     if (!region)
         throw Error(ErrorCode::GeometryKernel, "planar boolean", "the pieces of the result do not close up");
@@ -36,12 +37,11 @@ Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, con
     // distance puts the points in other clusters; the first that contradicts itself nowhere is taken.
     std::optional<Region> doubtful;
     for (const double factor : {1.0, 0.3, 0.05, 2.5, 0.02, 6.0}) {
-        const planar::Arrangement arrangement(curves, factor * tol.linear_mm);
-        const std::vector<planar::LabelledPiece> labels = arrangement.labelled();
-        const bool consistent = arrangement.consistent(labels);
+        const planar::Arrangement arrangement = planar::arrange(curves, factor * tol.linear_mm);
+        const std::vector<planar::LabelledPiece> labels = planar::labelled(arrangement);
+        const bool consistent = planar::consistent(arrangement, labels);
         if (!consistent && doubtful) continue;
-        auto region =
-            planar::buildLoops(arrangement, planar::Arrangement::boundary(labels, inside), tol.linear_mm);
+        auto region = planar::buildLoops(arrangement, planar::boundary(labels, inside), tol.linear_mm);
         if (consistent && region) return *std::move(region);
         if (region) doubtful = std::move(region);
     }

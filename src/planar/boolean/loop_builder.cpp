@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planar/boolean/junction.h"
 #include "planar/intersection.h"
 #include "planar/segment.h"
 #include "stepmill/core/units.h"
@@ -91,10 +92,10 @@ class Walker {
         for (const int candidate : leaving_[at(node)])
             if (!used_[at(candidate)]) choices.push_back(candidate);
         if (choices.size() <= 1) return choices.empty() ? -1 : choices.front();
-        std::vector<Arrangement::End> ends{{&pieces_[at(piece)], false}};
+        std::vector<PieceEnd> ends{{&pieces_[at(piece)], false}};
         for (const int candidate : choices)
             ends.push_back({&pieces_[at(candidate)], true});
-        const std::vector<std::size_t> order = arrangement_.counterClockwise(ends);
+        const std::vector<std::size_t> order = counterClockwise(arrangement_, ends);
         const auto came = std::find(order.begin(), order.end(), std::size_t{0});
         const std::size_t clockwise = came == order.begin() ? order.back() : *(came - 1);
         return choices[clockwise - 1];
@@ -334,7 +335,7 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
         std::vector<BuiltEdge> edges;
         for (const int index : walk) {
             const Piece& piece = pieces[at(index)];
-            const Curve& curve = arrangement.curves()[at(piece.curve)];
+            const Curve& curve = arrangement.curves[at(piece.curve)];
             const Vec2& from = arrangement.place(piece.begin);
             const Segment segment = arrangement.onCurve(piece);
             if (from == segment.to) continue;
@@ -352,7 +353,7 @@ std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vect
         }
         if (edges.empty()) continue;
         edges = mergedEdges(std::move(edges));
-        if (arrangement.chordMm() > 0) edges = withoutSwitches(std::move(edges), 2 * arrangement.chordMm());
+        if (arrangement.chord_mm > 0) edges = withoutSwitches(std::move(edges), 2 * arrangement.chord_mm);
         Loop loop = loopOf(edges, thin_mm);
         removeSpikes(loop, thin_mm);
         if (loop.segments.size() == 1 && loop.segments[0].arc) loop = circleLoop(*loop.segments[0].arc);

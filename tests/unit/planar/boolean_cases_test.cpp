@@ -11,6 +11,7 @@
 
 #include "planar/boolean/arrangement.h"
 #include "planar/boolean/loop_builder.h"
+#include "planar/boolean/windings.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/region_text.h"
 
@@ -48,11 +49,11 @@ Region onChords(const Case& one, bool (*inside)(int, int)) {
     std::vector<planar::Curve> curves;
     planar::appendCurves(one.a, 0, curves);
     planar::appendCurves(one.b, 1, curves);
-    const auto arrangement = planar::Arrangement::onChords(curves, 1e-4);
-    const auto labels = arrangement.labelled();
-    EXPECT_TRUE(arrangement.consistent(labels)) << one.name;
-    const auto region = planar::buildLoops(arrangement, planar::Arrangement::boundary(labels, inside),
-                                           Tolerances().linear_mm);
+    const auto arrangement = planar::arrangeOnChords(curves, 1e-4);
+    const auto labels = planar::labelled(arrangement);
+    EXPECT_TRUE(planar::consistent(arrangement, labels)) << one.name;
+    const auto region =
+        planar::buildLoops(arrangement, planar::boundary(labels, inside), Tolerances().linear_mm);
     EXPECT_TRUE(region.has_value()) << one.name;
     return region.value_or(Region{});
 }

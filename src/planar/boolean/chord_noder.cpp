@@ -45,10 +45,8 @@ std::vector<Vec2> chordsOf(const Curve& curve, double chord_mm) {
     return points;
 }
 
-}  // namespace
-
 /// Nodes and pieces from what GEOS' noder hands back.
-class Arrangement::ChordNoder {
+class ChordNoder {
   public:
     ChordNoder(Arrangement& result, double grid_mm) : result_(result), per_mm_(1 / grid_mm) {}
 
@@ -76,9 +74,9 @@ class Arrangement::ChordNoder {
   private:
     std::vector<std::unique_ptr<NodedSegmentString>> chords() const {
         std::vector<std::unique_ptr<NodedSegmentString>> strings;
-        for (const Curve& curve : result_.curves_) {
+        for (const Curve& curve : result_.curves) {
             std::vector<geos::geom::Coordinate> points;
-            for (const Vec2& p : chordsOf(curve, result_.chord_mm_))
+            for (const Vec2& p : chordsOf(curve, result_.chord_mm))
                 points.emplace_back(p.x(), p.y());
             auto* sequence = new geos::geom::CoordinateArraySequence(std::move(points));  // the string's
             strings.push_back(std::make_unique<NodedSegmentString>(sequence, &curve));
@@ -87,7 +85,7 @@ class Arrangement::ChordNoder {
     }
 
     int curveOf(const SegmentString& string) const {
-        return static_cast<int>(static_cast<const Curve*>(string.getData()) - result_.curves_.data());
+        return static_cast<int>(static_cast<const Curve*>(string.getData()) - result_.curves.data());
     }
 
     static std::uint64_t key(std::uint64_t a, std::uint64_t b) { return a << 32 ^ (b & 0xFFFFFFFFU); }
@@ -98,8 +96,8 @@ class Arrangement::ChordNoder {
     }
 
     int nodeAt(const geos::geom::Coordinate& c) {
-        const auto [found, is_new] = nodes_.emplace(cell(c.x, c.y), static_cast<int>(result_.nodes_.size()));
-        if (is_new) result_.nodes_.emplace_back(c.x, c.y);
+        const auto [found, is_new] = nodes_.emplace(cell(c.x, c.y), static_cast<int>(result_.nodes.size()));
+        if (is_new) result_.nodes.emplace_back(c.x, c.y);
         return found->second;
     }
 
@@ -109,23 +107,23 @@ class Arrangement::ChordNoder {
         if (begin == end) return;
         const auto ends = key(static_cast<std::uint64_t>(std::min(begin, end)),
                               static_cast<std::uint64_t>(std::max(begin, end)));
-        const auto [found, is_new] = pieces_.emplace(ends, result_.pieces_.size());
-        if (is_new) result_.pieces_.push_back({begin, end, curve, true, true, {}, -1});
-        Piece& piece = result_.pieces_[found->second];
+        const auto [found, is_new] = pieces_.emplace(ends, result_.pieces.size());
+        if (is_new) result_.pieces.push_back({begin, end, curve, true, true, {}, -1});
+        Piece& piece = result_.pieces[found->second];
         const auto operand =
-            static_cast<std::size_t>(result_.curves_[static_cast<std::size_t>(curve)].operand);
+            static_cast<std::size_t>(result_.curves[static_cast<std::size_t>(curve)].operand);
         piece.step[operand] += piece.begin == begin ? 1 : -1;
     }
 
     /// Corners of the operands go back to where they were before they were rounded to the coarse grid.
     void nameCorners() {
-        result_.places_ = result_.nodes_;
-        std::vector<bool> named(result_.nodes_.size(), false);
-        for (const Curve& curve : result_.curves_) {
+        result_.places = result_.nodes;
+        std::vector<bool> named(result_.nodes.size(), false);
+        for (const Curve& curve : result_.curves) {
             const auto found = nodes_.find(cell(curve.from.x(), curve.from.y()));
             if (found == nodes_.end() || named[static_cast<std::size_t>(found->second)]) continue;
             named[static_cast<std::size_t>(found->second)] = true;
-            result_.places_[static_cast<std::size_t>(found->second)] = curve.from;
+            result_.places[static_cast<std::size_t>(found->second)] = curve.from;
         }
     }
 
@@ -135,14 +133,14 @@ class Arrangement::ChordNoder {
     std::unordered_map<std::uint64_t, std::size_t> pieces_;
 };
 
-Arrangement Arrangement::onChords(const std::vector<Curve>& curves, double chord_mm) {
+}  // namespace
+
+Arrangement arrangeOnChords(const std::vector<Curve>& curves, double chord_mm) {
     Arrangement result;
-    result.curves_ = curves;
-    result.snap_mm_ = chord_mm;
-    result.chord_mm_ = chord_mm;
+    result.curves = curves;
+    result.chord_mm = chord_mm;
     ChordNoder(result, chord_mm).run();
-    result.dropDeadPieces();
-    result.sortIntoStrips();
+    result.setCancelledApart();
     return result;
 }
 

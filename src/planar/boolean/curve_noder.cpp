@@ -1,0 +1,294 @@
+// Two sets of loops cut into pieces that meet at nodes only.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+#include "planar/boolean/arrangement.h"
+#include "planar/intersection.h"
+#include "planar/segment.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill::planar {
+
+namespace {
+
+std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// Calls visit(i, j) for all pairs of boxes that overlap.
+template <typename Visit>
+void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visit visit) {
+    std::vector<int> order(curves.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return curves[at(a)].box.min().x() < curves[at(b)].box.min().x(); });
+    std::vector<int> active;
+    for (const int i : order) {
+        const Box2 box = grown(curves[at(i)].box, slack_mm);
+        std::erase_if(active, [&](int j) { return curves[at(j)].box.max().x() < box.min().x(); });
+        for (const int j : active)
+            if (curves[at(j)].box.intersects(box)) visit(std::min(i, j), std::max(i, j));
+        active.push_back(i);
+    }
+}
+
+bool adjacent(const Curve& a, const Curve& b) {
+    return a.loop == b.loop && (a.segment.to == b.from || b.segment.to == a.from);
+}
+
+/// Do two neighbouring edges cross at p, rather than meet at their corner? Rounding lets edges that touch
+/// tangentially at their corner cross once more, micrometres away and a nanometre deep.
+bool crossesBesideCorner(const Curve& a, const Curve& b, const Vec2& p) {
+    double from_corner = std::numeric_limits<double>::infinity();
+    if (a.segment.to == b.from) from_corner = std::min(from_corner, (p - b.from).norm());
+    if (b.segment.to == a.from) from_corner = std::min(from_corner, (p - a.from).norm());
+    constexpr double kDeepMm = 10 * kGridMm;
+    if (from_corner / 4 <= kDeepMm) return false;
+    const Vec2 ta = tangentAt(a.from, a.segment, shareOf(p, a.from, a.segment));
+    const Vec2 tb = tangentAt(b.from, b.segment, shareOf(p, b.from, b.segment));
+    // The two curves part by about a quarter of chord times angle in between.
+    return from_corner * std::abs(cross(ta, tb)) / 4 > kDeepMm;
+}
+
+/// A curve is cut at a node.
+struct Cut {
+    int curve;
+    double share;
+    int node;
+};
+
+/// A curve moved to the nodes of its ends.
+struct Stretch {
+    Vec2 from;
+    Segment segment;
+};
+
+/// Finds the node near a point, or makes one.
+class NodeIndex {
+  public:
+    NodeIndex(std::vector<Vec2>& nodes, double snap_mm) : nodes_(nodes), snap_mm_(snap_mm) {}
+
+    int add(const Vec2& p) {
+        int nearest = -1;
+        double distance = snap_mm_;
+        const std::int64_t x0 = cell(p.x() - snap_mm_), x1 = cell(p.x() + snap_mm_);
+        const std::int64_t y0 = cell(p.y() - snap_mm_), y1 = cell(p.y() + snap_mm_);
+        for (std::int64_t x = x0; x <= x1; ++x)
+            for (std::int64_t y = y0; y <= y1; ++y) {
+                const auto found = cells_.find(key(x, y));
+                if (found == cells_.end()) continue;
+                for (const int node : found->second) {
+                    const double d = (nodes_[at(node)] - p).norm();
+                    if (d > distance || (d == distance && nearest >= 0 && nearest < node)) continue;
+                    nearest = node;
+                    distance = d;
+                }
+            }
+        if (nearest >= 0) return nearest;
+        nodes_.push_back(snapToGrid(p));
+        const int node = static_cast<int>(nodes_.size()) - 1;
+        cells_[key(cell(p.x()), cell(p.y()))].push_back(node);
+        return node;
+    }
+
+  private:
+    std::int64_t cell(double value) const {
+        return static_cast<std::int64_t>(std::floor(value / (4 * snap_mm_)));
+    }
+    static std::uint64_t key(std::int64_t x, std::int64_t y) {
+        return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(y);
+    }
+
+    std::vector<Vec2>& nodes_;
+    double snap_mm_;
+    std::unordered_map<std::uint64_t, std::vector<int>> cells_;
+};
+
+/// Points sorted along x and along y: those in a long thin box are found along its short side.
+class NodesInBox {
+  public:
+    explicit NodesInBox(const std::vector<Vec2>& nodes) : nodes_(nodes) {
+        for (const int axis : {0, 1}) {
+            std::vector<std::pair<double, int>>& list = sorted_[at(axis)];
+            list.reserve(nodes.size());
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                list.emplace_back(nodes[i][axis], static_cast<int>(i));
+            std::sort(list.begin(), list.end());
+        }
+    }
+
+    template <typename Visit>
+    void forEachIn(const Box2& box, Visit visit) const {
+        const int axis = box.sizes().x() <= box.sizes().y() ? 0 : 1;
+        const int across = 1 - axis;
+        const std::vector<std::pair<double, int>>& list = sorted_[at(axis)];
+        auto it = std::lower_bound(list.begin(), list.end(), std::pair{box.min()[axis], 0});
+        for (; it != list.end() && it->first <= box.max()[axis]; ++it) {
+            const double y = nodes_[at(it->second)][across];
+            if (y >= box.min()[across] && y <= box.max()[across]) visit(it->second);
+        }
+    }
+
+  private:
+    const std::vector<Vec2>& nodes_;
+    std::array<std::vector<std::pair<double, int>>, 2> sorted_;
+};
+
+/// The nodes at which the curves are cut, curve by curve.
+class Cuts {
+  public:
+    explicit Cuts(std::size_t curves) : last_(curves, kNone) {}
+
+    bool has(int curve, int node) const {
+        for (int i = last_[at(curve)]; i != kNone; i = before_[at(i)])
+            if (cuts_[at(i)].node == node) return true;
+        return false;
+    }
+    void add(int curve, double share, int node) {
+        before_.push_back(std::exchange(last_[at(curve)], static_cast<int>(cuts_.size())));
+        cuts_.push_back({curve, share, node});
+    }
+    /// All of them in the order of the curves and along each.
+    std::vector<Cut> inOrder() && {
+        std::stable_sort(cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) {
+            return a.curve != b.curve ? a.curve < b.curve : a.share < b.share;
+        });
+        return std::move(cuts_);
+    }
+
+  private:
+    static constexpr int kNone = -1;
+
+    std::vector<Cut> cuts_;
+    std::vector<int> before_;  // the cut of the same curve that was added before
+    std::vector<int> last_;
+};
+
+/// Cuts curves at each other and makes pieces of them.
+class CurveNoder {
+  public:
+    CurveNoder(const std::vector<Curve>& curves, double snap_mm) : snap_mm_(snap_mm) {
+        result_.curves = curves;
+    }
+
+    Arrangement run() && {
+        addPieces(cutsOfCurves());
+        result_.setCancelledApart();
+        return std::move(result_);
+    }
+
+  private:
+    std::vector<Cut> cutsOfCurves();
+    Stretch betweenNodes(const Curve& curve, int begin, int end) const;
+    void addPieces(const std::vector<Cut>& cuts);
+    void addPiece(int begin, int end, int curve);
+
+    double snap_mm_;
+    Arrangement result_;
+    std::vector<int> first_at_;  // the first piece at its lower node
+    std::vector<int> next_at_;   // of each piece, the next one at its lower node
+};
+
+std::vector<Cut> CurveNoder::cutsOfCurves() {
+    NodeIndex index(result_.nodes, snap_mm_);
+    Cuts cuts(result_.curves.size());
+    std::vector<Stretch> snapped;  // the curves between the nodes of their ends
+    snapped.reserve(result_.curves.size());
+    for (std::size_t i = 0; i < result_.curves.size(); ++i) {
+        const int begin = index.add(result_.curves[i].from), end = index.add(result_.curves[i].to());
+        cuts.add(static_cast<int>(i), 0, begin);
+        cuts.add(static_cast<int>(i), 1, end);
+        snapped.push_back(betweenNodes(result_.curves[i], begin, end));
+    }
+    const auto cut = [&](int curve, int node) {
+        if (cuts.has(curve, node)) return;
+        const Stretch& c = snapped[at(curve)];
+        const double share = shareOf(result_.nodes[at(node)], c.from, c.segment);
+        if (share > 0 && share < 1) cuts.add(curve, share, node);
+    };
+    std::vector<std::pair<int, int>> pairs;
+    forOverlappingBoxes(result_.curves, snap_mm_, [&](int i, int j) { pairs.emplace_back(i, j); });
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& [i, j] : pairs) {
+        const Curve& a = result_.curves[at(i)];
+        const Curve& b = result_.curves[at(j)];
+        const bool neighbours = adjacent(a, b);
+        for (const Vec2& p : contacts(a, b, snap_mm_)) {
+            if (neighbours && !crossesBesideCorner(a, b, p)) continue;
+            const int node = index.add(p);
+            cut(i, node);
+            cut(j, node);
+        }
+    }
+    // A curve passes through every node within the snapping distance, its own or not. Otherwise two curves
+    // that snapped onto each other could be cut at different nodes, and their pieces would lie on each other
+    // without being one.
+    const NodesInBox nodes(result_.nodes);
+    for (std::size_t i = 0; i < result_.curves.size(); ++i) {
+        const Curve& c = result_.curves[i];
+        const Stretch& bent = snapped[i];
+        nodes.forEachIn(grown(c.box, 2 * snap_mm_), [&](int node) {
+            if (cuts.has(static_cast<int>(i), node)) return;
+            const Vec2& p = result_.nodes[at(node)];
+            if (distanceTo(p, c) <= snap_mm_ || distanceTo(p, bent.from, bent.segment) <= snap_mm_)
+                cut(static_cast<int>(i), node);
+        });
+    }
+    return std::move(cuts).inOrder();
+}
+
+void CurveNoder::addPieces(const std::vector<Cut>& cuts) {
+    first_at_.assign(result_.nodes.size(), -1);
+    for (std::size_t k = 1; k < cuts.size(); ++k)
+        if (cuts[k].curve == cuts[k - 1].curve) addPiece(cuts[k - 1].node, cuts[k].node, cuts[k].curve);
+}
+
+Stretch CurveNoder::betweenNodes(const Curve& curve, int begin, int end) const {
+    const Segment bent{result_.node(end), curve.segment.arc};
+    // Snapping can turn a short arc about its centre the wrong way, and short curves into points.
+    const bool turned = bent.arc && std::abs(sweepAngle(result_.node(begin), bent.to, *bent.arc)) > 1.5 * kPi;
+    if (begin == end || turned) return {curve.from, curve.segment};
+    return {result_.node(begin), bent};
+}
+
+void CurveNoder::addPiece(int begin, int end, int curve) {
+    // Shorter than the snapping distance: a point.
+    if (begin == end) return;
+    Piece piece{begin, end, curve, true, false, {}, -1};
+    const std::optional<Arc>& arc = result_.curves[at(curve)].segment.arc;
+    // Snapping can turn the ends of a short arc about its centre until the arc seems to go all the way round.
+    piece.straight = arc && std::abs(sweepAngle(result_.node(begin), result_.node(end), *arc)) > 1.5 * kPi;
+    const Vec2 middle = pointAt(result_.node(begin), result_.segment(piece), 0.5);
+    const int operand = result_.curves[at(curve)].operand;
+    int* link = &first_at_[at(std::min(begin, end))];
+    for (; *link >= 0; link = &next_at_[at(*link)]) {
+        Piece& other = result_.pieces[at(*link)];
+        const bool same_way = other.begin == begin && other.end == end;
+        const bool other_way = other.begin == end && other.end == begin;
+        if (!same_way && !other_way) continue;
+        if ((pointAt(result_.node(other.begin), result_.segment(other), 0.5) - middle).norm() > snap_mm_)
+            continue;
+        other.step[at(operand)] += same_way ? 1 : -1;
+        other.twin = curve;
+        return;
+    }
+    piece.step[at(operand)] = 1;
+    *link = static_cast<int>(result_.pieces.size());
+    result_.pieces.push_back(piece);
+    next_at_.push_back(-1);
+}
+
+}  // namespace
+
+Arrangement arrange(const std::vector<Curve>& curves, double snap_mm) {
+    return CurveNoder(curves, snap_mm).run();
+}
+
+}  // namespace stepmill::planar
