@@ -26,6 +26,19 @@ void StepLexer::fail(ErrorCode code, int line, const std::string& message) const
     throw Error(code, file_, "line " + std::to_string(line) + ": " + message);
 }
 
+void StepLexer::truncated(const std::string& where, const std::string& expected) const {
+    damaged(line(),
+            "the file ends " + where + "; " + expected + " expected. It is truncated: export it again");
+}
+
+void StepLexer::expect(char punctuation, const std::string& after) {
+    const StepToken token = next();
+    if (token.is(punctuation)) return;
+    if (token.kind == StepToken::Kind::End) truncated("after " + after, std::string("'") + punctuation + "'");
+    damaged(token.line, std::string("'") + punctuation + "' expected after " + after + ", found " +
+                            std::string(token.text.substr(0, 40)));
+}
+
 void StepLexer::advance() {
     const char c = text_[pos_++];
     if (c == '\n' || (c == '\r' && at(0) != '\n')) ++line_;
@@ -33,9 +46,9 @@ void StepLexer::advance() {
 
 void StepLexer::checkLength(std::size_t begin, int line, const std::string& what) const {
     if (pos_ - begin > kLongestToken)
-        fail(ErrorCode::StepDamaged, line,
-             "a " + what + " of " + std::to_string(pos_ - begin) +
-                 " bytes begins here; the geometry reader takes up to " + std::to_string(kLongestToken));
+        damaged(line, "a " + what + " of " + std::to_string(pos_ - begin) +
+                          " bytes begins here; the geometry reader takes up to " +
+                          std::to_string(kLongestToken));
 }
 
 void StepLexer::skipComment() {
@@ -50,7 +63,7 @@ void StepLexer::skipComment() {
         }
         advance();
     }
-    fail(ErrorCode::StepDamaged, start, "a comment begins here and does not end; the file is truncated");
+    damaged(start, "a comment begins here and does not end; the file is truncated");
 }
 
 void StepLexer::skipBlanks() {
@@ -82,7 +95,7 @@ StepToken StepLexer::quoted(char quote, StepToken::Kind kind) {
             return make(kind, begin, start);
         }
     }
-    fail(ErrorCode::StepDamaged, start, "a string begins here and does not end; the file is truncated");
+    damaged(start, "a string begins here and does not end; the file is truncated");
 }
 
 StepToken StepLexer::number() {
@@ -108,7 +121,7 @@ StepToken StepLexer::reference() {
     const std::size_t begin = pos_++;
     while (isDigit(at(0)) || isLetter(at(0)))
         ++pos_;
-    if (pos_ == begin + 1) fail(ErrorCode::StepDamaged, line_, "'#' without an entity number");
+    if (pos_ == begin + 1) damaged(line_, "'#' without an entity number");
     return make(StepToken::Kind::Reference, begin, line_);
 }
 
@@ -116,7 +129,7 @@ StepToken StepLexer::enumeration() {
     const std::size_t begin = pos_++;
     while (isLetter(at(0)) || isDigit(at(0)))
         ++pos_;
-    if (at(0) != '.') fail(ErrorCode::StepDamaged, line_, "a value of the form .NAME. expected after '.'");
+    if (at(0) != '.') damaged(line_, "a value of the form .NAME. expected after '.'");
     ++pos_;
     return make(StepToken::Kind::Enumeration, begin, line_);
 }
@@ -140,7 +153,7 @@ StepToken StepLexer::lex() {
         return make(StepToken::Kind::Word, begin, line_);
     }
     if (std::string_view("(),;=$*/&{}:").find(c) == std::string_view::npos)
-        fail(ErrorCode::StepDamaged, line_, nameByte(c) + " where no STEP token can begin");
+        damaged(line_, nameByte(c) + " where no STEP token can begin");
     ++pos_;
     return make(StepToken::Kind::Punctuation, begin, line_);
 }

@@ -79,7 +79,7 @@ class StepModel {
     std::string_view keywordOf(const StepEntity& entity) const;
 
   private:
-    friend class StepSyntax;
+    friend class StepEntityReader;
     std::vector<StepEntity> entities_;
     std::vector<StepRecord> records_;
     std::vector<StepValue> values_;

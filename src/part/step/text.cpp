@@ -32,7 +32,7 @@ StepText screenStep(std::string_view text, const std::string& file) {
             "not a STEP file: it should begin with ISO-10303-21; and looks like " + guessFormat(text));
     StepText result;
     StepModel model;
-    StepSyntax(withoutByteOrderMark(text), file).read(result, model);
+    StepSyntax(withoutByteOrderMark(text), file, result, model).read();
     countKinds(model, result);
     const StepScreen screen{model, file};
     checkReferences(screen, result);
