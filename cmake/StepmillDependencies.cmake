@@ -47,6 +47,9 @@ if(STEPMILL_SANITIZE)
   add_compile_definitions(STEPMILL_SANITIZED)
   add_link_options(-fsanitize=address,undefined)
 endif()
+if(STEPMILL_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 # The standard headers nearly every file needs, compiled once for all modules.
 set(STEPMILL_PRECOMPILED
