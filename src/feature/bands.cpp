@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
@@ -78,7 +79,7 @@ void joinBands(std::vector<Feature>& features, const LayerStack& layers, const T
             Feature& feature = features[chain[k]];
             if (chain.size() > 1)
                 feature.band = Band{id, static_cast<int>(k) + 1, static_cast<int>(chain.size())};
-            renamed[feature.id] = chain.size() > 1 ? fmt::format("{}.{}", id, k + 1) : id;
+            renamed[feature.id] = bandId(id, static_cast<int>(k) + 1, static_cast<int>(chain.size()));
         }
     }
     for (Feature& feature : features) {

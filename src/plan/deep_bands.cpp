@@ -6,9 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include <fmt/format.h>
-
 #include "stepmill/access/collision.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/sequence/sequence.h"
 
@@ -36,11 +35,6 @@ double bandMm(const ToolLibrary& library, const std::string& material) {
 int bandsOf(const Feature& feature, double band_mm) {
     if (band_mm <= 0 || isHole(feature.feature_class) || feature.depth_mm() <= band_mm) return 1;
     return static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostBands)));
-}
-
-/// The whole feature that it is, or belongs to.
-const std::string& wholeOf(const Feature& feature) {
-    return feature.band ? feature.band->of : feature.id;
 }
 
 /// Band `i` of `count` equally deep ones.
@@ -72,7 +66,7 @@ std::vector<Feature> inBands(const std::vector<Feature>& features, const ToolLib
             Feature band = count > 1 ? partedOff(feature, i, count) : feature;
             if (all > 1) {
                 band.band = Band{whole, ++made[whole], all};
-                band.id = fmt::format("{}.{}", whole, made[whole]);
+                band.id = bandId(whole, made[whole], all);
             }
             if (i > 0) band.parents = {bands.back().id};
             for (std::string& parent : band.parents)
