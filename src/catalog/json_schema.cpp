@@ -10,6 +10,7 @@
 #include <valijson/validator.hpp>
 
 #include "catalog/embedded.h"
+#include "catalog/json_layout.h"
 #include "catalog/json_text.h"
 #include "catalog/schema_check.h"
 #include "catalog/schema_words.h"
@@ -167,7 +168,7 @@ std::string finishJson(SchemaName name, nlohmann::ordered_json content) {
     nlohmann::ordered_json json{{"format", schema.format}, {"stepmill", {{"version", STEPMILL_VERSION}}}};
     for (auto& [key, value] : content.items())
         json[key] = std::move(value);
-    std::string text = json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    std::string text = laidOut(json) + "\n";
     const std::vector<std::string> errors = schemaErrors(name, text);
     if (!errors.empty()) throw Error(ErrorCode::Internal, std::string(schema.word) + ".json", errors.front());
     return text;
