@@ -73,7 +73,7 @@ struct NamedSchema {
 
 constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kToolsSchema},
                                     {SchemaName::Machine, "machine", 1, embedded::kMachineSchema},
-                                    {SchemaName::Plan, "plan", 1, embedded::kPlanSchema},
+                                    {SchemaName::Plan, "plan", 2, embedded::kPlanSchema},
                                     {SchemaName::Inspect, "inspect", 1, embedded::kInspectSchema},
                                     {SchemaName::Rank, "rank", 1, embedded::kRankSchema},
                                     {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
@@ -107,6 +107,10 @@ FailedPlaces failedPlaces(const json& schema_json, const json& value) {
 
 std::string_view schemaText(SchemaName name) {
     return schemaOf(name).text;
+}
+
+int schemaFormat(SchemaName name) {
+    return schemaOf(name).format;
 }
 
 json schemaJson(SchemaName name) {

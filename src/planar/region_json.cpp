@@ -15,105 +15,130 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Digits of the grid alone, the same on every machine. The quotient by the exact 10^6 is the double nearest
-/// to the decimal, and prints as that.
-double number(double value_mm) {
-    constexpr double kPerMm = 1e6;
-    const double rounded = std::round(value_mm * kPerMm) / kPerMm;
-    return rounded == 0 ? 0.0 : rounded;
+constexpr double kNmPerMm = 1e6;
+constexpr double kLargestNm = planar::kLargestMm * kNmPerMm;
+
+/// Numbers of a line, an arc, and an arc with its radius told.
+constexpr std::size_t kLine = 2;
+constexpr std::size_t kArc = 5;
+constexpr std::size_t kArcWithRadius = 6;
+
+std::int64_t nanometres(double value_mm) {
+    return std::llround(value_mm * kNmPerMm);
 }
 
 Json point(const Vec2& p) {
-    return Json::array({number(p.x()), number(p.y())});
+    return Json::array({nanometres(p.x()), nanometres(p.y())});
 }
 
-Json segmentToJson(const Segment& segment) {
-    Json json{{"to", point(segment.to)}};
+/// \param from  where it starts
+Json segmentToJson(const Vec2& from, const Segment& segment) {
+    const auto told = [&](const Vec2& p, int axis) { return nanometres(p[axis]) - nanometres(from[axis]); };
+    Json json = Json::array({told(segment.to, 0), told(segment.to, 1)});
     if (!segment.arc) return json;
     const Arc& arc = *segment.arc;
-    json["centre"] = point(arc.centre);
+    json.push_back(told(arc.centre, 0));
+    json.push_back(told(arc.centre, 1));
+    json.push_back(arc.ccw ? 1 : -1);
     if (planar::radiusThrough(segment.to, arc.centre) != arc.radius_mm)
-        json["radius"] = number(arc.radius_mm);
-    json["ccw"] = arc.ccw;
+        json.push_back(nanometres(arc.radius_mm));
     return json;
 }
 
-/// Reads one loop; every complaint names subject and loop.
+/// Reads one loop, from its start on.
 class LoopReader {
   public:
-    LoopReader(std::size_t index, const std::string& subject) : index_(index), subject_(subject) {}
+    explicit LoopReader(const std::string& subject) : subject_(subject) {}
 
-    Loop loop(const Json& json) const {
-        Loop loop{pointAt(member(json, "start")), {}};
-        const Json& segments = member(json, "segments");
-        if (!segments.is_array()) fail("a list of segments");
-        for (const Json& segment : segments)
-            loop.segments.push_back(segmentAt(segment));
+    Loop loop(const Json& json) {
+        if (!json.is_array() || json.empty()) fail("a start and segments");
+        for (const Json& step : json)
+            if (!step.is_array()) fail("lists of numbers");
+        if (json[0].size() != 2) fail("a start of two numbers");
+        Loop loop{move(json[0], 0), {}};
+        for (std::size_t i = 1; i < json.size(); ++i)
+            loop.segments.push_back(segment(json[i]));
         return loop;
     }
 
   private:
-    Segment segmentAt(const Json& json) const {
-        Segment segment{pointAt(member(json, "to")), std::nullopt};
-        if (!json.contains("centre")) return segment;
-        const Json& ccw = member(json, "ccw");
-        if (!ccw.is_boolean()) fail("'ccw' true or false");
-        Arc arc{pointAt(json["centre"]), 0, ccw.get<bool>()};
-        arc.radius_mm =
-            json.contains("radius") ? length(json["radius"]) : planar::radiusThrough(segment.to, arc.centre);
-        if (!(arc.radius_mm > 0)) fail("a positive radius");
-        segment.arc = arc;
+    Segment segment(const Json& json) {
+        if (json.size() != kLine && json.size() != kArc && json.size() != kArcWithRadius)
+            fail("a line of two numbers or an arc of five or six");
+        const Vec2 centre = json.size() == kLine ? Vec2::Zero() : at(json, 2);
+        Segment segment{move(json, 0), std::nullopt};
+        if (json.size() == kLine) return segment;
+        const double turn = nanometresAt(json, 4);
+        if (turn != 1 && turn != -1) fail("a turn of 1 or -1");
+        segment.arc = Arc{centre, 0, turn == 1};
+        segment.arc->radius_mm = json.size() == kArc ? planar::radiusThrough(segment.to, centre)
+                                                     : millimetres(nanometresAt(json, 5));
+        if (!(segment.arc->radius_mm > 0)) fail("a positive radius");
         return segment;
     }
 
-    const Json& member(const Json& json, const char* name) const {
-        if (!json.is_object() || !json.contains(name)) fail(fmt::format("'{}'", name));
-        return json[name];
+    /// The point told by two numbers, from where the last segment ended.
+    Vec2 at(const Json& json, std::size_t first) const {
+        return {millimetres(x_nm_ + nanometresAt(json, first)),
+                millimetres(y_nm_ + nanometresAt(json, first + 1))};
     }
 
-    Vec2 pointAt(const Json& json) const {
-        if (!json.is_array() || json.size() != 2) fail("a point of two numbers");
-        return {length(json[0]), length(json[1])};
+    /// The same point; the next ones are told from there.
+    Vec2 move(const Json& json, std::size_t first) {
+        const Vec2 to = at(json, first);
+        x_nm_ += nanometresAt(json, first);
+        y_nm_ += nanometresAt(json, first + 1);
+        return to;
     }
 
-    double length(const Json& json) const {
-        if (!json.is_number()) fail("a number");
-        const double value_mm = json.get<double>();
-        if (!(std::abs(value_mm) <= planar::kLargestMm)) fail("a length of a kilometre at most");
-        return snapToGrid(value_mm);
+    double nanometresAt(const Json& json, std::size_t i) const {
+        if (!json[i].is_number()) fail("a number");
+        const double value_nm = json[i].get<double>();
+        if (value_nm != std::round(value_nm)) fail("whole nanometres");
+        return value_nm;
+    }
+
+    double millimetres(double value_nm) const {
+        if (!(std::abs(value_nm) <= kLargestNm)) fail("a length of a kilometre at most");
+        return snapToGrid(value_nm / kNmPerMm);
     }
 
     [[noreturn]] void fail(const std::string& expected) const {
-        throw Error(ErrorCode::InvalidRegion, subject_,
-                    fmt::format("loop {}: expected {}", index_, expected));
+        throw Error(ErrorCode::InvalidRegion, subject_, "expected " + expected);
     }
 
-    std::size_t index_;
     const std::string& subject_;
+    double x_nm_ = 0;  // whole and below 2^53, so exact
+    double y_nm_ = 0;
 };
 
 }  // namespace
 
-Json regionToJson(const Region& region) {
-    Json loops = Json::array();
-    for (const Loop& loop : region.loops) {
-        Json segments = Json::array();
-        for (const Segment& segment : loop.segments)
-            segments.push_back(segmentToJson(segment));
-        loops.push_back({{"hole", signedArea(loop) < 0},
-                         {"start", point(loop.start)},
-                         {"segments", std::move(segments)}});
+Json loopToJson(const Loop& loop) {
+    Json json = Json::array({point(loop.start)});
+    Vec2 from = loop.start;
+    for (const Segment& segment : loop.segments) {
+        json.push_back(segmentToJson(from, segment));
+        from = segment.to;
     }
-    return {{"loops", std::move(loops)}};
+    return json;
 }
 
-Region regionFromJson(const Json& json, const std::string& subject) {
-    if (!json.is_object() || !json.contains("loops") || !json["loops"].is_array())
-        throw Error(ErrorCode::InvalidRegion, subject, "expected 'loops', a list");
-    Region region;
-    for (const Json& loop : json["loops"])
-        region.loops.push_back(LoopReader(region.loops.size(), subject).loop(loop));
-    return region;
+Loop loopFromJson(const Json& json, const std::string& subject) {
+    return LoopReader(subject).loop(json);
+}
+
+std::size_t RegionTables::Table::add(Json row) {
+    const auto [found, is_new] = numbers.emplace(row.dump(), rows.size());
+    if (is_new) rows.push_back(std::move(row));
+    return found->second;
+}
+
+std::size_t RegionTables::add(const Region& region) {
+    Json row = Json::array();
+    for (const Loop& loop : region.loops)
+        row.push_back(loops_.add(loopToJson(loop)));
+    return regions_.add(std::move(row));
 }
 
 }  // namespace stepmill

@@ -1,8 +1,9 @@
 #include "stepmill/record/plan_json.h"
+
+#include "record/feature_json.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
-#include "stepmill/core/error.h"
-#include "stepmill/planar/region_json.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
@@ -12,7 +13,6 @@ namespace {
 using json::Json;
 using json::listOf;
 using json::number;
-using json::numberOrNull;
 using json::point;
 
 Json box(const Box3& b) {
@@ -92,69 +92,6 @@ Json sharingJson(const ToolSharing& sharing) {
             {"saved", number(sharing.saved)}};
 }
 
-/// Who reaches all of it alone, null where nobody does.
-Json lumpJson(const BlockedLump& lump) {
-    return {{"area_mm2", number(lump.area_mm2)},
-            {"region", regionToJson(lump.region)},
-            {"surrogates", lump.surrogates.empty() ? Json(nullptr) : Json(lump.surrogates)},
-            {"reason", lump.reason}};
-}
-
-Json toolAreasJson(const ToolReach& reach) {
-    const CutterArea& accessible = reach.limited() != nullptr ? reach.own() : reach.cutter;
-    const CutterArea& cleared = reach.cleared();
-    const WithSurrogates* helped = reach.surrogates();
-    Json json{{"tool", reach.tool_id},
-              {"accessible_area_mm2", number(accessible.coverable_area_mm2)},
-              {"coverable_area_mm2", number(cleared.coverable_area_mm2)},
-              {"collision_free_area_mm2", number(reach.collision_free_area_mm2)},
-              {"access_volume_mm3", number(cleared.access_volume_mm3)},
-              {"blocked_lumps", helped != nullptr ? listOf(helped->lumps, lumpJson) : Json::array()},
-              {"excluded", nullptr}};
-    if (const Exclusion* excluded = reach.exclusion())
-        json["excluded"] = {{"reason", toString(excluded->reason)}, {"text", excluded->text}};
-    return json;
-}
-
-Json surrogateJson(const SurrogateWork& work) {
-    return {{"tool", work.tool}, {"area_mm2", number(work.area_mm2)}, {"time_s", number(work.time_s)}};
-}
-
-Json edgeJson(const DagEdge& edge) {
-    return {{"from", edge.from.empty() ? "source" : edge.from},
-            {"to", edge.to.empty() ? "sink" : edge.to},
-            {"region_area_mm2", number(edge.region_area_mm2)},
-            {"cut_length_mm", number(edge.totals.cut_length_mm)},
-            {"air_length_mm", number(edge.totals.air_length_mm)},
-            {"time_s", number(edge.time_s)},
-            {"cost", number(edge.cost)},
-            {"surrogates", listOf(edge.surrogates, surrogateJson)}};
-}
-
-Json residualJson(const Residual& residual) {
-    return {{"region", regionToJson(residual.region)},
-            {"area_mm2", number(residual.area_mm2)},
-            {"volume_mm3", number(residual.volume_mm3)},
-            {"reason", toString(residual.reason)},
-            {"advice", residual.advice}};
-}
-
-/// The tools of the DAG's cheapest path; their surrogates stand with the edges.
-Json pathJson(const ToolSequence& sequence) {
-    Json path = Json::array();
-    for (const SequenceStep& step : sequence.steps) {
-        if (step.role == Role::Surrogate) continue;
-        if (path.empty() || path.back() != step.tool_id) path.push_back(step.tool_id);
-    }
-    return path;
-}
-
-Json obstacleJson(const Obstacle& obstacle) {
-    return {{"bottom_z_mm", number(obstacle.bottom_z_mm)},
-            {"top_z_mm", number(obstacle.top_z_mm)},
-            {"section", regionToJson(obstacle.section)}};
-}
-
 Json cylinderJson(const HolderCylinder& cylinder) {
     return {{"diameter_mm", number(cylinder.diameter_mm)},
             {"bottom_mm", number(cylinder.bottom_mm)},
@@ -189,32 +126,6 @@ Json usedToolsJson(const Plan& plan) {
     return listOf(used, [](const auto& entry) { return toolJson(*entry.second); });
 }
 
-Json featureJson(const PlannedFeature& planned) {
-    const Feature& feature = planned.feature;
-    const ToolSequence& sequence = planned.sequence;
-    return {{"id", feature.id},
-            {"setup", feature.setup_id},
-            {"class", toString(feature.feature_class)},
-            {"parents", feature.parents},
-            {"top_z_mm", number(feature.top_z_mm)},
-            {"floor_z_mm", number(feature.floor_z_mm)},
-            {"depth_mm", number(feature.depth_mm())},
-            {"area_mm2", number(feature.area_mm2)},
-            {"volume_mm3", number(feature.volume_mm3)},
-            {"open_length_mm", number(feature.open_length_mm)},
-            {"closed_length_mm", number(feature.closed_length_mm)},
-            {"min_corner_radius_mm", numberOrNull(feature.min_corner_radius_mm)},
-            {"target", regionToJson(feature.target)},
-            {"obstruction", regionToJson(feature.obstruction)},
-            {"obstacles", listOf(feature.obstacles, obstacleJson)},
-            {"tools", listOf(sequence.tools, toolAreasJson)},
-            {"dag", {{"edges", listOf(sequence.edges, edgeJson)}, {"path", pathJson(sequence)}}},
-            {"time_s", number(sequence.time_s)},
-            {"motion_time_s", number(sequence.motion_s)},
-            {"lower_bound_s", number(sequence.lower_bound_s)},
-            {"residual", listOf(sequence.residual, residualJson)}};
-}
-
 Json patternTimeJson(const PatternTime& time) {
     return {{"pattern", toString(time.pattern)},
             {"angle_deg", number(time.angle_deg)},
@@ -226,11 +137,13 @@ Json regionPatternsJson(const RegionPatterns& region) {
     return listOf(region.weighed, patternTimeJson);
 }
 
-Json operationJson(const Operation& operation) {
+/// \param feature  the band it cuts
+Json operationJson(const Operation& operation, const Feature& feature) {
     const Toolpath& path = operation.path;
     Json json{{"id", operation.id},
               {"setup", operation.setup_id},
-              {"feature", operation.feature_id},
+              {"feature", wholeOf(feature)},
+              {"band", bandNumber(feature)},
               {"tool", operation.tool_id},
               {"role", toString(operation.role)},
               {"pattern", path.pattern},
@@ -291,11 +204,11 @@ Json clampingJson(const Clamping& clamping) {
     return json;
 }
 
-Json fixtureJson(const Fixture& fixture) {
+Json fixtureJson(const Fixture& fixture, RegionTables& regions) {
     return {{"name", fixture.name},
             {"bottom_z_mm", number(fixture.bottom_z_mm)},
             {"top_z_mm", number(fixture.top_z_mm)},
-            {"section", regionToJson(fixture.section)}};
+            {"section", regions.add(fixture.section)}};
 }
 
 /// All digits: a direction rounded to six decimals is another plane.
@@ -306,12 +219,12 @@ Json directionJson(const Vec3& direction) {
     return numbers;
 }
 
-Json setupJson(const PlannedSetup& setup, Dialect dialect) {
+Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions) {
     return {{"id", setup.setup.id},
             {"axis", directionJson(setup.setup.axis)},
             {"transform", transformJson(setup.setup.part_to_setup)},
             {"program", programName(setup.setup.id, dialect)},
-            {"features", listOf(setup.features, [](const PlannedFeature& f) { return Json(f.feature.id); })},
+            {"features", listOf(wholeFeatures(setup.features), [](const auto& f) { return Json(f.id()); })},
             {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
             {"time_s", number(setup.time_s)},
             {"motion_time_s", number(setup.motion_s)},
@@ -319,7 +232,8 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect) {
             {"indexed", setup.setup.indexed},
             {"stock", arrivingStockJson(setup.setup)},
             {"clamping", clampingJson(setup.clamping)},
-            {"fixtures", listOf(setup.setup.fixtures, fixtureJson)},
+            {"fixtures", listOf(setup.setup.fixtures,
+                                [&](const Fixture& fixture) { return fixtureJson(fixture, regions); })},
             {"volume_balance", balanceJson(setup.balance)}};
 }
 
@@ -337,15 +251,19 @@ Json totalsJson(const PlanTotals& totals) {
 }  // namespace
 
 std::string planJson(const Plan& plan) {
+    const Dialect dialect = dialectOf(plan.machine);
+    record::FeatureTables tables;
+    Json setups = Json::array();
     Json features = Json::array();
     Json operations = Json::array();
     for (const PlannedSetup& setup : plan.setups) {
-        for (const PlannedFeature& feature : setup.features)
-            features.push_back(featureJson(feature));
+        setups.push_back(setupJson(setup, dialect, tables.regions));
+        const record::BandsById bands = record::bandsById(setup.features);
+        for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
+            features.push_back(record::featureJson(feature, bands, tables));
         for (const Operation& operation : setup.operations)
-            operations.push_back(operationJson(operation));
+            operations.push_back(operationJson(operation, *bands.at(operation.feature_id)));
     }
-    const Dialect dialect = dialectOf(plan.machine);
     Json content{
         {"part", partJson(plan.part)},
         {"stock", stockJson(plan.stock)},
@@ -354,16 +272,21 @@ std::string planJson(const Plan& plan) {
         {"material", plan.material},
         {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
         {"cost_model", toString(plan.cost_model)},
-        {"setups", listOf(plan.setups, [&](const PlannedSetup& setup) { return setupJson(setup, dialect); })},
+        {"setups", std::move(setups)},
         {"tools", usedToolsJson(plan)},
         {"features", std::move(features)},
         {"operations", std::move(operations)},
         {"tool_sharing", sharingJson(plan.sharing)},
         {"totals", totalsJson(plan.totals)},
         {"volume_balance", balanceJson(plan.balance)},
-        {"warnings", listOf(plan.warnings, [](const Warning& warning) {
-             return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
-         })}};
+        {"warnings",
+         listOf(plan.warnings,
+                [](const Warning& warning) {
+                    return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
+                })},
+        {"obstacles", tables.obstacles.rows()},
+        {"regions", tables.regions.regions()},
+        {"loops", tables.regions.loops()}};
     return finishJson(SchemaName::Plan, std::move(content));
 }
 

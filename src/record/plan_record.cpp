@@ -5,35 +5,18 @@
 #include <fmt/format.h>
 
 #include "record/plan_rules.h"
+#include "record/read_features.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
-#include "stepmill/planar/region_json.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr const char* kPlanFile = "plan.json";
-
+using record::BandCounts;
 using record::failAt;
-
-/// The loops as written, checked: a region that crosses itself or runs the wrong way proves anything.
-Region region(const Json& json, const std::string& pointer) {
-    try {
-        Region region = regionFromJson(json, kPlanFile + pointer);
-        if (const auto fault = diagnose(region)) failAt(pointer, "is no region: " + *fault);
-        return region;
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::InvalidRegion) throw;
-        failAt(pointer, std::string(error.what()).substr(error.subject().size() + 2));
-    }
-}
-
-void requireUpright(double bottom_z_mm, double top_z_mm, const std::string& pointer) {
-    if (top_z_mm <= bottom_z_mm) failAt(pointer + "/top_z_mm", "expected a top above the bottom");
-}
+using record::ReadTables;
 
 HolderCylinder cylinder(const Json& json) {
     return {json["diameter_mm"], json["bottom_mm"], json["top_mm"]};
@@ -63,45 +46,12 @@ Enum known(const std::optional<Enum>& value, const std::string& word) {
     return *value;
 }
 
-PlannedFeature feature(const Json& json, const std::string& pointer) {
-    PlannedFeature planned;
-    Feature& feature = planned.feature;
-    feature.id = json["id"];
-    feature.setup_id = json["setup"];
-    feature.parents = json["parents"].get<std::vector<std::string>>();
-    feature.top_z_mm = json["top_z_mm"];
-    feature.floor_z_mm = json["floor_z_mm"];
-    feature.feature_class = known(featureClassFrom(json["class"].get<std::string>()), json["class"]);
-    feature.through = !hasFloor(feature.feature_class);
-    feature.area_mm2 = json["area_mm2"];
-    feature.volume_mm3 = json["volume_mm3"];
-    feature.target = region(json["target"], pointer + "/target");
-    feature.obstruction = region(json["obstruction"], pointer + "/obstruction");
-    for (std::size_t i = 0; i < json["obstacles"].size(); ++i) {
-        const Json& from = json["obstacles"][i];
-        const std::string at = fmt::format("{}/obstacles/{}", pointer, i);
-        requireUpright(from["bottom_z_mm"], from["top_z_mm"], at);
-        feature.obstacles.push_back(
-            {from["bottom_z_mm"], from["top_z_mm"], region(from["section"], at + "/section")});
-    }
-    for (std::size_t i = 0; i < json["residual"].size(); ++i) {
-        const Json& from = json["residual"][i];
-        Residual residual;
-        residual.region = region(from["region"], fmt::format("{}/residual/{}/region", pointer, i));
-        residual.area_mm2 = from["area_mm2"];
-        residual.volume_mm3 = from["volume_mm3"];
-        residual.reason = stayReasonFrom(from["reason"].get<std::string>());
-        planned.sequence.residual.push_back(std::move(residual));
-    }
-    record::checkFeature(planned, pointer);
-    return planned;
-}
-
-RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools) {
+RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools,
+                            const BandCounts& bands) {
     RecordedOperation operation;
     operation.id = json["id"];
     operation.setup_id = json["setup"];
-    operation.feature_id = json["feature"];
+    operation.feature_id = record::namedBand(json, bands);
     operation.tool = tools.at(json["tool"]);
     operation.role = known(roleFrom(json["role"].get<std::string>()), json["role"]);
     operation.pattern = json["pattern"];
@@ -117,7 +67,14 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     return operation;
 }
 
-RecordedSetup setup(const Json& json, const std::string& pointer) {
+Fixture fixture(const Json& json, const std::string& pointer, ReadTables& tables) {
+    record::checkUpright(json, pointer);
+    return {json["name"], tables.region(json["section"], pointer + "/section"), json["bottom_z_mm"],
+            json["top_z_mm"]};
+}
+
+RecordedSetup setup(const Json& json, const std::string& pointer, const BandCounts& bands,
+                    ReadTables& tables) {
     RecordedSetup setup;
     setup.id = json["id"];
     for (int i = 0; i < 3; ++i)
@@ -130,15 +87,13 @@ RecordedSetup setup(const Json& json, const std::string& pointer) {
         for (int i = 0; i < 3; ++i)
             setup.stock_size_mm[i] = json["stock"]["size_mm"][i];
     if (json.contains("fixtures"))
-        for (std::size_t i = 0; i < json["fixtures"].size(); ++i) {
-            const Json& one = json["fixtures"][i];
-            const std::string at = fmt::format("{}/fixtures/{}", pointer, i);
-            requireUpright(one["bottom_z_mm"], one["top_z_mm"], at);
+        for (std::size_t i = 0; i < json["fixtures"].size(); ++i)
             setup.fixtures.push_back(
-                {one["name"], region(one["section"], at + "/section"), one["bottom_z_mm"], one["top_z_mm"]});
-        }
+                fixture(json["fixtures"][i], fmt::format("{}/fixtures/{}", pointer, i), tables));
     setup.time_s = json["time_s"];
-    setup.feature_ids = json["features"].get<std::vector<std::string>>();
+    for (const Json& feature : json["features"])
+        for (std::string& id : record::bandIds(feature, bands))
+            setup.feature_ids.push_back(std::move(id));
     setup.operation_ids = json["operations"].get<std::vector<std::string>>();
     return setup;
 }
@@ -186,15 +141,42 @@ void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
                     {stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
 }
 
+/// The format that a text which breaks the schema says it has; 0 where it says none.
+int formatOf(std::string_view text) {
+    const Json plan = Json::parse(text, nullptr, false);
+    const bool told = plan.is_object() && plan.contains("format") && plan["format"].is_number_integer();
+    return told ? plan["format"].get<int>() : 0;
+}
+
+/// Says what is wrong first with a text that breaks the schema; of a plan of another format all would be.
+[[noreturn]] void failBySchema(std::string_view text, const std::string& error) {
+    const int format = formatOf(text);
+    const int expected = schemaFormat(SchemaName::Plan);
+    if (format != 0 && format != expected)
+        failAt(
+            "#/format",
+            fmt::format("expected {}, found {}: the plan was made by another version of stepmill; plan the "
+                        "part again",
+                        expected, format));
+    const std::size_t colon = error.find(": ");
+    if (colon == std::string::npos) failAt("", error);
+    failAt(error.substr(0, colon), error.substr(colon + 2));
+}
+
+void readFeatures(const Json& plan, const BandCounts& bands, ReadTables& tables, PlanRecord& record) {
+    for (std::size_t i = 0; i < plan["features"].size(); ++i)
+        for (PlannedFeature& band :
+             record::readFeature(plan["features"][i], fmt::format("#/features/{}", i), bands, tables)) {
+            const std::string id = band.feature.id;
+            record.features[id] = std::move(band);
+        }
+}
+
 }  // namespace
 
 PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     const std::vector<std::string> errors = schemaErrors(SchemaName::Plan, text);
-    if (!errors.empty()) {
-        const std::size_t colon = errors.front().find(": ");
-        if (colon == std::string::npos) failAt("", errors.front());
-        failAt(errors.front().substr(0, colon), errors.front().substr(colon + 2));
-    }
+    if (!errors.empty()) failBySchema(text, errors.front());
     const Json plan = Json::parse(text);
     record::checkPlanRules(plan);
     record::checkBooks(plan, tol);
@@ -210,13 +192,13 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.stock_volume_mm3 = plan["stock"]["volume_mm3"];
     for (const Json& one : plan["tools"])
         record.tools[one["id"]] = tool(one);
-    for (std::size_t i = 0; i < plan["features"].size(); ++i)
-        record.features[plan["features"][i]["id"]] =
-            feature(plan["features"][i], fmt::format("#/features/{}", i));
+    const BandCounts bands = record::bandCounts(plan);
+    ReadTables tables(plan);
+    readFeatures(plan, bands, tables, record);
     for (const Json& one : plan["operations"])
-        record.operations[one["id"]] = operation(one, record.tools);
+        record.operations[one["id"]] = operation(one, record.tools, bands);
     for (std::size_t i = 0; i < plan["setups"].size(); ++i)
-        record.setups.push_back(setup(plan["setups"][i], fmt::format("#/setups/{}", i)));
+        record.setups.push_back(setup(plan["setups"][i], fmt::format("#/setups/{}", i), bands, tables));
     noteTravel(plan, record);
     readBalance(plan, tol, record);
     return record;

@@ -65,20 +65,69 @@ void checkListed(const Json& plan, const char* list) {
                    fmt::format("no setup lists '{}'", plan[list][i]["id"].get<std::string>()));
 }
 
+/// Features by their ids, as far as they are known.
+using FeaturesById = std::map<std::string, const Json*>;
+
+/// Is it a band of a known feature of the setup? \param name  with the members "feature" and "band"
+bool isBand(const Json& name, const Json& setup, const FeaturesById& features) {
+    const auto found = features.find(name["feature"]);
+    return found != features.end() && (*found->second)["setup"] == setup &&
+           name["band"].get<std::size_t>() <= (*found->second)["bands"].size();
+}
+
+std::string wordsOf(const Json& band) {
+    return fmt::format("band {} of '{}'", band["band"].get<int>(), band["feature"].get<std::string>());
+}
+
 /// Parents are of the same setup and stand before their children.
 void checkParents(const Json& plan) {
-    std::map<std::string, std::string> setup_of;
+    FeaturesById before;
     for (std::size_t i = 0; i < plan["features"].size(); ++i) {
         const Json& feature = plan["features"][i];
-        for (const Json& parent : feature["parents"]) {
-            const auto before = setup_of.find(parent);
-            if (before == setup_of.end() || before->second != feature["setup"].get<std::string>())
+        for (const Json& parent : feature["parents"])
+            if (!isBand(parent, feature["setup"], before))
                 failAt(at("features", i, "parents"),
-                       fmt::format("'{}' is no feature of this setup that stands before this one",
-                                   parent.get<std::string>()));
-        }
-        setup_of[feature["id"]] = feature["setup"];
+                       fmt::format("{} is none of a feature of this setup that stands before this one",
+                                   wordsOf(parent)));
+        before[feature["id"]] = &feature;
     }
+}
+
+/// Every list of a table by column has an entry for each of its rows.
+void checkColumns(const Json& table, const std::string& pointer) {
+    const std::size_t rows = table.front().size();
+    for (const auto& [name, column] : table.items())
+        if (column.size() != rows)
+            failAt(fmt::format("{}/{}", pointer, name),
+                   fmt::format("expected {} entries as in the other columns, found {}", rows, column.size()));
+}
+
+void checkSame(const Json& feature, const char* field, double by_bands, double slack,
+               const std::string& pointer) {
+    const double told = feature[field];
+    if (std::abs(told - by_bands) > slack)
+        failAt(fmt::format("{}/{}", pointer, field),
+               fmt::format("expected what its bands say, {:.6f}, found {:.6f}", by_bands, told));
+}
+
+/// A feature is what its bands make up, each where the one above it ends.
+void checkBands(const Json& feature, const std::string& pointer) {
+    const Json& bands = feature["bands"];
+    double volume_mm3 = 0;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        volume_mm3 += bands[i]["volume_mm3"].get<double>();
+        checkColumns(bands[i]["tools"], fmt::format("{}/bands/{}/tools", pointer, i));
+        checkColumns(bands[i]["dag"]["edges"], fmt::format("{}/bands/{}/dag/edges", pointer, i));
+        if (i > 0 && bands[i]["top_z_mm"] != bands[i - 1]["floor_z_mm"])
+            failAt(fmt::format("{}/bands/{}/top_z_mm", pointer, i), "expected the floor of the band above");
+    }
+    const double slack = kWritten * static_cast<double>(bands.size() + 1);
+    const double top_z_mm = bands.front()["top_z_mm"];
+    const double floor_z_mm = bands.back()["floor_z_mm"];
+    checkSame(feature, "top_z_mm", top_z_mm, 0, pointer);
+    checkSame(feature, "floor_z_mm", floor_z_mm, 0, pointer);
+    checkSame(feature, "depth_mm", top_z_mm - floor_z_mm, slack, pointer);
+    checkSame(feature, "volume_mm3", volume_mm3, slack + kSameShare * volume_mm3, pointer);
 }
 
 void checkTool(const Json& tool, const std::string& pointer) {
@@ -104,7 +153,7 @@ void checkTool(const Json& tool, const std::string& pointer) {
 }
 
 void checkOperation(const Json& operation, const std::map<std::string, Json>& tools,
-                    const std::map<std::string, std::string>& feature_setup, const std::string& pointer) {
+                    const FeaturesById& features, const std::string& pointer) {
     const auto tool = tools.find(operation["tool"]);
     if (tool == tools.end())
         failAt(pointer + "/tool",
@@ -113,10 +162,9 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     if (drills != (operation["role"] == "drill"))
         failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
                                               tool->second["type"].get<std::string>()));
-    const auto feature = feature_setup.find(operation["feature"]);
-    if (feature == feature_setup.end() || feature->second != operation["setup"].get<std::string>())
-        failAt(pointer + "/feature", fmt::format("expected a feature of this plan and setup, found '{}'",
-                                                 operation["feature"].get<std::string>()));
+    if (!isBand(operation, operation["setup"], features))
+        failAt(pointer + "/feature",
+               fmt::format("expected a feature of this plan and setup, found {}", wordsOf(operation)));
     if (operation["z_top_mm"].get<double>() <= operation["z_floor_mm"].get<double>())
         failAt(pointer + "/z_top_mm", "expected a top above the floor");
 }
@@ -167,18 +215,25 @@ void checkPlanRules(const Json& plan) {
         checkTool(plan["tools"][i], at("tools", i));
         tools[plan["tools"][i]["id"]] = plan["tools"][i];
     }
-    std::map<std::string, std::string> feature_setup;
-    for (const Json& feature : plan["features"])
-        feature_setup[feature["id"]] = feature["setup"];
+    FeaturesById features;
+    for (std::size_t i = 0; i < plan["features"].size(); ++i) {
+        features[plan["features"][i]["id"]] = &plan["features"][i];
+        checkBands(plan["features"][i], at("features", i));
+    }
     for (std::size_t i = 0; i < plan["operations"].size(); ++i)
-        checkOperation(plan["operations"][i], tools, feature_setup, at("operations", i));
+        checkOperation(plan["operations"][i], tools, features, at("operations", i));
     checkListed(plan, "features");
     checkListed(plan, "operations");
     checkAxes(plan);
     checkPrograms(plan);
 }
 
-void checkFeature(const PlannedFeature& planned, const std::string& pointer) {
+void checkUpright(const Json& prism, const std::string& pointer) {
+    if (prism["top_z_mm"].get<double>() <= prism["bottom_z_mm"].get<double>())
+        failAt(pointer + "/top_z_mm", "expected a top above the bottom");
+}
+
+void checkBand(const PlannedFeature& planned, const std::string& pointer) {
     const Feature& feature = planned.feature;
     if (feature.top_z_mm <= feature.floor_z_mm)
         failAt(pointer + "/top_z_mm", "expected a top above the floor");

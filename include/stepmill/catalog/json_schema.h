@@ -11,6 +11,8 @@ namespace stepmill {
 /// Names of the schemas compiled in from schemas/.
 enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify, Manifest };
 std::string_view schemaText(SchemaName name);
+/// The version of the files that it describes: their "format".
+int schemaFormat(SchemaName name);
 
 /// Breaches of a schema by a JSON text, each "#/json/pointer: what was expected". A text that is not JSON
 /// gives one line with its line and column. Empty when all is well.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -8,17 +9,39 @@
 
 namespace stepmill {
 
-/// The region as plan.json has it, lengths in mm with six decimals, the grid's own:
+/// A loop as plan.json has it: its start, then its segments, each told from where the one before it ended.
 ///
-///     {"loops": [{"hole": false, "start": [0, 0],
-///                 "segments": [{"to": [10, 0]}, {"to": [0, 0], "centre": [5, 0], "ccw": true}]}]}
+///     [[0,0], [10000000,0], [-10000000,0,-5000000,0,1]]        the upper half of a disc of 10 mm
+///      x y     line dx dy    arc dx dy, its centre, 1 ccw or -1 cw
 ///
-/// A segment with a centre is an arc, of the radius that its end has from there. `radius` is given only
-/// where rounding makes the true one another. `hole` tells the sense for readers that do not integrate.
-nlohmann::ordered_json regionToJson(const Region& region);
+/// All are whole nanometres, the grid's own. An arc has a sixth number, its radius, only where rounding makes
+/// it another than what its end has from the centre.
+nlohmann::ordered_json loopToJson(const Loop& loop);
 
-/// Reads it back, equal to the last digit. Unknown members are ignored.
-/// \throws Error(InvalidRegion) naming `subject`, the loop and what was expected.
-Region regionFromJson(const nlohmann::ordered_json& json, const std::string& subject);
+/// Reads it back, equal to the last digit. \throws Error(InvalidRegion) naming `subject` and what was
+/// expected.
+Loop loopFromJson(const nlohmann::ordered_json& json, const std::string& subject);
+
+/// Regions as two tables: every loop once, and every region once as a list of loops' numbers. Numbers run
+/// from 0 in the order of first use.
+class RegionTables {
+  public:
+    /// The region's number, the same for equal ones: with the same loops in the same order.
+    std::size_t add(const Region& region);
+
+    const nlohmann::ordered_json& loops() const { return loops_.rows; }
+    const nlohmann::ordered_json& regions() const { return regions_.rows; }
+
+  private:
+    struct Table {
+        nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+        std::map<std::string, std::size_t> numbers;  // by the row's text
+
+        std::size_t add(nlohmann::ordered_json row);
+    };
+
+    Table loops_;
+    Table regions_;
+};
 
 }  // namespace stepmill

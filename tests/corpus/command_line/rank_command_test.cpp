@@ -7,13 +7,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/plan_bands.h"
 #include "support/run_program.h"
 
 namespace stepmill::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 const std::string kSource = STEPMILL_SOURCE_DIR;
 const std::string kPaperTable = kSource + "/samples/lim2000_fig8.csv";
@@ -134,8 +135,8 @@ TEST_F(RankCommand, TheMachinesValueLiesInARangeThatCostsWhatThePlanSays) {
     std::map<std::string, double> time_s;
     const Json planned = Json::parse(plan.out);
     // The sample machine gives an acceleration, so tools are chosen by times with it.
-    for (const Json& feature : planned.at("features"))
-        time_s[feature.at("id")] = feature.at("motion_time_s");
+    for (const BandOfPlan& one : bandsOf(planned))
+        time_s[one.id] = one.band.at("motion_time_s");
     const Json sensitivity = rankJson({kPart, "--sensitivity", "tool-change"}).at("sensitivity");
     const double now_s = sensitivity.at("now");
     ASSERT_EQ(sensitivity.at("features").size(), time_s.size());
@@ -160,15 +161,15 @@ std::map<std::string, std::vector<std::string>> unsharedTools(const Json& plan) 
     std::map<std::string, std::vector<std::string>> tools;
     if (plan.at("tool_sharing").at("features_changed") != 0) return tools;
     std::set<std::string> with_residual;
-    for (const Json& feature : plan.at("features")) {
+    for (const BandOfPlan& one : bandsOf(plan)) {
         bool below = false;
-        for (const std::string parent : feature.at("parents"))
+        for (const std::string& parent : one.parents)
             below = below || with_residual.count(parent) != 0;
-        if (below || !feature.at("residual").empty()) with_residual.insert(feature.at("id"));
-        if (!below) tools[feature.at("id")] = {};
+        if (below || !one.band.at("residual").empty()) with_residual.insert(one.id);
+        if (!below) tools[one.id] = {};
     }
     for (const Json& operation : plan.at("operations")) {
-        const auto found = tools.find(operation.at("feature"));
+        const auto found = tools.find(bandNamed(operation, plan));
         if (found == tools.end()) continue;
         if (found->second.empty() || found->second.back() != operation.at("tool"))
             found->second.push_back(operation.at("tool"));
@@ -243,8 +244,8 @@ TEST_F(RankCommand, WhatToBuyStartsFromThePlansTimes) {
                                       .out);
     ASSERT_FALSE(unsharedTools(plan).empty());
     std::map<std::string, double> time_s;
-    for (const Json& feature : plan.at("features"))
-        time_s[feature.at("id")] = feature.at("time_s");
+    for (const BandOfPlan& one : bandsOf(plan))
+        time_s[one.id] = one.band.at("time_s");
     const Json purchases = rankJson({part, "--tools", short_tools, "--buy"}).at("purchases");
     ASSERT_EQ(purchases.size(), time_s.size());
     for (const Json& purchase : purchases)

@@ -289,7 +289,7 @@ TEST_F(SpoiltProgram, ShowsAClampInTheWay) {
     std::ifstream file(dir_ / "plan.json");
     Json plan = Json::parse(file);
     Json clamp = {{"name", "clamp"}, {"bottom_z_mm", 0}, {"top_z_mm", 20}};
-    clamp["section"] = plan["features"][0]["target"];
+    clamp["section"] = plan["features"][0]["bands"][0]["target"];
     plan["setups"][0]["fixtures"].push_back(clamp);
     std::ofstream(dir_ / "plan.json") << plan;
     const ProgramRun run = verify(dir_);

@@ -34,32 +34,56 @@ void PrintTo(const Weakening& weakening, std::ostream* out) {
     *out << weakening.name;
 }
 
+Region regionOf(const Json& plan, const Json& number) {
+    Region region;
+    for (const Json& loop : plan["regions"][number.get<std::size_t>()])
+        region.loops.push_back(loopFromJson(plan["loops"][loop.get<std::size_t>()], "loop"));
+    return region;
+}
+
+/// One more region for a member of the plan, of these loops: what else has the old one keeps it.
+void setLoops(Json& plan, Json& number, const Json& loops) {
+    Json region = Json::array();
+    for (const Json& loop : loops) {
+        region.push_back(plan["loops"].size());
+        plan["loops"].push_back(loop);
+    }
+    number = plan["regions"].size();
+    plan["regions"].push_back(region);
+}
+
+void setRegion(Json& plan, Json& number, const Region& region) {
+    Json loops = Json::array();
+    for (const Loop& loop : region.loops)
+        loops.push_back(loopToJson(loop));
+    setLoops(plan, number, loops);
+}
+
 /// Every point of a region moved.
-void movePoints(Json& region, const std::function<void(Json& point)>& move) {
-    for (Json& loop : region["loops"]) {
-        move(loop["start"]);
-        for (Json& segment : loop["segments"]) {
-            move(segment["to"]);
-            if (segment.contains("centre")) move(segment["centre"]);
-            segment.erase("radius");
+void movePoints(Json& plan, Json& number, const std::function<Vec2(const Vec2& point)>& move) {
+    Region region = regionOf(plan, number);
+    for (Loop& loop : region.loops) {
+        loop.start = snapToGrid(move(loop.start));
+        for (Segment& segment : loop.segments) {
+            segment.to = snapToGrid(move(segment.to));
+            if (!segment.arc) continue;
+            segment.arc->centre = snapToGrid(move(segment.arc->centre));
+            segment.arc->radius_mm = snapToGrid((segment.to - segment.arc->centre).norm());
         }
     }
+    setRegion(plan, number, region);
 }
 
 /// Grown or shrunk about its middle; written as the grid has it.
-void scale(Json& region, double by) {
-    const Box2 box = boundingBox(regionFromJson(region, "region"));
+void scale(Json& plan, Json& number, double by) {
+    const Box2 box = boundingBox(regionOf(plan, number));
     const Vec2 middle = (box.min() + box.max()) / 2;
-    movePoints(region, [&](Json& point) {
-        for (int i = 0; i < 2; ++i)
-            point[i] = std::round((middle[i] + by * (point[i].get<double>() - middle[i])) * 1e6) / 1e6;
-    });
-    region = regionToJson(regionFromJson(region, "region"));
+    movePoints(plan, number, [&](const Vec2& point) { return Vec2(middle + by * (point - middle)); });
 }
 
-void scaleTarget(Json& feature, double by) {
-    scale(feature["target"], by);
-    feature["area_mm2"] = area(regionFromJson(feature["target"], "target"));
+void scaleTarget(Json& plan, Json& band, double by) {
+    scale(plan, band["target"], by);
+    band["area_mm2"] = area(regionOf(plan, band["target"]));
 }
 
 void removeFeature(Json& plan, const std::string& id) {
@@ -76,7 +100,7 @@ void removeFeature(Json& plan, const std::string& id) {
     erase(plan["operations"], of_feature);
     erase(plan["features"], [&](const Json& entry) { return entry["id"] == id; });
     for (Json& feature : plan["features"])
-        erase(feature["parents"], [&](const Json& entry) { return entry == id; });
+        erase(feature["parents"], of_feature);
     for (Json& setup : plan["setups"]) {
         erase(setup["features"], [&](const Json& entry) { return entry == id; });
         erase(setup["operations"], [&](const Json& entry) { return gone.count(entry) > 0; });
@@ -89,6 +113,11 @@ Json& toolOf(Json& plan, std::size_t operation) {
     return plan["tools"][0];
 }
 
+/// A band as parents name it.
+Json nameOf(const Json& feature) {
+    return {{"feature", feature["id"]}, {"band", 1}};
+}
+
 Json& first(Json& plan, const char* list) {
     return plan[list][0];
 }
@@ -96,86 +125,149 @@ Json& last(Json& plan, const char* list) {
     return plan[list].back();
 }
 
+/// The uppermost band of the first feature and the lowest of the last.
+Json& firstBand(Json& plan) {
+    return first(plan, "features")["bands"][0];
+}
+Json& lastBand(Json& plan) {
+    return last(plan, "features")["bands"].back();
+}
+
+/// The feature's own heights follow its bands', so that nothing but the change itself is wrong.
+void setHeights(Json& feature) {
+    feature["top_z_mm"] = feature["bands"].front()["top_z_mm"];
+    feature["floor_z_mm"] = feature["bands"].back()["floor_z_mm"];
+    feature["depth_mm"] = feature["top_z_mm"].get<double>() - feature["floor_z_mm"].get<double>();
+}
+
+Json& lastObstacle(Json& plan) {
+    return plan["obstacles"][lastBand(plan)["obstacles"].back().get<std::size_t>()];
+}
+
+/// Parts the band, at its middle, into two that are as before together.
+void partBand(Json& feature, Json& plan) {
+    Json upper = feature["bands"][0];
+    Json lower = upper;
+    const double middle_mm = (upper["top_z_mm"].get<double>() + upper["floor_z_mm"].get<double>()) / 2;
+    upper["floor_z_mm"] = lower["top_z_mm"] = middle_mm;
+    upper["volume_mm3"] = lower["volume_mm3"] = upper["volume_mm3"].get<double>() / 2;
+    feature["bands"] = {upper, lower};
+    for (Json& operation : plan["operations"])
+        if (operation["feature"] == feature["id"]) operation["band"] = 2;
+}
+
 const std::vector<Weakening> kWeakenings{
-    {"obstruction emptied",
-     [](Json& plan) { first(plan, "features")["obstruction"]["loops"] = Json::array(); }},
-    {"last obstruction emptied",
-     [](Json& plan) { last(plan, "features")["obstruction"]["loops"] = Json::array(); }},
+    {"another format", [](Json& plan) { plan["format"] = 1; }},
+    {"obstruction emptied", [](Json& plan) { setRegion(plan, firstBand(plan)["obstruction"], {}); }},
+    {"last obstruction emptied", [](Json& plan) { setRegion(plan, lastBand(plan)["obstruction"], {}); }},
     {"obstruction a hundredth smaller",
-     [](Json& plan) { scale(first(plan, "features")["obstruction"], 0.99); }},
-    {"obstruction smaller by 10 um",
-     [](Json& plan) { scale(last(plan, "features")["obstruction"], 0.9998); }},
+     [](Json& plan) { scale(plan, firstBand(plan)["obstruction"], 0.99); }},
+    {"obstruction smaller by 10 um", [](Json& plan) { scale(plan, lastBand(plan)["obstruction"], 0.9998); }},
     {"obstruction moved",
      [](Json& plan) {
-         movePoints(first(plan, "features")["obstruction"],
-                    [](Json& point) { point[0] = point[0].get<double>() + 0.5; });
+         movePoints(plan, firstBand(plan)["obstruction"],
+                    [](const Vec2& point) { return Vec2(point + Vec2(0.5, 0)); });
      }},
     {"obstruction turned over",
      [](Json& plan) {
-         movePoints(first(plan, "features")["obstruction"],
-                    [](Json& point) { point[0] = -point[0].get<double>(); });
+         movePoints(plan, firstBand(plan)["obstruction"],
+                    [](const Vec2& point) { return Vec2(-point.x(), point.y()); });
      }},
     {"obstruction that crosses itself",
      [](Json& plan) {
-         first(plan, "features")["obstruction"] = Json::parse(
-             R"({"loops": [{"hole": false, "start": [0, 0], "segments": [{"to": [4, 4]}, {"to": [4, 0]}, {"to": [0, 4]}, {"to": [0, 0]}]}]})");
+         setLoops(plan, firstBand(plan)["obstruction"],
+                  Json::parse("[[[0,0],[4000000,4000000],[0,-4000000],[-4000000,4000000],[0,-4000000]]]"));
      }},
     {"obstruction left open",
      [](Json& plan) {
-         first(plan, "features")["obstruction"]["loops"][0]["segments"].back()["to"] = {1234.5, 6};
+         setLoops(plan, firstBand(plan)["obstruction"],
+                  Json::parse("[[[0,0],[4000000,0],[0,4000000],[-4000000,0],[0,-3000000]]]"));
      }},
-    {"obstruction beyond all numbers",
+    {"obstruction beyond all numbers", [](Json& plan) { plan["loops"][0][0][0] = 1e300; }},
+    {"loop beyond a kilometre", [](Json& plan) { plan["loops"][0][0][0] = 1900000000000; }},
+    {"obstruction that is none", [](Json& plan) { firstBand(plan)["obstruction"] = 9999; }},
+    {"region of a loop that is none", [](Json& plan) { plan["regions"][0] = {9999}; }},
+    {"region of a loop twice", [](Json& plan) { plan["regions"][0].push_back(plan["regions"][0][0]); }},
+    {"regions all one",
      [](Json& plan) {
-         first(plan, "features")["obstruction"]["loops"][0]["start"] = {1e300, 0};
+         for (Json& region : plan["regions"])
+             region = plan["regions"][0];
      }},
-    {"target emptied", [](Json& plan) { first(plan, "features")["target"]["loops"] = Json::array(); }},
-    {"target larger", [](Json& plan) { scaleTarget(first(plan, "features"), 1.01); }},
-    {"target smaller", [](Json& plan) { scaleTarget(first(plan, "features"), 0.99); }},
-    {"last target smaller", [](Json& plan) { scaleTarget(last(plan, "features"), 0.999); }},
-    {"target of another area", [](Json& plan) { first(plan, "features")["area_mm2"] = 1; }},
-    {"top raised", [](Json& plan) { first(plan, "features")["top_z_mm"] = 0.5; }},
+    {"target emptied", [](Json& plan) { setRegion(plan, firstBand(plan)["target"], {}); }},
+    {"target larger", [](Json& plan) { scaleTarget(plan, firstBand(plan), 1.01); }},
+    {"target smaller", [](Json& plan) { scaleTarget(plan, firstBand(plan), 0.99); }},
+    {"last target smaller", [](Json& plan) { scaleTarget(plan, lastBand(plan), 0.999); }},
+    {"target of another area", [](Json& plan) { firstBand(plan)["area_mm2"] = 1; }},
+    {"top raised",
+     [](Json& plan) {
+         firstBand(plan)["top_z_mm"] = 0.5;
+         setHeights(first(plan, "features"));
+     }},
+    {"top of the whole raised", [](Json& plan) { first(plan, "features")["top_z_mm"] = 0.5; }},
     {"floor lowered",
      [](Json& plan) {
-         Json& floor = first(plan, "features")["floor_z_mm"];
+         Json& floor = firstBand(plan)["floor_z_mm"];
          floor = floor.get<double>() - 0.5;
+         setHeights(first(plan, "features"));
      }},
     {"floor raised",
      [](Json& plan) {
-         Json& floor = last(plan, "features")["floor_z_mm"];
+         Json& floor = lastBand(plan)["floor_z_mm"];
          floor = floor.get<double>() + 0.01;
+         setHeights(last(plan, "features"));
      }},
-    {"floor over the top", [](Json& plan) { first(plan, "features")["floor_z_mm"] = 20; }},
-    {"obstacles removed", [](Json& plan) { first(plan, "features")["obstacles"] = Json::array(); }},
+    {"floor over the top",
+     [](Json& plan) {
+         firstBand(plan)["floor_z_mm"] = 20;
+         setHeights(first(plan, "features"));
+     }},
+    {"floor of the whole lowered",
+     [](Json& plan) {
+         Json& feature = first(plan, "features");
+         feature["floor_z_mm"] = feature["floor_z_mm"].get<double>() - 0.5;
+     }},
+    {"feature in bands that it has not", [](Json& plan) { partBand(first(plan, "features"), plan); }},
+    {"bands with a gap",
+     [](Json& plan) {
+         Json& feature = first(plan, "features");
+         partBand(feature, plan);
+         feature["bands"][1]["top_z_mm"] = feature["bands"][1]["top_z_mm"].get<double>() - 0.1;
+     }},
+    {"feature without bands", [](Json& plan) { first(plan, "features")["bands"] = Json::array(); }},
+    {"operation on a band that is none", [](Json& plan) { first(plan, "operations")["band"] = 2; }},
+    {"volume of another feature", [](Json& plan) { first(plan, "features")["volume_mm3"] = 1e6; }},
+    {"obstacles removed", [](Json& plan) { firstBand(plan)["obstacles"] = Json::array(); }},
     {"obstacles emptied",
      [](Json& plan) {
-         for (Json& obstacle : first(plan, "features")["obstacles"])
-             obstacle["section"]["loops"] = Json::array();
+         for (Json& obstacle : plan["obstacles"])
+             setRegion(plan, obstacle["section"], {});
      }},
     {"obstacles lowered",
      [](Json& plan) {
-         Json& obstacle = last(plan, "features")["obstacles"].back();
+         Json& obstacle = lastObstacle(plan);
          obstacle["top_z_mm"] =
              (obstacle["top_z_mm"].get<double>() + obstacle["bottom_z_mm"].get<double>()) / 2;
      }},
-    {"obstacle upside down",
-     [](Json& plan) { last(plan, "features")["obstacles"].back()["top_z_mm"] = -999; }},
+    {"obstacle upside down", [](Json& plan) { lastObstacle(plan)["top_z_mm"] = -999; }},
+    {"obstacle that is none", [](Json& plan) { firstBand(plan)["obstacles"].push_back(9999); }},
     {"class with a hole in the floor",
      [](Json& plan) {
          for (Json& feature : plan["features"])
-             if (feature["class"].get<std::string>().find("through") == std::string::npos)
-                 feature["class"] = "through pocket";
+             for (Json& band : feature["bands"])
+                 if (band["class"].get<std::string>().find("through") == std::string::npos)
+                     band["class"] = "through pocket";
      }},
     {"parent of another setup",
-     [](Json& plan) { last(plan, "features")["parents"] = {plan["features"][0]["id"]}; }},
+     [](Json& plan) { last(plan, "features")["parents"] = {nameOf(plan["features"][0])}; }},
     {"parent of its own",
-     [](Json& plan) { first(plan, "features")["parents"] = {plan["features"][0]["id"]}; }},
+     [](Json& plan) { first(plan, "features")["parents"] = {nameOf(plan["features"][0])}; }},
     {"first feature removed", [](Json& plan) { removeFeature(plan, plan["features"][0]["id"]); }},
     {"last feature removed", [](Json& plan) { removeFeature(plan, plan["features"].back()["id"]); }},
     {"feature twice", [](Json& plan) { plan["features"].push_back(plan["features"][0]); }},
     {"feature twice with nothing in the way",
      [](Json& plan) {
          Json copy = plan["features"][0];
-         copy["obstruction"]["loops"] = Json::array();
+         setRegion(plan, copy["bands"][0]["obstruction"], {});
          plan["features"].push_back(copy);
      }},
     {"feature unlisted", [](Json& plan) { first(plan, "setups")["features"].erase(0); }},
@@ -291,7 +383,8 @@ const std::vector<Weakening> kWeakenings{
          for (Json& fixture : first(plan, "setups")["fixtures"])
              fixture["top_z_mm"] = fixture["top_z_mm"].get<double>() - 1;
      }},
-    {"fixture smaller", [](Json& plan) { scale(first(plan, "setups")["fixtures"][0]["section"], 0.9); }},
+    {"fixture smaller",
+     [](Json& plan) { scale(plan, first(plan, "setups")["fixtures"][0]["section"], 0.9); }},
     {"fixture file as it were",
      [](Json& plan) {
          plan["request"]["fixtures"] = {{"file", "clamps.json"}, {"sha256", std::string(64, 'a')}};
@@ -340,19 +433,19 @@ const std::vector<Weakening> kWeakenings{
      [](Json& plan) { first(plan, "setups")["program"] = std::string("S1.ngc\0.txt", 11); }},
     {"all of a feature named as standing",
      [](Json& plan) {
-         Json& feature = last(plan, "features");
-         feature["residual"].push_back({{"region", feature["target"]},
-                                        {"area_mm2", feature["area_mm2"]},
-                                        {"volume_mm3", feature["volume_mm3"]},
-                                        {"reason", "holder collision"}});
+         Json& band = lastBand(plan);
+         band["residual"].push_back({{"region", band["target"]},
+                                     {"area_mm2", band["area_mm2"]},
+                                     {"volume_mm3", band["volume_mm3"]},
+                                     {"reason", "holder collision"}});
      }},
     {"more stays than there is",
      [](Json& plan) {
-         Json& feature = last(plan, "features");
-         feature["residual"].push_back({{"region", feature["target"]},
-                                        {"area_mm2", feature["area_mm2"]},
-                                        {"volume_mm3", 1e9},
-                                        {"reason", "holder collision"}});
+         Json& band = lastBand(plan);
+         band["residual"].push_back({{"region", band["target"]},
+                                     {"area_mm2", band["area_mm2"]},
+                                     {"volume_mm3", 1e9},
+                                     {"reason", "holder collision"}});
      }},
     {"books that plan more",
      [](Json& plan) { first(plan, "setups")["volume_balance"]["planned_mm3"] = 1e9; }},
@@ -360,8 +453,8 @@ const std::vector<Weakening> kWeakenings{
      [](Json& plan) {
          plan["volume_balance"]["residual_mm3"] = plan["volume_balance"]["residual_mm3"].get<double>() + 500;
      }},
-    {"a number that is none", [](Json& plan) { first(plan, "features")["top_z_mm"] = nullptr; }},
-    {"a number beyond all limits", [](Json& plan) { first(plan, "features")["top_z_mm"] = 1e308; }},
+    {"a number that is none", [](Json& plan) { firstBand(plan)["top_z_mm"] = nullptr; }},
+    {"a number beyond all limits", [](Json& plan) { firstBand(plan)["top_z_mm"] = 1e308; }},
 };
 
 /// One plan, made once, and edits of it.

@@ -10,7 +10,6 @@
 
 #include "support/expected_outcomes.h"
 #include "support/golden.h"
-#include "support/json_text.h"
 #include "support/run_program.h"
 
 namespace stepmill::test {

@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
+#include <regex>
 
 #include "support/expected_outcomes.h"
 #include "support/golden.h"
-#include "support/json_text.h"
 #include "support/page_text.h"
 #include "support/planned_parts.h"
 
@@ -15,7 +14,6 @@ namespace stepmill::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 class GoldenPlan : public testing::TestWithParam<ExpectedOutcome> {
   protected:
@@ -39,9 +37,9 @@ TEST_P(GoldenPlan, HasItsSummary) {
 using GoldenFiles = GoldenPlan;
 
 TEST_P(GoldenFiles, HoldItsPlan) {
-    Json plan = Json::parse(slurp(planned_.folder / "plan.json"));
-    plan["stepmill"]["version"] = "*";
-    expectGolden("plans/" + stem() + ".json", jsonText(plan) + "\n");
+    const std::regex version(R"("stepmill": \{"version":"[^"]*"\})");
+    expectGolden("plans/" + stem() + ".json", std::regex_replace(slurp(planned_.folder / "plan.json"),
+                                                                 version, R"("stepmill": {"version":"*"})"));
 }
 
 TEST_P(GoldenFiles, HoldWhatItsReportSays) {

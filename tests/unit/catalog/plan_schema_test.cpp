@@ -13,7 +13,7 @@ using Lines = std::vector<std::string>;
 /// One setup, one round pocket, one operation: every list of the format has an entry.
 json minimalPlan() {
     json plan = json::parse(R"({
-    "format": 1,
+    "format": 2,
     "stepmill": {"version": "0.1.0"},
     "part": {"file": "disc.step", "name": "", "unit_in_file": "mm", "bbox_mm": [[0, 0, 0], [40, 40, 10]],
              "volume_mm3": 14429.2, "solids": 1, "surfaces": {"plane": 7, "cylinder": 1}},
@@ -28,29 +28,24 @@ json minimalPlan() {
                "shank": {"diameter_mm": 8, "bottom_mm": 20, "top_mm": 30},
                "holder": [{"diameter_mm": 28, "bottom_mm": 30, "top_mm": 60}]}],
     "features": [{
-        "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [], "top_z_mm": 0, "floor_z_mm": -5,
-        "depth_mm": 5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
+        "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [{"feature": "S1.F1", "band": 2}],
+        "top_z_mm": 0, "floor_z_mm": -5, "depth_mm": 5, "volume_mm3": 1570.8, "time_s": 55, "motion_time_s": 56,
+        "bands": [{
+        "class": "closed pocket", "top_z_mm": 0, "floor_z_mm": -5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
         "min_corner_radius_mm": 10,
-        "target": {"loops": [{"hole": false, "start": [30, 20], "segments": [
-            {"to": [10, 20], "centre": [20, 20], "ccw": true}, {"to": [30, 20], "centre": [20, 20], "ccw": true}]}]},
-        "obstruction": {"loops": [{"hole": false, "start": [0, 0], "segments": [
-            {"to": [40, 0]}, {"to": [40, 40]}, {"to": [0, 40]}, {"to": [0, 0]}]}]},
-        "obstacles": [{"bottom_z_mm": -5, "top_z_mm": 0, "section": {"loops": []}}],
-        "tools": [{"tool": "EM8", "accessible_area_mm2": 314.16, "coverable_area_mm2": 314.16,
-                   "collision_free_area_mm2": 300, "access_volume_mm3": 1570.8,
-                   "blocked_lumps": [{"area_mm2": 14.16, "region": {"loops": []}, "surrogates": null,
-                                      "reason": "holder collision"}]},
-                  {"tool": "EM25", "accessible_area_mm2": 0, "coverable_area_mm2": 0, "collision_free_area_mm2": 0,
-                   "access_volume_mm3": 0, "blocked_lumps": [],
-                   "excluded": {"reason": "too wide", "text": "fits nowhere"}}],
-        "dag": {"edges": [{"from": "source", "to": "EM8", "region_area_mm2": 314.16, "cut_length_mm": 200,
-                           "air_length_mm": 30, "time_s": 55, "cost": 1.2,
-                           "surrogates": [{"tool": "EM6", "area_mm2": 14.16, "time_s": 4}]}],
+        "target": 0, "obstruction": 1, "obstacles": [0],
+        "tools": {"tool": ["EM8"], "accessible_area_mm2": [314.16], "coverable_area_mm2": [314.16],
+                  "collision_free_area_mm2": [300]},
+        "excluded": [{"reason": "too wide", "tools": ["EM25"]}],
+        "blocked_lumps": [{"tool": "EM8", "area_mm2": 14.16, "surrogates": null, "reason": "holder collision"}],
+        "dag": {"edges": {"from": ["source"], "to": ["EM8"], "region_area_mm2": [314.16], "cut_length_mm": [200],
+                          "air_length_mm": [30], "time_s": [55], "cost": [1.2]},
+                "surrogates": [{"from": "source", "to": "EM8", "tool": "EM6", "area_mm2": 14.16, "time_s": 4}],
                 "path": ["EM8"]},
-        "time_s": 55, "lower_bound_s": 40,
-        "residual": [{"region": {"loops": []}, "area_mm2": 0.5, "volume_mm3": 2.5, "reason": "corner radius"}]}],
+        "time_s": 55, "motion_time_s": 56, "lower_bound_s": 40,
+        "residual": [{"region": 2, "area_mm2": 0.5, "volume_mm3": 2.5, "reason": "corner radius"}]}]}],
     "operations": [{
-        "id": "S1.O1", "setup": "S1", "feature": "S1.F1", "tool": "EM8", "role": "rough",
+        "id": "S1.O1", "setup": "S1", "feature": "S1.F1", "band": 1, "tool": "EM8", "role": "rough",
         "pattern": "contour-parallel",
         "regions": [[{"pattern": "contour-parallel", "angle_deg": 0, "time_s": 54, "at_least": false}]],
         "layers": 1, "z_top_mm": 0, "z_floor_mm": -5, "step_over_mm": 3.6,
@@ -62,7 +57,11 @@ json minimalPlan() {
                "lower_bound_s": 45},
     "volume_balance": {"stock_minus_part_mm3": 1570.8, "planned_mm3": 1568.3, "residual_mm3": 2.5,
                        "unreachable_mm3": 0},
-    "warnings": [{"code": "residual", "subject": "S1.F1", "text": "a corner stays"}]})");
+    "warnings": [{"code": "residual", "subject": "S1.F1", "text": "a corner stays"}],
+    "obstacles": [{"bottom_z_mm": -5, "top_z_mm": 0, "section": 2}],
+    "regions": [[0], [1], []],
+    "loops": [[[30000000, 20000000], [-20000000, 0, -10000000, 0, 1], [20000000, 0, 10000000, 0, 1]],
+              [[0, 0], [40000000, 0], [0, 40000000], [-40000000, 0], [0, -40000000]]]})");
     plan["part"]["sha256"] = std::string(64, '0');
     plan["tool_library"]["sha256"] = std::string(64, 'a');
     return plan;
@@ -79,9 +78,8 @@ TEST(PlanSchema, TakesAMinimalPlan) {
 }
 
 TEST(PlanSchema, TakesNullWhereTheFormatAllowsIt) {
-    EXPECT_EQ(errorsWith("/features/0/min_corner_radius_mm", nullptr), Lines{});
-    EXPECT_EQ(errorsWith("/features/0/tools/1/excluded", nullptr), Lines{});
-    EXPECT_EQ(errorsWith("/features/0/tools/0/blocked_lumps/0/surrogates", json::array({"EM6"})), Lines{});
+    EXPECT_EQ(errorsWith("/features/0/bands/0/min_corner_radius_mm", nullptr), Lines{});
+    EXPECT_EQ(errorsWith("/features/0/bands/0/blocked_lumps/0/surrogates", json::array({"EM6"})), Lines{});
 }
 
 TEST(PlanSchema, RefusesAMisspeltField) {
@@ -127,16 +125,32 @@ TEST(PlanSchema, RefusesEveryFeatureThatLacksAField) {
     }
 }
 
-TEST(PlanSchema, RefusesAnArcWithoutItsSense) {
-    EXPECT_EQ(
-        errorsWith("/features/0/target/loops/0/segments/0", {{"to", {1, 2}}, {"centre", {0, 0}}}),
-        Lines{"#/features/0/target/loops/0/segments/0: expected the field \"ccw\", true or false beside "
-              "\"centre\", found none"});
+TEST(PlanSchema, RefusesEveryBandThatLacksAField) {
+    const json band = minimalPlan()["features"][0]["bands"][0];
+    for (const auto& [name, value] : band.items()) {
+        json lacking = band;
+        lacking.erase(name);
+        const Lines errors = errorsWith("/features/0/bands/0", lacking);
+        ASSERT_EQ(errors.size(), 1U) << name;
+        EXPECT_EQ(errors[0].rfind("#/features/0/bands/0: expected the field \"" + name + "\"", 0), 0U)
+            << errors[0];
+    }
 }
 
-TEST(PlanSchema, RefusesAPointOfThreeNumbers) {
-    EXPECT_EQ(errorsWith("/features/0/target/loops/0/start", {1, 2, 3}),
-              Lines{"#/features/0/target/loops/0/start: expected a list of 2 items, found a list of 3"});
+TEST(PlanSchema, RefusesAFeatureWithoutBands) {
+    EXPECT_EQ(errorsWith("/features/0/bands", json::array()),
+              Lines{"#/features/0/bands: expected a list of 1 to 9999 items, found a list of 0"});
+}
+
+TEST(PlanSchema, RefusesNanometresThatAreNotWhole) {
+    EXPECT_EQ(
+        errorsWith("/loops/0/1/0", 0.5),
+        Lines{"#/loops/0/1/0: expected a whole number from -2000000000000 to 2000000000000, found 0.5"});
+}
+
+TEST(PlanSchema, RefusesASegmentOfOneNumber) {
+    EXPECT_EQ(errorsWith("/loops/0/1", {5}),
+              Lines{"#/loops/0/1: expected a list of 2 to 6 items, found a list of 1"});
 }
 
 TEST(PlanSchema, RefusesANumberThatBecameNull) {
@@ -163,9 +177,8 @@ TEST(PlanSchema, RefusesADigestThatIsNone) {
 }
 
 TEST(PlanSchema, RefusesAFeatureIdWithoutItsSetup) {
-    EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"),
-              Lines{"#/setups/0/features/0: expected a text like "
-                    "^S[0-9]{1,4}\\.F[0-9]{1,6}(\\.[0-9]{1,4})?$, found \"F1\""});
+    EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"), Lines{"#/setups/0/features/0: expected a text like "
+                                                              "^S[0-9]{1,4}\\.F[0-9]{1,6}$, found \"F1\""});
 }
 
 TEST(PlanSchema, TakesAnySurfaceKindButOnlyCounts) {

@@ -12,7 +12,7 @@ using Json = nlohmann::ordered_json;
 
 void expectComplaint(const std::string& text, const std::string& complaint) {
     try {
-        regionFromJson(Json::parse(text), "pocket");
+        loopFromJson(Json::parse(text), "pocket");
         FAIL() << "no error for: " << text;
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::InvalidRegion);
@@ -21,48 +21,67 @@ void expectComplaint(const std::string& text, const std::string& complaint) {
     }
 }
 
-TEST(RegionJson, SaysLinesArcsAndHoles) {
+TEST(LoopJson, SaysLinesAndArcsFromWhereTheLastOneEnded) {
     const Region region = regionFromText(
         "loop 0 0  line 10 0  arc 10 2 centre 10 1 ccw  line 0 2  close\n"
         "circle 5 1 radius 0.5 cw\n",
         "slot");
-    EXPECT_EQ(regionToJson(region).dump(),
-              R"({"loops":[{"hole":false,"start":[0.0,0.0],"segments":[{"to":[10.0,0.0]},)"
-              R"({"to":[10.0,2.0],"centre":[10.0,1.0],"ccw":true},{"to":[0.0,2.0]},{"to":[0.0,0.0]}]},)"
-              R"({"hole":true,"start":[4.5,1.0],"segments":[{"to":[5.5,1.0],"centre":[5.0,1.0],"ccw":false},)"
-              R"({"to":[4.5,1.0],"centre":[5.0,1.0],"ccw":false}]}]})");
+    EXPECT_EQ(loopToJson(region.loops[0]).dump(),
+              "[[0,0],[10000000,0],[0,2000000,0,1000000,1],[-10000000,0],[0,-2000000]]");
+    EXPECT_EQ(loopToJson(region.loops[1]).dump(),
+              "[[4500000,1000000],[1000000,0,500000,0,-1],[-1000000,0,-500000,0,-1]]");
 }
 
-TEST(RegionJson, RoundTripThroughTextIsExact) {
+TEST(LoopJson, RoundTripThroughTextIsExact) {
     const Arc arc{{0.1, -0.3}, 2, true};
     const Vec2 a = snapToGrid(Vec2(0.1 + 2 * std::cos(1.0), -0.3 + 2 * std::sin(1.0)));
     const Vec2 b = snapToGrid(Vec2(0.1 + 2 * std::cos(2.3), -0.3 + 2 * std::sin(2.3)));
-    const Region region{{Loop{a, {{b, {{snapToGrid(arc.centre), 2, true}}}, {a, std::nullopt}}}}};
-    const Region again = regionFromJson(Json::parse(regionToJson(region).dump()), "segment");
-    EXPECT_EQ(toText(again), toText(region));
-    ASSERT_EQ(again.loops.size(), 1u);
-    EXPECT_EQ(again.loops[0].start, a);
-    EXPECT_EQ(again.loops[0].segments[0].to, b);
-    EXPECT_EQ(again.loops[0].segments[0].arc, region.loops[0].segments[0].arc);
+    const Loop loop{a, {{b, {{snapToGrid(arc.centre), 2, true}}}, {a, std::nullopt}}};
+    const Loop again = loopFromJson(Json::parse(loopToJson(loop).dump()), "segment");
+    EXPECT_EQ(again.start, a);
+    ASSERT_EQ(again.segments.size(), 2u);
+    EXPECT_EQ(again.segments[0].to, b);
+    EXPECT_EQ(again.segments[0].arc, loop.segments[0].arc);
+    EXPECT_EQ(again.segments[1].to, a);
 }
 
-TEST(RegionJson, EmptyRegionHasNoLoops) {
-    EXPECT_EQ(regionToJson(Region{}).dump(), R"({"loops":[]})");
-    EXPECT_TRUE(regionFromJson(Json::parse(R"({"loops":[]})"), "empty").empty());
+TEST(LoopJson, RoundTripIsExactFarFromTheOrigin) {
+    const Region region =
+        makePolygon({{999999.999999, -999999.999999}, {123456.654321, 0.3}, {-0.000001, 0.1}});
+    const Loop& loop = region.loops.front();
+    const Loop again = loopFromJson(Json::parse(loopToJson(loop).dump()), "triangle");
+    EXPECT_EQ(again.start, loop.start);
+    for (std::size_t i = 0; i < loop.segments.size(); ++i)
+        EXPECT_EQ(again.segments[i].to, loop.segments[i].to) << i;
 }
 
-TEST(RegionJson, ErrorsNameLoopAndExpectation) {
-    expectComplaint("[]", "expected 'loops', a list");
-    expectComplaint(R"({"loops": [{"segments": []}]})", "loop 0: expected 'start'");
-    expectComplaint(R"({"loops": [{"start": [0], "segments": []}]})",
-                    "loop 0: expected a point of two numbers");
-    expectComplaint(R"({"loops": [{"start": [0, "x"], "segments": []}]})", "loop 0: expected a number");
-    expectComplaint(R"({"loops": [{"start": [0, 1e9], "segments": []}]})", "a length of a kilometre at most");
-    expectComplaint(R"({"loops": [{"start": [0, 0], "segments": [{"to": [1, 0], "centre": [0, 0]}]}]})",
-                    "loop 0: expected 'ccw'");
-    expectComplaint(
-        R"({"loops": [{"start": [0, 0], "segments": [{"to": [0, 0], "centre": [0, 0], "ccw": true}]}]})",
-        "loop 0: expected a positive radius");
+TEST(LoopJson, ErrorsNameTheLoopAndWhatWasExpected) {
+    expectComplaint("{}", "expected a start and segments");
+    expectComplaint("[]", "expected a start and segments");
+    expectComplaint("[[0, 0], 7]", "expected lists of numbers");
+    expectComplaint("[[0], [1, 2]]", "expected a start of two numbers");
+    expectComplaint(R"([[0, "x"], [1, 2]])", "expected a number");
+    expectComplaint("[[0, 0.5], [1, 2]]", "expected whole nanometres");
+    expectComplaint("[[0, 1e13], [1, 2]]", "expected a length of a kilometre at most");
+    expectComplaint("[[0, 9e11], [0, 9e11]]", "expected a length of a kilometre at most");
+    expectComplaint("[[0, 0], [1, 2, 3]]", "expected a line of two numbers or an arc of five or six");
+    expectComplaint("[[0, 0], [1, 0, 5, 5, 2]]", "expected a turn of 1 or -1");
+    expectComplaint("[[0, 0], [5, 0, 5, 0, 1]]", "expected a positive radius");
+}
+
+TEST(RegionTables, HoldEveryLoopAndEveryRegionOnce) {
+    const Region small = makeRectangle({0, 0}, {1, 1});
+    const Region large = makeRectangle({5, 5}, {9, 9});
+    Region both = small;
+    both.loops.push_back(large.loops.front());
+    RegionTables tables;
+    EXPECT_EQ(tables.add(both), 0u);
+    EXPECT_EQ(tables.add(large), 1u);
+    EXPECT_EQ(tables.add(Region{}), 2u);
+    EXPECT_EQ(tables.add(both), 0u);
+    EXPECT_EQ(tables.regions().dump(), "[[0,1],[1],[]]");
+    ASSERT_EQ(tables.loops().size(), 2u);
+    EXPECT_EQ(tables.loops()[1], loopToJson(large.loops.front()));
 }
 
 }  // namespace

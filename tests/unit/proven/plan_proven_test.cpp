@@ -7,11 +7,12 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/proven/proven_plan.h"
 #include "stepmill/record/plan_json.h"
+#include "support/plan_bands.h"
 
 namespace stepmill {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 const Part& nestedPockets() {
     static const Part part =
@@ -127,8 +128,8 @@ TEST(PlanProven, NamesWhatToolsLeaveWhereOnlyThatFails) {
     const Prover leaves = [&](const PlanFiles& files, const Tolerances&) {
         Verification verification;
         const Json plan = Json::parse(files.plan_json);
-        for (const Json& feature : plan["features"])
-            for (const Json& residual : feature["residual"])
+        for (const test::BandOfPlan& one : test::bandsOf(plan))
+            for (const Json& residual : one.band["residual"])
                 if (residual["reason"] == "proof") return verification;
         const Json operation = operationsOf(files, kParent).back();
         verification.failures.push_back({"S1.ngc", 12, operation["id"], "leaves 2 mm2"});

@@ -24,27 +24,31 @@ const Plan& bossedPlan() {
 
 TEST(SurrogateReport, PlanJsonTellsLumpsEdgesAndOperations) {
     const auto plan = nlohmann::json::parse(planJson(bossedPlan()));
-    const auto& pocket = plan.at("features").back();
+    const auto& pocket = plan.at("features").back().at("bands").back();
     EXPECT_EQ(pocket.at("dag").at("path"), (nlohmann::json{"t8", "t2", "t1"}));
-    const auto& first = pocket.at("tools").front();
-    ASSERT_EQ(first.at("tool"), "t8");
-    ASSERT_EQ(first.at("blocked_lumps").size(), 2U) << "one by each boss";
+    const auto& tools = pocket.at("tools");
+    ASSERT_EQ(tools.at("tool").front(), "t8");
+    int lumps = 0;
     double lumps_mm2 = 0;
-    for (const auto& lump : first.at("blocked_lumps")) {
+    for (const auto& lump : pocket.at("blocked_lumps")) {
+        if (lump.at("tool") != "t8") continue;
+        ++lumps;
         EXPECT_EQ(lump.at("surrogates"), (nlohmann::json{"t2", "t1"}));
-        EXPECT_FALSE(lump.at("region").at("loops").empty());
         EXPECT_FALSE(lump.at("reason").get<std::string>().empty());
         lumps_mm2 += lump.at("area_mm2").get<double>();
     }
-    const double kept_off_mm2 =
-        first.at("coverable_area_mm2").get<double>() - first.at("collision_free_area_mm2").get<double>();
+    EXPECT_EQ(lumps, 2) << "one by each boss";
+    const double kept_off_mm2 = tools.at("coverable_area_mm2").front().get<double>() -
+                                tools.at("collision_free_area_mm2").front().get<double>();
     EXPECT_NEAR(lumps_mm2, kept_off_mm2, 0.01);
-    for (const auto& edge : pocket.at("dag").at("edges")) {
-        if (edge.at("from") != "source" || edge.at("to") != "t8") continue;
-        ASSERT_EQ(edge.at("surrogates").size(), 1U);
-        EXPECT_EQ(edge.at("surrogates")[0].at("tool"), "t2");
-        EXPECT_NEAR(edge.at("surrogates")[0].at("area_mm2").get<double>(), lumps_mm2, 1e-6);
+    int helped = 0;
+    for (const auto& work : pocket.at("dag").at("surrogates")) {
+        if (work.at("from") != "source" || work.at("to") != "t8") continue;
+        ++helped;
+        EXPECT_EQ(work.at("tool"), "t2");
+        EXPECT_NEAR(work.at("area_mm2").get<double>(), lumps_mm2, 1e-6);
     }
+    EXPECT_EQ(helped, 1);
     int surrogates = 0;
     for (const auto& operation : plan.at("operations"))
         surrogates += operation.at("role") == "surrogate" && operation.at("tool") == "t2" ? 1 : 0;

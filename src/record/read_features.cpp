@@ -1,0 +1,165 @@
+// Features of a plan.json, and the tables they refer to.
+
+#include "record/read_features.h"
+
+#include <fmt/format.h>
+
+#include "record/plan_rules.h"
+#include "stepmill/core/error.h"
+#include "stepmill/feature/whole_feature.h"
+#include "stepmill/planar/region_json.h"
+
+namespace stepmill::record {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Segments of all regions that a plan's features name, each counted as often as it is named. The most of any
+/// real part is less than a hundredth; all in memory take a gigabyte.
+constexpr std::size_t kMostSegments = 15'000'000;
+
+std::string at(const char* list, std::size_t index) {
+    return fmt::format("#/{}/{}", list, index);
+}
+
+Loop readLoop(const Json& json, const std::string& pointer) {
+    try {
+        return loopFromJson(json, pointer);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::InvalidRegion) throw;
+        failAt(pointer, std::string(error.what()).substr(pointer.size() + 2));
+    }
+}
+
+std::size_t entry(const Json& number, std::size_t count, const char* list, const std::string& pointer) {
+    const auto index = number.get<std::size_t>();
+    if (index >= count)
+        failAt(pointer, fmt::format("expected the number of one of {} {}, found {}", count, list, index));
+    return index;
+}
+
+Region readRegion(const Json& numbers, const std::vector<Loop>& loops, const std::string& pointer) {
+    Region region;
+    for (const Json& number : numbers)
+        region.loops.push_back(loops[entry(number, loops.size(), "loops", pointer)]);
+    if (const auto fault = diagnose(region)) failAt(pointer, "is no region: " + *fault);
+    return region;
+}
+
+std::size_t segmentsOf(const Region& region) {
+    std::size_t segments = 0;
+    for (const Loop& loop : region.loops)
+        segments += loop.segments.size();
+    return segments;
+}
+
+/// The schema allows the words that a reader knows.
+FeatureClass featureClass(const Json& word) {
+    const auto found = featureClassFrom(word.get<std::string>());
+    STEPMILL_CHECK(found.has_value(), "a class the schema allows and the reader does not know");
+    return *found;
+}
+
+Residual readResidual(const Json& json, const std::string& pointer, ReadTables& tables) {
+    Residual residual;
+    residual.region = tables.region(json["region"], pointer + "/region");
+    residual.area_mm2 = json["area_mm2"];
+    residual.volume_mm3 = json["volume_mm3"];
+    residual.reason = stayReasonFrom(json["reason"].get<std::string>());
+    return residual;
+}
+
+PlannedFeature readBand(const Json& json, const std::string& pointer, ReadTables& tables) {
+    PlannedFeature planned;
+    Feature& band = planned.feature;
+    band.top_z_mm = json["top_z_mm"];
+    band.floor_z_mm = json["floor_z_mm"];
+    band.feature_class = featureClass(json["class"]);
+    band.through = !hasFloor(band.feature_class);
+    band.area_mm2 = json["area_mm2"];
+    band.volume_mm3 = json["volume_mm3"];
+    band.target = tables.region(json["target"], pointer + "/target");
+    band.obstruction = tables.region(json["obstruction"], pointer + "/obstruction");
+    for (std::size_t i = 0; i < json["obstacles"].size(); ++i)
+        band.obstacles.push_back(
+            tables.obstacle(json["obstacles"][i], fmt::format("{}/obstacles/{}", pointer, i)));
+    for (std::size_t i = 0; i < json["residual"].size(); ++i)
+        planned.sequence.residual.push_back(
+            readResidual(json["residual"][i], fmt::format("{}/residual/{}", pointer, i), tables));
+    checkBand(planned, pointer);
+    return planned;
+}
+
+}  // namespace
+
+ReadTables::ReadTables(const Json& plan) {
+    std::vector<Loop> loops;
+    for (std::size_t i = 0; i < plan["loops"].size(); ++i)
+        loops.push_back(readLoop(plan["loops"][i], at("loops", i)));
+    for (std::size_t i = 0; i < plan["regions"].size(); ++i) {
+        const std::string pointer = at("regions", i);
+        regions_.push_back(counted(readRegion(plan["regions"][i], loops, pointer), pointer));
+    }
+    for (std::size_t i = 0; i < plan["obstacles"].size(); ++i) {
+        const Json& json = plan["obstacles"][i];
+        checkUpright(json, at("obstacles", i));
+        obstacles_.push_back({json["bottom_z_mm"], json["top_z_mm"],
+                              region(json["section"], at("obstacles", i) + "/section")});
+    }
+}
+
+const Region& ReadTables::counted(const Region& region, const std::string& pointer) {
+    segments_ += segmentsOf(region);
+    if (segments_ > kMostSegments)
+        failAt(pointer, fmt::format("expected no more than {} segments in all regions named", kMostSegments));
+    return region;
+}
+
+const Region& ReadTables::region(const Json& number, const std::string& pointer) {
+    return counted(regions_[entry(number, regions_.size(), "regions", pointer)], pointer);
+}
+
+const Obstacle& ReadTables::obstacle(const Json& number, const std::string& pointer) {
+    const Obstacle& obstacle = obstacles_[entry(number, obstacles_.size(), "obstacles", pointer)];
+    counted(obstacle.section, pointer);
+    return obstacle;
+}
+
+BandCounts bandCounts(const Json& plan) {
+    BandCounts counts;
+    for (const Json& feature : plan["features"])
+        counts[feature["id"]] = static_cast<int>(feature["bands"].size());
+    return counts;
+}
+
+std::string namedBand(const Json& name, const BandCounts& counts) {
+    return bandId(name["feature"], name["band"], counts.at(name["feature"]));
+}
+
+std::vector<std::string> bandIds(const std::string& feature_id, const BandCounts& counts) {
+    const int count = counts.at(feature_id);
+    std::vector<std::string> ids;
+    for (int number = 1; number <= count; ++number)
+        ids.push_back(bandId(feature_id, number, count));
+    return ids;
+}
+
+std::vector<PlannedFeature> readFeature(const Json& json, const std::string& pointer,
+                                        const BandCounts& counts, ReadTables& tables) {
+    const std::vector<std::string> ids = bandIds(json["id"], counts);
+    std::vector<PlannedFeature> bands;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        bands.push_back(readBand(json["bands"][i], fmt::format("{}/bands/{}", pointer, i), tables));
+        Feature& band = bands.back().feature;
+        band.id = ids[i];
+        band.setup_id = json["setup"];
+        if (ids.size() > 1)
+            band.band = Band{json["id"], static_cast<int>(i) + 1, static_cast<int>(ids.size())};
+        if (i > 0) band.parents = {ids[i - 1]};
+    }
+    for (const Json& parent : json["parents"])
+        bands.front().feature.parents.push_back(namedBand(parent, counts));
+    return bands;
+}
+
+}  // namespace stepmill::record
