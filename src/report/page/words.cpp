@@ -1,11 +1,16 @@
 #include "report/page/words.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "stepmill/sequence/sequence.h"
-
 namespace stepmill::report {
+namespace {
+
+constexpr const char* kNoTool = "none fits";
+
+}  // namespace
 
 std::string fixed(double value, int decimals) {
     return fmt::format("{:.{}f}", value, decimals);
@@ -48,7 +53,17 @@ std::string toolWords(const ToolSequence& sequence) {
         last = step.tool_id;
     }
     if (in_brackets) words += ")";
-    return words.empty() ? "none fits" : words;
+    return words.empty() ? kNoTool : words;
+}
+
+std::string toolWords(const WholeFeature<PlannedFeature>& feature) {
+    if (feature.bands.size() == 1) return toolWords(feature.bands.front()->sequence);
+    std::vector<std::string> tools;
+    for (const PlannedFeature* band : feature.bands)
+        for (const SequenceStep& step : band->sequence.steps)
+            if (std::find(tools.begin(), tools.end(), step.tool_id) == tools.end())
+                tools.push_back(step.tool_id);
+    return fmt::format("{} in {} bands", tools.empty() ? kNoTool : listed(tools), feature.bands.size());
 }
 
 }  // namespace stepmill::report

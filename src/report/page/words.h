@@ -3,11 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/part/part.h"
-
-namespace stepmill {
-struct ToolSequence;
-}
+#include "stepmill/plan/plan.h"
 
 // Numbers, times and tools as all pages and summaries print them.
 
@@ -28,8 +26,10 @@ std::string timesBound(double value_s, double bound_s);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
-/// The tools of a feature in order: "EM25 (+ EM10) > EM4", surrogates in brackets after the tool they help;
+/// The tools of a band in order: "EM25 (+ EM10) > EM4", surrogates in brackets after the tool they help;
 /// "none fits" without any.
 std::string toolWords(const ToolSequence& sequence);
+/// Those of a feature: the same where it has one band, else every tool once: "EM25, EM10, EM4 in 5 bands".
+std::string toolWords(const WholeFeature<PlannedFeature>& feature);
 
 }  // namespace stepmill::report

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "report/page/drawing.h"
+#include "stepmill/feature/whole_feature.h"
 
 namespace stepmill::report {
 
@@ -67,8 +68,11 @@ Element setupDrawing(const PlannedSetup& setup) {
     for (const Fixture& fixture : setup.setup.fixtures)
         drawing.region(fixture.section, "fixture");
     int feature = 0;
-    for (const PlannedFeature& planned : setup.features)
-        drawing.region(planned.feature.target, "feature " + tintClass(feature++));
+    for (const WholeFeature<PlannedFeature>& whole : wholeFeatures(setup.features)) {
+        const std::string tint = "feature " + tintClass(feature++);
+        for (const PlannedFeature* band : whole.bands)
+            drawing.region(band->feature.target, tint);
+    }
     return std::move(drawing).element();
 }
 

@@ -91,11 +91,12 @@ Element choiceTables(const ToolSequence& sequence) {
                    toolsTable(sequence), lumpsTable(sequence), edgesTable(sequence));
 }
 
-std::vector<Element> residualList(const ToolSequence& sequence) {
+/// \param what  "Stays", "Stays in S1.F2.3"
+std::vector<Element> residualList(const ToolSequence& sequence, const std::string& what) {
     std::vector<Element> list;
     for (const Residual& residual : sequence.residual)
         list.push_back(
-            Element("p.bad", fmt::format("Stays: {:.3f} mm², {:.2f} mm³ ({}). {}", residual.area_mm2,
+            Element("p.bad", fmt::format("{}: {:.3f} mm², {:.2f} mm³ ({}). {}", what, residual.area_mm2,
                                          residual.volume_mm3, toString(residual.reason), residual.advice)));
     return list;
 }
@@ -148,17 +149,46 @@ Element stepFigures(const PlannedFeature& planned, const std::vector<const Opera
     return figures;
 }
 
+/// What a band's steps sweep, and all that was weighed.
+std::vector<Element> bandContent(const PlannedSetup& setup, const PlannedFeature& planned) {
+    const std::vector<const Operation*> operations = operationsOf(setup, planned.feature.id);
+    std::vector<Element> content{stepFigures(planned, operations)};
+    if (std::optional<Element> patterns = patternsTable(operations)) content.push_back(std::move(*patterns));
+    content.push_back(choiceTables(planned.sequence));
+    return content;
+}
+
+Element bandFold(const PlannedSetup& setup, const PlannedFeature& planned) {
+    const Feature& band = planned.feature;
+    const std::string words =
+        fmt::format("{} · {} · from {:.3f} to {:.3f} mm · {:.1f} mm² · {} · {}", band.id,
+                    toString(band.feature_class), band.top_z_mm, band.floor_z_mm, band.area_mm2,
+                    toolWords(planned.sequence), clockTime(planned.sequence.time_s));
+    return Element("details", Element("summary", words), bandContent(setup, planned)).at(bandAnchor(band.id));
+}
+
+std::string headWords(const WholeFeature<PlannedFeature>& feature) {
+    std::string words = fmt::format("{} · {} · {:.3f} mm deep", feature.id(),
+                                    toString(feature.featureClass()), feature.depth_mm());
+    if (feature.bands.size() > 1) words += fmt::format(" · {} bands", feature.bands.size());
+    return words;
+}
+
 }  // namespace
 
-Element featureSection(const PlannedSetup& setup, const PlannedFeature& planned) {
-    const Feature& feature = planned.feature;
-    const std::vector<const Operation*> operations = operationsOf(setup, feature.id);
-    return Element("section",
-                   Element("h3", fmt::format("{} · {} · {:.3f} mm deep", feature.id,
-                                             toString(feature.feature_class), feature.depth_mm())),
-                   residualList(planned.sequence), stepFigures(planned, operations),
-                   patternsTable(operations), choiceTables(planned.sequence))
-        .at(featureAnchor(feature.id));
+Element featureSection(const PlannedSetup& setup, const WholeFeature<PlannedFeature>& feature) {
+    Element section("section", Element("h3", headWords(feature)));
+    section.mark(featureAnchor(feature));
+    const bool in_bands = feature.bands.size() > 1;
+    for (const PlannedFeature* band : feature.bands)
+        section.add(residualList(band->sequence, in_bands ? "Stays in " + band->feature.id : "Stays"));
+    for (const PlannedFeature* band : feature.bands) {
+        if (in_bands)
+            section.add(bandFold(setup, *band));
+        else
+            section.add(bandContent(setup, *band));
+    }
+    return section;
 }
 
 }  // namespace stepmill::report

@@ -111,8 +111,11 @@ Element booksSection(const Plan& plan) {
 Anchor setupAnchor(const std::string& setup_id) {
     return {"setup", setup_id};
 }
-Anchor featureAnchor(const std::string& feature_id) {
-    return {"feature", feature_id};
+Anchor bandAnchor(const std::string& band_id) {
+    return {"feature", band_id};
+}
+Anchor featureAnchor(const WholeFeature<PlannedFeature>& feature) {
+    return {"feature", feature.id()};
 }
 Anchor operationAnchor(const std::string& operation_id) {
     return {"operation", operation_id};

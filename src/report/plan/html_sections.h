@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/page/element.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/post/post.h"
 
@@ -8,15 +9,17 @@
 
 namespace stepmill::report {
 
-/// The section of a setup, of a feature, and the row of an operation.
+/// The section of a setup, of a band, of a feature (of its band where it has but one), and the row of an
+/// operation.
 Anchor setupAnchor(const std::string& setup_id);
-Anchor featureAnchor(const std::string& feature_id);
+Anchor bandAnchor(const std::string& band_id);
+Anchor featureAnchor(const WholeFeature<PlannedFeature>& feature);
 Anchor operationAnchor(const std::string& operation_id);
 
 /// Views, the setup sheet with its features, tools and operations, then each feature.
 Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialect);
 
-/// What each step sweeps, what stays, and all that was weighed.
-Element featureSection(const PlannedSetup& setup, const PlannedFeature& planned);
+/// What each step sweeps, what stays, and all that was weighed; of several bands each folded.
+Element featureSection(const PlannedSetup& setup, const WholeFeature<PlannedFeature>& feature);
 
 }  // namespace stepmill::report

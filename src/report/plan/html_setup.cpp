@@ -1,5 +1,6 @@
 // Sections of report.html that belong to one setup.
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -27,19 +28,37 @@ Element setupFigure(const PlannedSetup& setup) {
                    Element("figcaption", "Features seen from the spindle, deeper ones on top."));
 }
 
+/// The smallest of all bands; "-" where none has one.
+std::string cornerWords(const WholeFeature<PlannedFeature>& feature) {
+    std::optional<double> least_mm;
+    for (const PlannedFeature* band : feature.bands)
+        if (const std::optional<double>& radius_mm = band->feature.min_corner_radius_mm)
+            least_mm = std::min(least_mm.value_or(*radius_mm), *radius_mm);
+    return least_mm ? fixed(*least_mm, 2) : "-";
+}
+
+/// Seen from above: of the band that covers most.
+double areaMm2(const WholeFeature<PlannedFeature>& feature) {
+    double area_mm2 = 0;
+    for (const PlannedFeature* band : feature.bands)
+        area_mm2 = std::max(area_mm2, band->feature.area_mm2);
+    return area_mm2;
+}
+
+/// A row for each, with all its bands.
 Element featuresTable(const PlannedSetup& setup) {
     Table table({"id", "class", "after", numbers("top"), numbers("floor"), numbers("depth mm"),
                  numbers("area mm²"), numbers("volume cm³"), numbers("corner R"), "tools", numbers("time"),
                  numbers("× bound")});
-    for (const PlannedFeature& planned : setup.features) {
-        const Feature& feature = planned.feature;
-        const ToolSequence& sequence = planned.sequence;
-        table.row(
-            linkTo(featureAnchor(feature.id), feature.id), toString(feature.feature_class),
-            listed(feature.parents), fixed(feature.top_z_mm, 3), fixed(feature.floor_z_mm, 3),
-            fixed(feature.depth_mm(), 3), fixed(feature.area_mm2, 1), fixed(feature.volume_mm3 / 1000, 3),
-            feature.min_corner_radius_mm ? fixed(*feature.min_corner_radius_mm, 2) : "-", toolWords(sequence),
-            clockTime(sequence.time_s), timesBound(sequence.time_s, sequence.lower_bound_s));
+    for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features)) {
+        const double time_s = feature.sum([](const PlannedFeature& band) { return band.sequence.time_s; });
+        const double bound_s =
+            feature.sum([](const PlannedFeature& band) { return band.sequence.lower_bound_s; });
+        table.row(linkTo(featureAnchor(feature), feature.id()), toString(feature.featureClass()),
+                  listed(feature.uppermost().parents), fixed(feature.uppermost().top_z_mm, 3),
+                  fixed(feature.lowest().floor_z_mm, 3), fixed(feature.depth_mm(), 3),
+                  fixed(areaMm2(feature), 1), fixed(feature.volume_mm3() / 1000, 3), cornerWords(feature),
+                  toolWords(feature), clockTime(time_s), timesBound(time_s, bound_s));
     }
     return std::move(table).element();
 }
@@ -96,7 +115,7 @@ Element operationsTable(const PlannedSetup& setup) {
         const Toolpath& path = operation.path;
         const PathTotals& totals = path.totals;
         table
-            .row(operation.id, linkTo(featureAnchor(operation.feature_id), operation.feature_id),
+            .row(operation.id, linkTo(bandAnchor(operation.feature_id), operation.feature_id),
                  operation.tool_id, toString(operation.role) + leavesWords(operation.leaves), path.pattern,
                  std::to_string(path.depths), fixed(path.step_down_mm, 2), fixed(path.step_over_mm, 2),
                  fixed(path.feed_mm_per_min, 0), fixed(path.plunge_feed_mm_per_min, 0),
@@ -128,8 +147,8 @@ Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialec
     section.add(Element("h3", "Features"), featuresTable(setup), Element("h3", "Tools"),
                 toolsTable(plan, setup), Element("h3", "Operations in machining order"),
                 operationsTable(setup), Element("h2", "Feature by feature"), keys());
-    for (const PlannedFeature& planned : setup.features)
-        section.add(featureSection(setup, planned));
+    for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
+        section.add(featureSection(setup, feature));
     return section;
 }
 

@@ -19,6 +19,19 @@ std::string sharingLine(const ToolSharing& sharing) {
                        sharing.visits, sharing.visits_alone, sharing.tools, sharing.tools_alone);
 }
 
+/// With all its bands.
+std::string featureLine(const WholeFeature<PlannedFeature>& feature) {
+    const double time_s = feature.sum([](const PlannedFeature& band) { return band.sequence.time_s; });
+    const double bound_s =
+        feature.sum([](const PlannedFeature& band) { return band.sequence.lower_bound_s; });
+    const double stays_mm3 =
+        feature.sum([](const PlannedFeature& band) { return residualVolumeMm3(band.sequence); });
+    return fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
+                       feature.id(), toString(feature.featureClass()), feature.depth_mm(),
+                       feature.volume_mm3() / 1000, clockTime(time_s), timesBound(time_s, bound_s),
+                       plainLine(toolWords(feature)), stays_mm3 / 1000);
+}
+
 }  // namespace
 
 std::string summaryText(const Plan& plan) {
@@ -32,15 +45,8 @@ std::string summaryText(const Plan& plan) {
     for (const PlannedSetup& setup : plan.setups) {
         text += fmt::format("{} along {}{}: {}\n", setup.setup.id, axisName(setup.setup.axis),
                             setup.setup.indexed ? " (indexed)" : "", plainLine(setup.clamping.text));
-        for (const PlannedFeature& planned : setup.features) {
-            const ToolSequence& sequence = planned.sequence;
-            text +=
-                fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
-                            planned.feature.id, toString(planned.feature.feature_class),
-                            planned.feature.depth_mm(), planned.feature.volume_mm3 / 1000,
-                            clockTime(sequence.time_s), timesBound(sequence.time_s, sequence.lower_bound_s),
-                            plainLine(toolWords(sequence)), residualVolumeMm3(sequence) / 1000);
-        }
+        for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
+            text += featureLine(feature);
     }
     const PlanTotals& totals = plan.totals;
     text += fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",

@@ -2,8 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "stepmill/catalog/read_catalog.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/part/part.h"
+#include "stepmill/planar/region_text.h"
+#include "stepmill/record/plan_json.h"
+#include "stepmill/record/plan_record.h"
 #include "stepmill/report/inspection.h"
 #include "stepmill/report/part_views.h"
 #include "stepmill/report/report.h"
@@ -56,6 +62,58 @@ TEST(Pages, LinkFeaturesAndOperationsToTheirPlaces) {
             EXPECT_TRUE(ids.count("feature-" + planned.feature.id) != 0) << planned.feature.id;
         for (const Operation& operation : setup.operations)
             EXPECT_TRUE(ids.count("operation-" + operation.id) != 0) << operation.id;
+    }
+}
+
+/// The sample's two features, one below the other, as two bands of one.
+Plan planInBands() {
+    Plan plan = samplePlan();
+    PlannedSetup& setup = plan.setups.front();
+    int number = 0;
+    for (PlannedFeature& planned : setup.features) {
+        const std::string id = planned.feature.id;
+        planned.feature.band = Band{"S1.F1", ++number, 2};
+        planned.feature.id = bandId("S1.F1", number, 2);
+        for (Operation& operation : setup.operations)
+            if (operation.feature_id == id) operation.feature_id = planned.feature.id;
+    }
+    setup.features[1].feature.parents = {"S1.F1.1"};
+    return plan;
+}
+
+TEST(Pages, HaveOneRowAndOneSectionForAFeatureOfSeveralBands) {
+    const Plan plan = planInBands();
+    const std::string page = reportHtml(plan, Tolerances());
+    expectSoundPage(page, "report.html");
+    const PageContent content = readPage(page);
+    const std::set<std::string> ids(content.ids.begin(), content.ids.end());
+    for (const char* id : {"feature-S1.F1", "feature-S1.F1.1", "feature-S1.F1.2"})
+        EXPECT_EQ(ids.count(id), 1u) << id;
+    EXPECT_NE(content.text.find("S1.F1 · step · 18.000 mm deep · 2 bands"), std::string::npos);
+    EXPECT_NE(content.text.find("EM25 in 2 bands"), std::string::npos);
+    EXPECT_NE(content.text.find("S1.F1.2 · step · from -8.000 to -18.000 mm"), std::string::npos);
+    EXPECT_NE(summaryText(plan).find("\nS1.F1    step            18.00 mm"), std::string::npos);
+    EXPECT_EQ(summaryText(plan).find("S1.F1.1"), std::string::npos);
+}
+
+TEST(PlanJson, HasOneFeatureWithItsBandsThatAreReadBack) {
+    const Plan plan = planInBands();
+    const std::string text = planJson(plan);
+    const auto json = nlohmann::json::parse(text);
+    ASSERT_EQ(json.at("features").size(), 1u);
+    EXPECT_EQ(json.at("setups")[0].at("features"), nlohmann::json{"S1.F1"});
+    const auto& feature = json.at("features")[0];
+    EXPECT_EQ(feature.at("floor_z_mm"), -18);
+    EXPECT_EQ(feature.at("bands").size(), 2u);
+    EXPECT_TRUE(feature.at("parents").empty()) << "the bands wait for each other anyway";
+    EXPECT_EQ(json.at("operations")[1].at("band"), 2);
+    const PlanRecord record = planRecordFromText(text, Tolerances());
+    for (const PlannedFeature& planned : plan.setups.front().features) {
+        const Feature& read = record.features.at(planned.feature.id).feature;
+        EXPECT_EQ(toText(read.target), toText(planned.feature.target));
+        EXPECT_EQ(toText(read.obstruction), toText(planned.feature.obstruction));
+        EXPECT_EQ(read.parents, planned.feature.parents);
+        EXPECT_EQ(read.obstacles.size(), planned.feature.obstacles.size());
     }
 }
 
