@@ -11,6 +11,7 @@
 #include "report/page/part_drawings.h"
 #include "report/page/table.h"
 #include "report/page/words.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/report/inspection.h"
 
 namespace stepmill::report {
@@ -20,28 +21,40 @@ namespace {
 /// The number of each feature's tint; see tintClass().
 using Tints = std::map<std::string, int>;
 
-/// Features of the whole part take the tints in turn.
+/// Features of the whole part take the tints in turn; the bands of one share theirs.
 Tints tintsOf(const Inspection& inspection) {
     Tints tints;
     int next = 0;
     for (const InspectedSetup& setup : inspection.setups)
-        for (const InspectedFeature& inspected : setup.features)
-            tints[inspected.feature.id] = next++;
+        for (const WholeFeature<InspectedFeature>& feature : wholeFeatures(setup.features)) {
+            for (const InspectedFeature* band : feature.bands)
+                tints[band->feature.id] = next;
+            ++next;
+        }
     return tints;
 }
 
-/// The feature's tint and id.
-Element featureKey(const Feature& feature, const Tints& tints) {
-    return Element("span.name", Element("i").with("class", tintClass(tints.at(feature.id))), feature.id);
+/// The tint and id of a band, or of a feature by one of its bands.
+Element featureKey(const std::string& id, const Feature& band, const Tints& tints) {
+    return Element("span.name", Element("i").with("class", tintClass(tints.at(band.id))), id);
 }
 
-void addFeature(Table& table, const InspectedFeature& inspected, const Tints& tints) {
+/// The row of a feature with several bands; what differs from band to band stands in theirs.
+void addWhole(Table& table, const WholeFeature<InspectedFeature>& whole, const Tints& tints) {
+    table
+        .row(featureKey(whole.id(), whole.uppermost(), tints), toString(whole.featureClass()), "",
+             listed(whole.uppermost().parents), fixed(whole.depth_mm(), 3), "", "", "", "",
+             fixed(whole.volume_mm3() / 1000, 3), fmt::format("{} bands", whole.bands.size()))
+        .mark(Anchor("feature", whole.id()));
+}
+
+void addBand(Table& table, const InspectedFeature& inspected, const Tints& tints) {
     const Feature& feature = inspected.feature;
     const auto measured = [&](auto words) {
         return inspected.measures ? words(*inspected.measures) : std::string("?");
     };
     table
-        .row(featureKey(feature, tints), toString(feature.feature_class), inspected.hole,
+        .row(featureKey(feature.id, feature, tints), toString(feature.feature_class), inspected.hole,
              listed(feature.parents), fixed(feature.depth_mm(), 3),
              measured([](const FeatureMeasures& m) { return fixed(m.width_mm, 2); }),
              measured([](const FeatureMeasures& m) { return fixed(m.depth_to_width, 2); }),
@@ -54,8 +67,11 @@ std::optional<Element> featuresTable(const InspectedSetup& setup, const Tints& t
     Table table({"feature", "class", "hole", "after", numbers("depth mm"), numbers("width mm"),
                  numbers("depth/width"), numbers("corner R"), numbers("wall × height"), numbers("volume cm³"),
                  "what makes it costly"});
-    for (const InspectedFeature& inspected : setup.features)
-        addFeature(table, inspected, tints);
+    for (const WholeFeature<InspectedFeature>& whole : wholeFeatures(setup.features)) {
+        if (whole.bands.size() > 1) addWhole(table, whole, tints);
+        for (const InspectedFeature* band : whole.bands)
+            addBand(table, *band, tints);
+    }
     return std::move(table).elementIfAny();
 }
 

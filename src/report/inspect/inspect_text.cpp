@@ -1,19 +1,23 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "report/inspect/inspect_words.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/report/inspection.h"
 
 namespace stepmill {
 
 namespace {
 
-std::string featureRow(const InspectedFeature& inspected) {
+std::string afterWords(const Feature& feature) {
+    return feature.parents.empty() ? "" : fmt::format("after {}", fmt::join(feature.parents, ", "));
+}
+
+/// A feature of one band, or one band of several.
+std::string bandRow(const InspectedFeature& inspected, const std::string& name, const std::string& after) {
     const Feature& feature = inspected.feature;
     std::string row = fmt::format(
-        "  {:<8} {:<15} {:>8.2f} {:>8}", feature.id, toString(feature.feature_class), feature.depth_mm(),
+        "  {:<8} {:<15} {:>8.2f} {:>8}", name, toString(feature.feature_class), feature.depth_mm(),
         inspected.measures ? fmt::format("{:.2f}", inspected.measures->width_mm) : "?");
     if (inspected.measures) {
         const FeatureMeasures& measures = *inspected.measures;
@@ -24,19 +28,27 @@ std::string featureRow(const InspectedFeature& inspected) {
     } else {
         row += fmt::format(" {:>6} {:>7} {:>14} {:>6}", "?", "?", "?", "?");
     }
-    return row + fmt::format(" {:>10.3f}  {:<5} {}\n", feature.volume_mm3 / 1000, inspected.hole,
-                             feature.parents.empty()
-                                 ? ""
-                                 : fmt::format("after {}", fmt::join(feature.parents, ", ")));
+    return row + fmt::format(" {:>10.3f}  {:<5} {}\n", feature.volume_mm3 / 1000, inspected.hole, after);
+}
+
+/// A row for the feature; where it has several bands one for each below, with what differs.
+std::string featureRows(const WholeFeature<InspectedFeature>& feature) {
+    const std::string after = afterWords(feature.uppermost());
+    if (feature.bands.size() == 1) return bandRow(*feature.bands.front(), feature.id(), after);
+    const std::string bands = fmt::format("{} bands", feature.bands.size());
+    std::string rows =
+        fmt::format("  {:<8} {:<15} {:>8.2f} {:>8} {:>6} {:>7} {:>14} {:>6} {:>10.3f}  {:<5} {}\n",
+                    feature.id(), toString(feature.featureClass()), feature.depth_mm(), bands, "", "", "", "",
+                    feature.volume_mm3() / 1000, "", after);
+    for (const InspectedFeature* band : feature.bands)
+        rows += bandRow(*band, fmt::format("  .{}", bandNumber(band->feature)), "");
+    return rows;
 }
 
 /// "12 features", "12 features in 30 bands".
 std::string featureCount(const InspectedSetup& setup) {
-    const auto whole =
-        std::count_if(setup.features.begin(), setup.features.end(), [](const InspectedFeature& inspected) {
-            return !inspected.feature.band || inspected.feature.band->number == 1;
-        });
-    const auto all = static_cast<std::ptrdiff_t>(setup.features.size());
+    const std::size_t whole = wholeFeatures(setup.features).size();
+    const std::size_t all = setup.features.size();
     return fmt::format("{} features{}", whole, whole < all ? fmt::format(" in {} bands", all) : "");
 }
 
@@ -53,8 +65,8 @@ std::string setupBlock(const InspectedSetup& setup) {
     if (setup.features.empty()) return text;
     text += fmt::format("  {:<8} {:<15} {:>8} {:>8} {:>6} {:>7} {:>14} {:>6} {:>10}  {:<5}\n", "feature",
                         "class", "depth", "width", "d/w", "corner", "wall x high", "floorR", "cm3", "hole");
-    for (const InspectedFeature& inspected : setup.features)
-        text += featureRow(inspected);
+    for (const WholeFeature<InspectedFeature>& feature : wholeFeatures(setup.features))
+        text += featureRows(feature);
     return text;
 }
 
