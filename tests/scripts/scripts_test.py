@@ -79,6 +79,21 @@ class InstallDependencies(unittest.TestCase):
         self.assertIn("libocct-foundation-dev", done.stderr)
 
 
+class PlanningTargets(unittest.TestCase):
+    def test_has_a_row_for_every_part_of_a_folder_planned_or_not(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(ROOT / "step_parts/shoulder_block.step", folder)
+            (pathlib.Path(folder) / "nothing.stp").write_text("")
+            (pathlib.Path(folder) / "README.md").write_text("no part")
+            done = run("scripts/planning-targets", "--stepmill", os.environ["STEPMILL_BINARY"], folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in done.stdout.splitlines()]
+        self.assertEqual([row[0] for row in rows], ["part", "---", "nothing", "shoulder_block"])
+        self.assertTrue(rows[2][-1].startswith("no plan: "), rows[2])
+        self.assertEqual(rows[3][1:6], ["10", "1", "2", "2", "2"], rows[3])
+        self.assertEqual(rows[3][-3:], ["100.0 %", "0.0 %", ""], rows[3])
+
+
 class MakePlan(unittest.TestCase):
     def test_asks_for_nothing_that_only_tests_need(self):
         with tempfile.TemporaryDirectory() as build:
