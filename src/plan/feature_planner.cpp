@@ -98,9 +98,7 @@ class FeaturePlanner {
         PlannedFeature& planned = planned_[index];
         std::string& failure = failures_[index];
         planned.sequence = sequenceOrResidual(planned.feature, failure, [&] {
-            const PlannedById by_id = [&](const std::string& id) -> const PlannedFeature& {
-                return planned_[number_.at(id)];
-            };
+            const CutById by_id = [&](const std::string& id) { return asCut(planned_[number_.at(id)]); };
             const ReducedFeature free =
                 reduced(planned.feature, parentsOf(planned.feature, by_id),
                         ancestorsOf(planned.feature, by_id), setup_.fixtures, shop_.tol);

@@ -8,15 +8,15 @@
 namespace stepmill {
 namespace {
 
-std::vector<Standing> standingOf(const std::vector<const PlannedFeature*>& planned) {
+std::vector<Standing> standingOf(const std::vector<CutFeature>& ancestors) {
     std::vector<Standing> found;
-    for (const PlannedFeature* feature : planned) {
-        for (const Residual& residual : feature->sequence.residual) {
+    for (const CutFeature& cut : ancestors) {
+        for (const Residual& residual : *cut.left) {
             // What an ancestor could not take below others lies below what those left, and they are here too.
             if (residual.reason == Reason::BelowStanding) continue;
             // A crumb in the mouth of the next feature is cut with that.
             if (residual.reason == Reason::LeftBetweenPasses && residual.area_mm2 <= kCrumbMm2) continue;
-            if (!residual.region.empty()) found.push_back({residual.region, feature->feature.top_z_mm});
+            if (!residual.region.empty()) found.push_back({residual.region, cut.feature->top_z_mm});
         }
     }
     return found;
@@ -59,11 +59,11 @@ FeatureClass withoutHoles(FeatureClass feature_class) {
     return feature_class;
 }
 
-std::string namesOf(const std::vector<const PlannedFeature*>& parents) {
+std::string namesOf(const std::vector<CutFeature>& parents) {
     std::string names;
-    for (const PlannedFeature* parent : parents) {
-        if (parent->sequence.residual.empty()) continue;
-        names += (names.empty() ? "" : ", ") + parent->feature.id;
+    for (const CutFeature& parent : parents) {
+        if (parent.left->empty()) continue;
+        names += (names.empty() ? "" : ", ") + parent.feature->id;
     }
     return names;
 }
@@ -140,24 +140,26 @@ Feature beside(Feature feature, const std::vector<Standing>& standing, const Tol
     return feature;
 }
 
-std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const PlannedById& planned) {
-    std::vector<const PlannedFeature*> parents;
+std::vector<CutFeature> parentsOf(const Feature& feature, const CutById& cut) {
+    std::vector<CutFeature> parents;
     for (const std::string& id : feature.parents)
-        parents.push_back(&planned(id));
+        parents.push_back(cut(id));
     return parents;
 }
 
-std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const PlannedById& planned) {
-    std::vector<const PlannedFeature*> found = parentsOf(feature, planned);
+std::vector<CutFeature> ancestorsOf(const Feature& feature, const CutById& cut) {
+    std::vector<CutFeature> found = parentsOf(feature, cut);
     for (std::size_t i = 0; i < found.size(); ++i)
-        for (const PlannedFeature* parent : parentsOf(found[i]->feature, planned))
-            if (std::find(found.begin(), found.end(), parent) == found.end()) found.push_back(parent);
+        for (const CutFeature& parent : parentsOf(*found[i].feature, cut))
+            if (std::none_of(found.begin(), found.end(),
+                             [&](const CutFeature& known) { return known.feature == parent.feature; }))
+                found.push_back(parent);
     return found;
 }
 
-ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
-                       const std::vector<const PlannedFeature*>& ancestors,
-                       const std::vector<Fixture>& fixtures, const Tolerances& tol) {
+ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& parents,
+                       const std::vector<CutFeature>& ancestors, const std::vector<Fixture>& fixtures,
+                       const Tolerances& tol) {
     ReducedFeature found{feature, {}};
     stopAboveFixtures(found.feature, fixtures, tol);
     const InTheWay held = inTheWay(fixtures, feature);

@@ -165,7 +165,7 @@ int formatOf(std::string_view text) {
 
 void readFeatures(const Json& plan, const BandCounts& bands, ReadTables& tables, PlanRecord& record) {
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
-        for (PlannedFeature& band :
+        for (RecordedFeature& band :
              record::readFeature(plan["features"][i], fmt::format("#/features/{}", i), bands, tables)) {
             const std::string id = band.feature.id;
             record.features[id] = std::move(band);

@@ -233,16 +233,16 @@ void checkUpright(const Json& prism, const std::string& pointer) {
         failAt(pointer + "/top_z_mm", "expected a top above the bottom");
 }
 
-void checkBand(const PlannedFeature& planned, const std::string& pointer) {
-    const Feature& feature = planned.feature;
+void checkBand(const RecordedFeature& recorded, const std::string& pointer) {
+    const Feature& feature = recorded.feature;
     if (feature.top_z_mm <= feature.floor_z_mm)
         failAt(pointer + "/top_z_mm", "expected a top above the floor");
     if (feature.target.empty()) failAt(pointer + "/target", "expected an area to clear, found none");
     if (!isAreaOf(feature.target, feature.area_mm2))
         failAt(pointer + "/area_mm2", fmt::format("expected the target's area, {:.6f}, found {:.6f}",
                                                   area(feature.target), feature.area_mm2));
-    for (std::size_t i = 0; i < planned.sequence.residual.size(); ++i) {
-        const Residual& residual = planned.sequence.residual[i];
+    for (std::size_t i = 0; i < recorded.residual.size(); ++i) {
+        const Residual& residual = recorded.residual[i];
         const std::string at = fmt::format("{}/residual/{}", pointer, i);
         if (!residual.region.empty() && !isAreaOf(residual.region, residual.area_mm2))
             failAt(at + "/area_mm2", fmt::format("expected the region's area, {:.6f}, found {:.6f}",

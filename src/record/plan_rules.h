@@ -14,7 +14,7 @@ namespace stepmill::record {
 void checkPlanRules(const nlohmann::ordered_json& plan);
 
 /// The same of a band once its regions are read: heights in order, areas and volumes those of the regions.
-void checkBand(const PlannedFeature& planned, const std::string& pointer);
+void checkBand(const RecordedFeature& recorded, const std::string& pointer);
 
 /// An upright prism has its "top_z_mm" above its "bottom_z_mm".
 void checkUpright(const nlohmann::ordered_json& prism, const std::string& pointer);

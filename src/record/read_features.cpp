@@ -66,28 +66,32 @@ Residual readResidual(const Json& json, const std::string& pointer, ReadTables& 
     residual.area_mm2 = json["area_mm2"];
     residual.volume_mm3 = json["volume_mm3"];
     residual.reason = stayReasonFrom(json["reason"].get<std::string>());
+    residual.advice = json.value("advice", "");
     return residual;
 }
 
-PlannedFeature readBand(const Json& json, const std::string& pointer, ReadTables& tables) {
-    PlannedFeature planned;
-    Feature& band = planned.feature;
+RecordedFeature readBand(const Json& json, const std::string& pointer, ReadTables& tables) {
+    RecordedFeature recorded;
+    Feature& band = recorded.feature;
     band.top_z_mm = json["top_z_mm"];
     band.floor_z_mm = json["floor_z_mm"];
     band.feature_class = featureClass(json["class"]);
     band.through = !hasFloor(band.feature_class);
     band.area_mm2 = json["area_mm2"];
     band.volume_mm3 = json["volume_mm3"];
+    band.open_length_mm = json["open_length_mm"];
+    band.closed_length_mm = json["closed_length_mm"];
+    if (!json["min_corner_radius_mm"].is_null()) band.min_corner_radius_mm = json["min_corner_radius_mm"];
     band.target = tables.region(json["target"], pointer + "/target");
     band.obstruction = tables.region(json["obstruction"], pointer + "/obstruction");
     for (std::size_t i = 0; i < json["obstacles"].size(); ++i)
         band.obstacles.push_back(
             tables.obstacle(json["obstacles"][i], fmt::format("{}/obstacles/{}", pointer, i)));
     for (std::size_t i = 0; i < json["residual"].size(); ++i)
-        planned.sequence.residual.push_back(
+        recorded.residual.push_back(
             readResidual(json["residual"][i], fmt::format("{}/residual/{}", pointer, i), tables));
-    checkBand(planned, pointer);
-    return planned;
+    checkBand(recorded, pointer);
+    return recorded;
 }
 
 }  // namespace
@@ -144,10 +148,10 @@ std::vector<std::string> bandIds(const std::string& feature_id, const BandCounts
     return ids;
 }
 
-std::vector<PlannedFeature> readFeature(const Json& json, const std::string& pointer,
-                                        const BandCounts& counts, ReadTables& tables) {
+std::vector<RecordedFeature> readFeature(const Json& json, const std::string& pointer,
+                                         const BandCounts& counts, ReadTables& tables) {
     const std::vector<std::string> ids = bandIds(json["id"], counts);
-    std::vector<PlannedFeature> bands;
+    std::vector<RecordedFeature> bands;
     for (std::size_t i = 0; i < ids.size(); ++i) {
         bands.push_back(readBand(json["bands"][i], fmt::format("{}/bands/{}", pointer, i), tables));
         Feature& band = bands.back().feature;

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "stepmill/plan/plan.h"
+#include "stepmill/record/plan_record.h"
 
 namespace stepmill::record {
 
@@ -44,7 +44,7 @@ std::vector<std::string> bandIds(const std::string& feature_id, const BandCounts
 
 /// The bands of one entry of features, from above. \throws Error(InvalidCatalog) naming what contradicts
 /// itself
-std::vector<PlannedFeature> readFeature(const nlohmann::ordered_json& json, const std::string& pointer,
-                                        const BandCounts& counts, ReadTables& tables);
+std::vector<RecordedFeature> readFeature(const nlohmann::ordered_json& json, const std::string& pointer,
+                                         const BandCounts& counts, ReadTables& tables);
 
 }  // namespace stepmill::record

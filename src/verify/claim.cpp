@@ -64,7 +64,7 @@ PlannedFeature asPlanned(const PlanRecord& record, const Feature& derived, bool 
     planned.sequence.floor_z_mm = reachedZ(record, derived);
     if (isDone(record, derived.id)) planned.sequence.steps.emplace_back();
     const double depth_mm = derived.top_z_mm - planned.sequence.floor_z_mm;
-    for (const Residual& recorded : record.features.at(derived.id).sequence.residual) {
+    for (const Residual& recorded : record.features.at(derived.id).residual) {
         if (!all && recorded.reason == Reason::LeftBetweenPasses) continue;
         Residual residual = recorded;
         if (!residual.region.empty()) residual.area_mm2 = area(residual.region);

@@ -93,11 +93,11 @@ class SetupProver {
     FeatureState& stateOf(const std::string& id) {
         const auto found = states_.find(id);
         if (found != states_.end()) return found->second;
-        const PlannedFeature& planned = record_.features.at(id);
+        const Feature& feature = record_.features.at(id).feature;
         FeatureState state;
-        state.feature = reduced(planned.feature, parentsOf(planned.feature, by_id_),
-                                ancestorsOf(planned.feature, by_id_), setup_.fixtures, tol_)
-                            .feature;
+        state.feature =
+            reduced(feature, parentsOf(feature, by_id_), ancestorsOf(feature, by_id_), setup_.fixtures, tol_)
+                .feature;
         state.safe_z_mm = highestFixtureMm(setup_.fixtures);
         std::set<double> heights;
         for (const auto& [operation_id, operation] : record_.operations)
@@ -133,9 +133,9 @@ class SetupProver {
     /// Operations of features above that have not run yet.
     std::vector<std::string> undoneAbove(const RecordedOperation& planned) const {
         std::set<std::string> above;
-        for (const PlannedFeature* ancestor :
+        for (const CutFeature& ancestor :
              ancestorsOf(record_.features.at(planned.feature_id).feature, by_id_))
-            above.insert(ancestor->feature.id);
+            above.insert(ancestor.feature->id);
         std::vector<std::string> undone;
         for (const std::string& id : setup_.operation_ids)
             if (above.count(record_.operations.at(id).feature_id) > 0 && done_.count(id) == 0)
@@ -170,7 +170,7 @@ class SetupProver {
                                const FeatureState& state) const {
         std::vector<Region> named;
         const double depth_mm = state.feature.top_z_mm - floor_z_mm;
-        for (const Residual& residual : record_.features.at(feature_id).sequence.residual) {
+        for (const Residual& residual : record_.features.at(feature_id).residual) {
             // Area, height and volume are rounded in the file.
             const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm + 2 * residual.area_mm2);
             if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
@@ -210,8 +210,9 @@ class SetupProver {
     }
 
     const PlanRecord& record_;
-    const PlannedById by_id_ = [this](const std::string& id) -> const PlannedFeature& {
-        return record_.features.at(id);
+    const CutById by_id_ = [this](const std::string& id) {
+        const RecordedFeature& recorded = record_.features.at(id);
+        return CutFeature{&recorded.feature, &recorded.residual};
     };
     const RecordedSetup& setup_;
     const ReadProgram* program_ = nullptr;

@@ -27,21 +27,30 @@ struct Standing {
 /// The feature with more for cutter, shank and holder to keep clear of; its target stays.
 Feature beside(Feature feature, const std::vector<Standing>& standing, const Tolerances& tol);
 
-/// The planned feature of an id.
-using PlannedById = std::function<const PlannedFeature&(const std::string& id)>;
+/// A feature that is cut before another, with what its tools leave of it: as it is planned, or as plan.json
+/// has it. Both live elsewhere.
+struct CutFeature {
+    const Feature* feature;
+    const std::vector<Residual>* left;
+};
+inline CutFeature asCut(const PlannedFeature& planned) {
+    return {&planned.feature, &planned.sequence.residual};
+}
+
+/// The cut feature of an id.
+using CutById = std::function<CutFeature(const std::string& id)>;
 
 /// The features that a feature waits for directly, ...
-std::vector<const PlannedFeature*> parentsOf(const Feature& feature, const PlannedById& planned);
+std::vector<CutFeature> parentsOf(const Feature& feature, const CutById& cut);
 /// ... and with those that these wait for: nearest first, each once.
-std::vector<const PlannedFeature*> ancestorsOf(const Feature& feature, const PlannedById& planned);
+std::vector<CutFeature> ancestorsOf(const Feature& feature, const CutById& cut);
 
 /// Takes what the features above left, and the fixtures that reach above its floor, out of a feature's target
 /// and adds them to what cutter and holder must keep clear of: no tool meets material that was believed gone,
 /// nor what holds the part. A through hole with a fixture under it is through no more: drills stop at its
-/// floor. \param parents    the feature's own parents, planned \param ancestors  all features it waits for,
-/// planned
-ReducedFeature reduced(const Feature& feature, const std::vector<const PlannedFeature*>& parents,
-                       const std::vector<const PlannedFeature*>& ancestors,
-                       const std::vector<Fixture>& fixtures, const Tolerances& tol);
+/// floor. \param parents    the feature's own parents \param ancestors  all features it waits for
+ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& parents,
+                       const std::vector<CutFeature>& ancestors, const std::vector<Fixture>& fixtures,
+                       const Tolerances& tol);
 
 }  // namespace stepmill

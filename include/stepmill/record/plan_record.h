@@ -13,6 +13,12 @@ namespace stepmill {
 /// An operation as plan.json has it: all but its moves, which stand in the program.
 using RecordedOperation = OperationSheet;
 
+/// A feature, or one band of it, as plan.json has it: all but how its tools were chosen.
+struct RecordedFeature {
+    Feature feature;  ///< without boundary pieces and faces, which follow from the part
+    std::vector<Residual> residual;
+};
+
 struct RecordedSetup {
     std::string id;
     Vec3 axis = Vec3::UnitZ();  ///< in part coordinates
@@ -22,7 +28,7 @@ struct RecordedSetup {
     Vec3 stock_size_mm = Vec3::Zero();
     std::vector<Fixture> fixtures;
     double time_s = 0;
-    std::vector<std::string> feature_ids;    ///< parents before children
+    std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     std::vector<std::string> operation_ids;  ///< in machining order
     /// The machine travels as far as the programs go: all but those the plan warns of.
     bool within_travel = true;
@@ -57,7 +63,7 @@ struct PlanRecord {
     std::string material;
     Machine machine;
     std::vector<RecordedSetup> setups;
-    std::map<std::string, PlannedFeature> features;  ///< regions, heights, obstacles, residuals alone
+    std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
     std::map<std::string, RecordedOperation> operations;
     VolumeBalance books;  ///< of the part; without the reasons
     /// What stays of stock minus part at the end, by reason, and how much of it is rounding [mm3].

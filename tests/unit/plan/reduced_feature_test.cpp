@@ -35,7 +35,7 @@ Feature child() {
 
 TEST(Reduced, AParentThatLeavesNothingChangesNothing) {
     const PlannedFeature parent = parentLeaving({});
-    const ReducedFeature free = reduced(child(), {&parent}, {&parent}, {}, kTol);
+    const ReducedFeature free = reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol);
     EXPECT_TRUE(free.blocked.empty());
     EXPECT_DOUBLE_EQ(free.feature.area_mm2, 1600);
     EXPECT_EQ(free.feature.obstacles.size(), 1U);
@@ -43,7 +43,7 @@ TEST(Reduced, AParentThatLeavesNothingChangesNothing) {
 
 TEST(Reduced, WhatLiesBelowMaterialThatStaysIsNotPlanned) {
     const PlannedFeature parent = parentLeaving(makeRectangle(Vec2(60, 0), Vec2(100, 100)));
-    const ReducedFeature free = reduced(child(), {&parent}, {&parent}, {}, kTol);
+    const ReducedFeature free = reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol);
     ASSERT_EQ(free.blocked.size(), 1U);
     EXPECT_NEAR(free.blocked.front().area_mm2, 400, 1e-6);
     EXPECT_NEAR(free.blocked.front().volume_mm3, 4000, 1e-5);
@@ -54,7 +54,7 @@ TEST(Reduced, WhatLiesBelowMaterialThatStaysIsNotPlanned) {
 
 TEST(Reduced, HoldersKeepClearOfMaterialBesideTheFeatureToo) {
     const PlannedFeature parent = parentLeaving(makeRectangle(Vec2(0, 0), Vec2(10, 100)));
-    const ReducedFeature free = reduced(child(), {&parent}, {&parent}, {}, kTol);
+    const ReducedFeature free = reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol);
     EXPECT_TRUE(free.blocked.empty());
     ASSERT_EQ(free.feature.obstacles.size(), 2U);
     EXPECT_EQ(free.feature.obstacles[1].bottom_z_mm, -20);
@@ -64,7 +64,7 @@ TEST(Reduced, HoldersKeepClearOfMaterialBesideTheFeatureToo) {
 
 TEST(Reduced, AFeatureAllBelowMaterialHasNothingToPlan) {
     const PlannedFeature parent = parentLeaving(makeRectangle(Vec2(0, 0), Vec2(100, 100)));
-    const ReducedFeature free = reduced(child(), {&parent}, {&parent}, {}, kTol);
+    const ReducedFeature free = reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol);
     EXPECT_TRUE(free.feature.target.empty());
     ASSERT_EQ(free.blocked.size(), 1U);
     EXPECT_DOUBLE_EQ(free.blocked.front().volume_mm3, child().volume_mm3);
@@ -100,9 +100,9 @@ TEST(Reduced, JawsThatEndWhereACutBeginsAreInNobodysWayWhateverTheRounding) {
 TEST(Reduced, CrumbsOfParentsAreCutWithTheFeature) {
     PlannedFeature parent = parentLeaving(makeRectangle(Vec2(50, 50), Vec2(50.09, 50.09)));
     parent.sequence.residual.front().reason = {Reason::LeftBetweenPasses, {}};
-    EXPECT_TRUE(reduced(child(), {&parent}, {&parent}, {}, kTol).blocked.empty());
+    EXPECT_TRUE(reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol).blocked.empty());
     parent.sequence.residual.front().reason = {Reason::CornerRadius, {}};
-    EXPECT_FALSE(reduced(child(), {&parent}, {&parent}, {}, kTol).blocked.empty());
+    EXPECT_FALSE(reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol).blocked.empty());
 }
 
 TEST(VolumeBalance, HasNoGapWhereThereIsNothingToRemove) {
