@@ -2,6 +2,8 @@
 
 #include "record/feature_json.h"
 
+#include "stepmill/plan/feature_times.h"
+
 namespace stepmill::record {
 namespace {
 
@@ -166,7 +168,9 @@ BandsById bandsById(const std::vector<PlannedFeature>& features) {
     return bands;
 }
 
-Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& bands, FeatureTables& tables) {
+Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& bands, const Machine& machine,
+                 FeatureTables& tables) {
+    const FeatureTimes times = timesOf(feature, machine);
     return {{"id", feature.id()},
             {"setup", feature.uppermost().setup_id},
             {"class", toString(feature.featureClass())},
@@ -175,9 +179,9 @@ Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& b
             {"floor_z_mm", number(feature.lowest().floor_z_mm)},
             {"depth_mm", number(feature.depth_mm())},
             {"volume_mm3", number(feature.volume_mm3())},
-            {"time_s", number(feature.sum([](const PlannedFeature& band) { return band.sequence.time_s; }))},
-            {"motion_time_s",
-             number(feature.sum([](const PlannedFeature& band) { return band.sequence.motion_s; }))},
+            {"time_s", number(times.time_s)},
+            {"motion_time_s", number(times.motion_s)},
+            {"lower_bound_s", number(times.lower_bound_s)},
             {"bands",
              listOf(feature.bands, [&](const PlannedFeature* band) { return bandJson(*band, tables); })}};
 }

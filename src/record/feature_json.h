@@ -36,6 +36,6 @@ BandsById bandsById(const std::vector<PlannedFeature>& features);
 /// \param bands   of its setup
 /// \param tables  get what it refers to
 json::Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& bands,
-                       FeatureTables& tables);
+                       const Machine& machine, FeatureTables& tables);
 
 }  // namespace stepmill::record

@@ -10,6 +10,7 @@
 #include "report/page/words.h"
 #include "report/plan/feature_drawing.h"
 #include "report/plan/html_sections.h"
+#include "stepmill/plan/feature_times.h"
 
 namespace stepmill::report {
 namespace {
@@ -46,19 +47,17 @@ double areaMm2(const WholeFeature<PlannedFeature>& feature) {
 }
 
 /// A row for each, with all its bands.
-Element featuresTable(const PlannedSetup& setup) {
+Element featuresTable(const PlannedSetup& setup, const Machine& machine) {
     Table table({"id", "class", "after", numbers("top"), numbers("floor"), numbers("depth mm"),
                  numbers("area mm²"), numbers("volume cm³"), numbers("corner R"), "tools", numbers("time"),
                  numbers("× bound")});
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features)) {
-        const double time_s = feature.sum([](const PlannedFeature& band) { return band.sequence.time_s; });
-        const double bound_s =
-            feature.sum([](const PlannedFeature& band) { return band.sequence.lower_bound_s; });
+        const FeatureTimes times = timesOf(feature, machine);
         table.row(linkTo(featureAnchor(feature), feature.id()), toString(feature.featureClass()),
                   listed(feature.uppermost().parents), fixed(feature.uppermost().top_z_mm, 3),
                   fixed(feature.lowest().floor_z_mm, 3), fixed(feature.depth_mm(), 3),
                   fixed(areaMm2(feature), 1), fixed(feature.volume_mm3() / 1000, 3), cornerWords(feature),
-                  toolWords(feature), clockTime(time_s), timesBound(time_s, bound_s));
+                  toolWords(feature), clockTime(times.time_s), timesBound(times.time_s, times.lower_bound_s));
     }
     return std::move(table).element();
 }
@@ -144,7 +143,7 @@ Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialec
                     Element("h2", "Setup " + id), Element("p", setupWords(setup, dialect)),
                     setupFigure(setup));
     section.mark(setupAnchor(id));
-    section.add(Element("h3", "Features"), featuresTable(setup), Element("h3", "Tools"),
+    section.add(Element("h3", "Features"), featuresTable(setup, plan.machine), Element("h3", "Tools"),
                 toolsTable(plan, setup), Element("h3", "Operations in machining order"),
                 operationsTable(setup), Element("h2", "Feature by feature"), keys());
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))

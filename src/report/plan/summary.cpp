@@ -2,6 +2,7 @@
 
 #include "report/page/words.h"
 #include "stepmill/core/plain_text.h"
+#include "stepmill/plan/feature_times.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -20,16 +21,15 @@ std::string sharingLine(const ToolSharing& sharing) {
 }
 
 /// With all its bands.
-std::string featureLine(const WholeFeature<PlannedFeature>& feature) {
-    const double time_s = feature.sum([](const PlannedFeature& band) { return band.sequence.time_s; });
-    const double bound_s =
-        feature.sum([](const PlannedFeature& band) { return band.sequence.lower_bound_s; });
+std::string featureLine(const WholeFeature<PlannedFeature>& feature, const Machine& machine) {
+    const FeatureTimes times = timesOf(feature, machine);
     const double stays_mm3 =
         feature.sum([](const PlannedFeature& band) { return residualVolumeMm3(band.sequence); });
     return fmt::format("{:<8} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
                        feature.id(), toString(feature.featureClass()), feature.depth_mm(),
-                       feature.volume_mm3() / 1000, clockTime(time_s), timesBound(time_s, bound_s),
-                       plainLine(toolWords(feature)), stays_mm3 / 1000);
+                       feature.volume_mm3() / 1000, clockTime(times.time_s),
+                       timesBound(times.time_s, times.lower_bound_s), plainLine(toolWords(feature)),
+                       stays_mm3 / 1000);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ std::string summaryText(const Plan& plan) {
         text += fmt::format("{} along {}{}: {}\n", setup.setup.id, axisName(setup.setup.axis),
                             setup.setup.indexed ? " (indexed)" : "", plainLine(setup.clamping.text));
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
-            text += featureLine(feature);
+            text += featureLine(feature, plan.machine);
     }
     const PlanTotals& totals = plan.totals;
     text += fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",

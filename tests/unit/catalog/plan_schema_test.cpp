@@ -30,7 +30,7 @@ json minimalPlan() {
     "features": [{
         "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [{"feature": "S1.F1", "band": 2}],
         "top_z_mm": 0, "floor_z_mm": -5, "depth_mm": 5, "volume_mm3": 1570.8, "time_s": 55, "motion_time_s": 56,
-        "bands": [{
+        "lower_bound_s": 40, "bands": [{
         "class": "closed pocket", "top_z_mm": 0, "floor_z_mm": -5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
         "min_corner_radius_mm": 10,
         "target": 0, "obstruction": 1, "obstacles": [0],
