@@ -4,6 +4,7 @@
 #include <set>
 
 #include "stepmill/core/units.h"
+#include "stepmill/feature/whole_feature.h"
 
 namespace stepmill {
 namespace {
@@ -50,8 +51,6 @@ class Sharing {
             together = alone;
         }
         SharedChoice result;
-        result.gain.features_changed =
-            static_cast<int>(found.size()) - static_cast<int>(std::count(found.begin(), found.end(), 0));
         result.gain.visits_alone = alone.visits;
         result.gain.visits = together.visits;
         result.gain.tools_alone = alone.tools;
@@ -231,18 +230,23 @@ SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const ToolLibrary
     const double hours = machine.tool_change_s / (60 * kSecondsPerMinute);
     const double change_weight =
         objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
-    const SharedChoice shared =
+    SharedChoice shared =
         shareTools(inSetupOrder(setups), choices, change_weight, library, machine.magazine_size);
     std::size_t feature = 0;
+    std::set<std::string> changed;
     for (PlannedSetup& setup : setups) {
         for (PlannedFeature& planned : setup.features) {
             ToolSequence& sequence = planned.sequence;
             const std::size_t choice = shared.choice[feature++];
-            if (choice > 0) sequence = withChoice(sequence, choice);
+            if (choice > 0) {
+                sequence = withChoice(sequence, choice);
+                changed.insert(wholeOf(planned.feature));
+            }
             // The DAG and all it was made from are not needed any more.
             sequence.choices.reset();
         }
     }
+    shared.gain.features_changed = static_cast<int>(changed.size());
     return {std::move(setups), shared.gain};
 }
 

@@ -9,7 +9,7 @@ namespace stepmill {
 /// The features' sequences chosen for the plan: one of choicesOf() each.
 struct SharedChoice {
     std::vector<std::size_t> choice;  ///< of each feature; 0 where it has none
-    ToolSharing gain;
+    ToolSharing gain;                 ///< but for the features changed
 };
 
 /// Chooses one sequence a feature so that paths and tool changes of the whole plan, operations merged, weigh

@@ -164,7 +164,8 @@ Element bandFold(const PlannedSetup& setup, const PlannedFeature& planned) {
         fmt::format("{} · {} · from {:.3f} to {:.3f} mm · {:.1f} mm² · {} · {}", band.id,
                     toString(band.feature_class), band.top_z_mm, band.floor_z_mm, band.area_mm2,
                     toolWords(planned.sequence), clockTime(planned.sequence.time_s));
-    return Element("details", Element("summary", words), bandContent(setup, planned)).at(bandAnchor(band.id));
+    return Element("details.band", Element("summary", words), bandContent(setup, planned))
+        .at(bandAnchor(band.id));
 }
 
 std::string headWords(const WholeFeature<PlannedFeature>& feature) {
