@@ -1,13 +1,12 @@
 #include <algorithm>
 
 #include "feature/bands.h"
-#include "feature/boundary.h"
-#include "feature/classify.h"
 #include "feature/feature_groups.h"
 #include "feature/leftovers.h"
 #include "feature/removal_forest.h"
 #include "feature/standing_material.h"
 #include "feature/unplanned.h"
+#include "stepmill/feature/describe_boundary.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/planar/boolean.h"
 
@@ -65,16 +64,8 @@ class Recogniser {
         made.area_mm2 = area(made.target);
         for (const int index : group.components)
             made.volume_mm3 += feature::volumeMm3(forest_.components[index], layers_);
-        describeBoundary(made);
+        describeBoundary(made, tol_);
         return made;
-    }
-
-    void describeBoundary(Feature& made) const {
-        made.boundary = feature::boundaryPieces(made.target, made.obstruction, tol_);
-        for (const BoundaryPiece& piece : made.boundary)
-            (piece.open ? made.open_length_mm : made.closed_length_mm) += length(piece.path);
-        made.min_corner_radius_mm = feature::minCornerRadiusMm(made.boundary);
-        made.feature_class = feature::classify(made.target, made.boundary, made.through, tol_);
     }
 
     std::string idOf(int number) const { return layers_.setup_id + ".F" + std::to_string(number + 1); }
