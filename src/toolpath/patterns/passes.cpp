@@ -39,8 +39,10 @@ class PassMaker::Clipper {
     bool isCleared(const Vec2& p) const {
         return !task_.cleared_centres.empty() && isIn(task_.cleared_centres, p);
     }
-    bool cutsNothing(const Vec2& p) const {
-        return toolpath::cutsNothing(task_.target, maker_.family_.radiusMm(), p, tol_);
+    /// At a point, or all along an edge.
+    template <typename Place>
+    bool cutsNothing(const Place& place) const {
+        return toolpath::cutsNothing(task_.target, maker_.family_.radiusMm(), place, tol_);
     }
 
     static void append(std::vector<Edge>& edges, const std::vector<Edge>& more) {
@@ -57,9 +59,10 @@ class PassMaker::Clipper {
     }
 
     void clip(const RingFamily::Ring& ring) {
-        keep(ring, ring_cutters_, [&](const Vec2& p) {
+        keep(ring, ring_cutters_, [&](const Edge& edge) {
+            const Vec2 p = pointAt(edge, 0.5);
             if (variant_.leaves_component && !isIn(component_.region, p)) return false;
-            if (ring.level == 0 && cutsNothing(p)) return false;
+            if (ring.level == 0 && cutsNothing(edge)) return false;
             return !isCleared(p) && (!maker_.limited_ || isIn(task_.centres, p));
         });
     }
@@ -71,13 +74,14 @@ class PassMaker::Clipper {
         append(limits, component_.boundary.edges());
         const EdgeIndex cutters(std::move(limits));
         for (const Loop& loop : task_.centres.loops)
-            keep({loop, 0, false}, cutters, [&](const Vec2& p) {
+            keep({loop, 0, false}, cutters, [&](const Edge& edge) {
+                const Vec2 p = pointAt(edge, 0.5);
                 return contains(component_.region, p) && distanceToBoundary(component_.region, p) > on_mm_ &&
-                       !isCleared(p) && !cutsNothing(p);
+                       !isCleared(p) && !cutsNothing(edge);
             });
     }
 
-    /// Cuts the ring at the cutters. Pieces whose middle is needed become passes.
+    /// Cuts the ring at the cutters. Pieces that are needed become passes.
     template <typename Needed>
     void keep(const RingFamily::Ring& ring, const EdgeIndex& cutters, Needed needed) {
         std::vector<Path> pieces;
@@ -88,7 +92,7 @@ class PassMaker::Clipper {
             for (std::size_t i = 1; i < shares.size(); ++i) {
                 const std::optional<Edge> part = cutOut(edge, shares[i - 1], shares[i]);
                 if (!part) continue;
-                const bool kept = needed(pointAt(*part, 0.5));
+                const bool kept = needed(*part);
                 whole = whole && kept;
                 if (kept && !last_kept) pieces.push_back({part->from, {}});
                 if (kept) pieces.back().segments.push_back(part->segment);

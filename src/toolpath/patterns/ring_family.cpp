@@ -3,6 +3,7 @@
 #include "toolpath/patterns/ring_family.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
@@ -30,6 +31,13 @@ double onBoundaryMm(const Tolerances& tol) {
 
 bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const Tolerances& tol) {
     return distanceToRegion(target, p) >= radius_mm - onBoundaryMm(tol);
+}
+
+bool cutsNothing(const Region& target, double radius_mm, const Edge& edge, const Tolerances& tol) {
+    const int looks = 1 + 2 * static_cast<int>(std::ceil(length(edge) / radius_mm));
+    for (int i = 0; i < looks; ++i)
+        if (!cutsNothing(target, radius_mm, pointAt(edge, (i + 0.5) / looks), tol)) return false;
+    return true;
 }
 
 bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm) {
@@ -105,9 +113,7 @@ class FamilyMaker {
         return insets;
     }
 
-    bool isOpen(const Edge& edge) const {
-        return cutsNothing(task_.target, radius_mm_, pointAt(edge, 0.5), tol_);
-    }
+    bool isOpen(const Edge& edge) const { return cutsNothing(task_.target, radius_mm_, edge, tol_); }
 
     Openness openness(const Loop& loop) const {
         std::size_t open = 0;

@@ -61,6 +61,9 @@ double onBoundaryMm(const Tolerances& tol);
 
 /// Does a disc at p do no more than touch the target?
 bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const Tolerances& tol);
+/// The same of the disc all along an edge. Looked at every half radius: where a larger cutter's ground comes
+/// up to a wall in between, the disc touches the target in one place and cuts on both sides of it.
+bool cutsNothing(const Region& target, double radius_mm, const Edge& edge, const Tolerances& tol);
 
 /// Do curves of neighbouring levels run side by side somewhere?
 bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm);

@@ -70,6 +70,20 @@ TEST(ClearArea, ComesInOverTheOpenEndOfASlot) {
         EXPECT_TRUE(move.kind != MoveKind::Ramp && (move.kind != MoveKind::Plunge || move.in_air));
 }
 
+TEST(ClearArea, GoesAlongAWallThatALargerCutterReachedInItsMiddle) {
+    // What another cutter cleared comes up to the wall in one place; there a smaller disc only touches what
+    // is left.
+    const Region cleared = makeCircle({10, 1 - 1.5 * kTol.guard_mm}, 5);
+    const Region target = subtract(makeRectangle({0, 0}, {20, 6}), cleared, kTol);
+    const Region boss = makeRectangle({0, 6}, {20, 16});
+    const ClearingTask task = fullTask(target, boss, 4, kTol);
+    for (const Pattern pattern : {Pattern::ContourInsideOut, Pattern::Zigzag, Pattern::OneWay}) {
+        ClearingTask by = task;
+        by.pattern = pattern;
+        expectSound(clearArea(by, flatEndMill(8), cuttingData(3.6, 6), kMachine, kTol), by, 4);
+    }
+}
+
 TEST(ClearArea, StaysBelowTheTopBetweenDepthsOfAPocket) {
     const Region pocket = makeRoundedRectangle({0, 0}, {50, 40}, 6);
     const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
