@@ -65,6 +65,7 @@ bool isNumber(const std::string& text) {
 }  // namespace
 
 void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
+    options.folder_suffix = folder_suffix;
     command.add_option("PART", options.part_file, "STEP file (AP203, AP214 or AP242)")->required();
     command.add_option("-o,--output", options.out_dir, "folder to write to; default: <part>" + folder_suffix);
     command.add_option("--stock", options.stock, "box, or a STEP file in the part's coordinates")
@@ -163,6 +164,10 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
         request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());
     request.sequence.finish = {allowance(options.finish_walls_mm, "--finish-walls"),
                                allowance(options.finish_floors_mm, "--finish-floors")};
+    if (options.rough)
+        request.roughing = {
+            allowance(options.allowance_mm, "--allowance"),
+            allowance(options.floor_allowance_mm.value_or(options.allowance_mm), "--floor-allowance")};
     return request;
 }
 

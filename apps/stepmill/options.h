@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,13 @@ struct PlanOptions {
     std::string cost_model = "paths";
     double finish_walls_mm = 0;
     double finish_floors_mm = 0;
-    std::string solid;  ///< empty: the only one; a number; "all"
-    std::string unit;   ///< empty: as the file says
-    int jobs = 0;       ///< 0: one per core
+    std::string folder_suffix;                 ///< of the folder that is written to where `out_dir` is empty
+    bool rough = false;                        ///< roughing alone
+    double allowance_mm = 0.5;                 ///< of roughing
+    std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
+    std::string solid;                         ///< empty: the only one; a number; "all"
+    std::string unit;                          ///< empty: as the file says
+    int jobs = 0;                              ///< 0: one per core
     RunLimits limits;
     bool strict = false;
     bool json = false;

@@ -29,6 +29,7 @@ constexpr ReasonWords kWords[] = {
     {Reason::NoCuttingData, "no cutting data"},
     {Reason::Fixture, "fixture"},
     {Reason::BelowStanding, "below material that stays in ", "", ""},
+    {Reason::Allowance, "allowance"},
     {Reason::LeftBetweenPasses, "left between passes"},
     {Reason::NotProven, "proof"},
     {Reason::PlanningFailed, "planning failed: ", "", ""},
@@ -57,6 +58,22 @@ Reason reasonOf(SlopeCause cause) {
     for (const auto& [slope, reason] : kSlopes)
         if (slope == cause) return reason;
     throw Error(ErrorCode::Internal, "slope cause", "unknown value");
+}
+
+bool isLeftByRoughing(const StayReason& reason) {
+    switch (reason.kind) {
+        case Reason::Allowance:
+        case Reason::LeaningWall:
+        case Reason::SlantedFace:
+        case Reason::Chamfer:
+        case Reason::EdgeFillet:
+        case Reason::FloorFillet:
+        case Reason::DrillPoint:
+        case Reason::FreeForm:
+            return true;
+        default:
+            return false;
+    }
 }
 
 std::string toString(const StayReason& reason) {

@@ -56,12 +56,22 @@ double slabGap(const Layer& layer, const PlannedSetup& setup) {
     return gap;
 }
 
+/// What stays of a setup's features: what their tools leave, and the allowance.
+std::vector<ResidualPrism> leftIn(const PlannedSetup& setup) {
+    std::vector<ResidualPrism> left = residualPrisms(setup.features);
+    for (const Unplanned& entry : setup.unplanned)
+        if (entry.reason == Reason::Allowance)
+            left.push_back(
+                {entry.reason, entry.volume_mm3, {entry.region, entry.top_z_mm, entry.bottom_z_mm}});
+    return left;
+}
+
 /// What of an early setup's residuals is still there at the end and not in a later setup's own list.
 void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReason& by_reason) {
     std::vector<SetupPrism> gone;
     for (std::size_t i = accounts.size(); i-- > 0;) {
         const SetupAccount& account = accounts[i];
-        const std::vector<ResidualPrism> own = residualPrisms(account.planned->features);
+        const std::vector<ResidualPrism> own = leftIn(*account.planned);
         if (i + 1 < accounts.size()) {
             for (const ResidualPrism& residual : own)
                 by_reason[residual.reason] +=
@@ -86,11 +96,13 @@ VolumeBalance setupBooks(const SetupAccount& account) {
         for (const Residual& left : feature.sequence.residual)
             residual[left.reason] += left.volume_mm3;
     }
+    books.planned_mm3 = features_mm3 - sumOf(listOf(residual));
     VolumeByReason unreachable;
-    for (const Unplanned& unplanned : planned.unplanned)
-        unreachable[unplanned.reason] += unplanned.volume_mm3;
+    for (const Unplanned& unplanned : planned.unplanned) {
+        const bool allowance = unplanned.reason == Reason::Allowance;
+        (allowance ? residual : unreachable)[unplanned.reason] += unplanned.volume_mm3;
+    }
     const double residual_mm3 = sumOf(listOf(residual));
-    books.planned_mm3 = features_mm3 - residual_mm3;
     // Where the stock's walls lean, prisms hold air that earlier setups cut from other sides: what went is
     // what the solid lost.
     const SettledAir air = settleAir(account.air, books.planned_mm3, account.stock.removed_mm3);

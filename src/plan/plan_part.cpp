@@ -14,6 +14,7 @@
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/plan/removed.h"
+#include "stepmill/plan/roughing.h"
 #include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
@@ -130,6 +131,9 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
     SetupWalk walk(setups, shop.request.slicing, shop.tol);
     while (std::optional<Stage> stage = walk.next()) {
         setFixtures(*stage, shop.request.fixtures, shop.tol);
+        if (const auto& leaves = shop.request.roughing)
+            stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
+                                         shop.request.sequence.material, shop.tol);
         PlannedStage planned = planStage(*stage, shop, SetupProgress(progress, stages.size(), setups.size()));
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;

@@ -84,6 +84,7 @@ std::string measuresOf(const FeatureCaution& caution) {
 void warnOfUnreachable(const Plan& plan, Warnings& into) {
     for (const ReasonVolume& entry : plan.balance.unreachable_by_reason) {
         if (entry.volume_mm3 < kWorthAWarningMm3) continue;
+        if (plan.request.roughing && isLeftByRoughing(entry.reason)) continue;
         into.push_back({"unreachable", plan.part.file,
                         fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3,
                                     toString(entry.reason))});
@@ -109,7 +110,7 @@ void warnOfBooks(const Plan& plan, const std::string& largest_gap, const Toleran
 
 void warnOfShape(const Plan& plan, Warnings& into) {
     const VolumeBalance& books = plan.balance;
-    if (books.stock_minus_part_mm3 <= kVolumeRoundingMm3) return;
+    if (plan.request.roughing || books.stock_minus_part_mm3 <= kVolumeRoundingMm3) return;
     const double unreachable = books.unreachable_mm3 / books.stock_minus_part_mm3;
     const int curved = curvedFaces(plan.part);
     int faces = 0;

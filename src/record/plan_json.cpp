@@ -63,6 +63,15 @@ Json requestJson(const Plan& plan) {
             {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
 }
 
+/// Of roughing what stays on the part too.
+Json requestAndRoughingJson(const Plan& plan) {
+    Json json = requestJson(plan);
+    if (const std::optional<FinishAllowance>& leaves = plan.request.roughing)
+        json["roughing"] = {{"leaves_on_walls_mm", number(leaves->walls_mm)},
+                            {"leaves_on_floors_mm", number(leaves->floors_mm)}};
+    return json;
+}
+
 Json machineJson(const Machine& machine) {
     Json json{{"name", machine.name},
               {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
@@ -267,7 +276,7 @@ std::string planJson(const Plan& plan) {
     Json content{
         {"part", partJson(plan.part)},
         {"stock", stockJson(plan.stock)},
-        {"request", requestJson(plan)},
+        {"request", requestAndRoughingJson(plan)},
         {"machine", machineJson(plan.machine)},
         {"material", plan.material},
         {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},

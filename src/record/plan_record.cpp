@@ -122,8 +122,16 @@ RecordedFile file(const Json& json) {
 
 RecordedRequest request(const Json& json) {
     const Json& margin = json["stock_margin_mm"];
-    return {json["solid"],       json["unit"],           {margin[0], margin[1], margin[2]},
-            file(json["stock"]), file(json["fixtures"]), {json["finish_walls_mm"], json["finish_floors_mm"]}};
+    RecordedRequest request{json["solid"],
+                            json["unit"],
+                            {margin[0], margin[1], margin[2]},
+                            file(json["stock"]),
+                            file(json["fixtures"]),
+                            {json["finish_walls_mm"], json["finish_floors_mm"]},
+                            {}};
+    if (json.contains("roughing"))
+        request.roughing = {json["roughing"]["leaves_on_walls_mm"], json["roughing"]["leaves_on_floors_mm"]};
+    return request;
 }
 
 void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {

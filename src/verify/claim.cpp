@@ -13,6 +13,7 @@
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/removed.h"
+#include "stepmill/plan/roughing.h"
 #include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
@@ -223,8 +224,10 @@ class ClaimWalk {
     /// One setup, if it is as the record says.
     void derive(Stage stage, SetupWalk& walk) {
         setFixtures(stage, sources_.fixtures, tol_);
-        const std::vector<Feature> features = inBands(stage.found.features, library_, record_.material);
+        if (const auto& leaves = record_.request->roughing)
+            stage.found = withAllowance(std::move(stage.found), *leaves, library_, record_.material, tol_);
         const RecordedSetup& recorded = record_.setups[derived_.size()];
+        const std::vector<Feature> features = inBands(stage.found.features, library_, record_.material);
         SetupComparison(record_, recorded, tol_, failures_).compare(stage, features);
         if (!failures_.empty()) return;
         DerivedSetup& derived = derived_.emplace_back();

@@ -33,6 +33,7 @@ enum class Reason {
     NoCuttingData,
     Fixture,            ///< a fixture stands there
     BelowStanding,      ///< below what the features above leave
+    Allowance,          ///< roughing leaves it on walls and floors, as asked
     LeftBetweenPasses,  ///< small places that the proof found
     NotProven,          ///< no program that cuts it was proven
     PlanningFailed,     ///< an error ended the planning of its feature
@@ -55,6 +56,9 @@ StayReason stayReasonFrom(std::string_view words);
 
 /// The reason of what a wall hides that is not vertical.
 Reason reasonOf(SlopeCause cause);
+
+/// Is it what roughing leaves as it should: the allowance, and stairs on walls that lean and on curved faces?
+bool isLeftByRoughing(const StayReason& reason);
 
 /// The order of reports.
 struct InOrderOfWords {

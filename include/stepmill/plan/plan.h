@@ -100,7 +100,9 @@ struct PlanRequest {
     SliceOptions slicing;
     SequenceOptions sequence;
     FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
-    Cautions cautions;     ///< none in the first plan of a part
+    /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
+    std::optional<FinishAllowance> roughing;
+    Cautions cautions;  ///< none in the first plan of a part
 };
 
 struct Plan {
@@ -118,7 +120,8 @@ struct Plan {
     VolumeBalance balance;
     std::vector<Warning> warnings;
 
-    /// Is all of stock - part machined, nothing left over but rounding?
+    /// Is all of stock - part machined, nothing left over but rounding? Of roughing: nothing but what it is
+    /// meant to leave.
     bool complete(const Tolerances& tol) const;
 };
 

@@ -48,6 +48,7 @@ struct RecordedRequest {
     RecordedFile stock;
     RecordedFile fixtures;
     FinishAllowance finish;
+    std::optional<FinishAllowance> roughing;  ///< PlanRequest::roughing
 };
 
 /// What plan.json says that programs are proven against.
