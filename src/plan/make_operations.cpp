@@ -113,7 +113,10 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
     }
     for (std::size_t s = 0; s < setups.size(); ++s)
         letStartEarly(setups[s], first_of_setup[s], settings, operations);
-    for (const int index : orderOperations(operations, inSetupOrder(setups))) {
+    const ShortestOrder shortest = shortestOrder(operations, inSetupOrder(setups));
+    for (std::size_t s = 0; s < setups.size(); ++s)
+        if (s < shortest.weighed.size()) setups[s].orders = shortest.weighed[s];
+    for (const int index : shortest.order) {
         PlannedSetup& setup = setups[setup_of[index]];
         setup.operations.push_back(std::move(operations[index]));
         setup.operations.back().id = fmt::format("{}.O{}", setup.setup.id, setup.operations.size());

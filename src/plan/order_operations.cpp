@@ -86,9 +86,13 @@ Problem makeProblem(const std::vector<Operation>& operations, const std::vector<
         std::vector<Need>& needs = problem.needs.emplace_back();
         for (const Wait& wait : operations[i].waits)
             needs.push_back({feature_number.at(wait.feature_id), wait.operations});
-        if (!needs.empty()) continue;
+        const auto named = [&](int ancestor) {
+            return std::any_of(needs.begin(), needs.end(),
+                               [&](const Need& need) { return need.feature == ancestor; });
+        };
         for (const int ancestor : waits_for[problem.feature[i]])
-            needs.push_back({ancestor, static_cast<int>(problem.queue[ancestor].size())});
+            if (!named(ancestor))
+                needs.push_back({ancestor, static_cast<int>(problem.queue[ancestor].size())});
     }
     return problem;
 }
@@ -208,32 +212,125 @@ std::vector<int> toolVisits(const std::vector<Operation>& operations, const std:
     return visits(makeProblem(operations, features), beam_width);
 }
 
+namespace {
+
+/// Which feature lies below which, itself included: [below][above].
+using Below = std::vector<std::vector<bool>>;
+
+Below belowOf(const std::vector<Precedence>& features) {
+    std::map<std::string, std::size_t> number;
+    Below below(features.size(), std::vector<bool>(features.size(), false));
+    for (std::size_t f = 0; f < features.size(); ++f) {
+        number.emplace(features[f].feature_id, f);
+        below[f][f] = true;
+        for (const std::string& parent : features[f].parents)
+            for (std::size_t above = 0; above < f; ++above)
+                if (below[number.at(parent)][above]) below[f][above] = true;
+    }
+    return below;
+}
+
+/// What of one tool's operations comes next.
+class NextOperation {
+  public:
+    NextOperation(const std::vector<Operation>& operations, const Problem& problem,
+                  const std::vector<Precedence>& features, OrderRule rule)
+        : operations_(operations), problem_(problem), rule_(rule) {
+        if (rule == OrderRule::Branches) below_ = belowOf(features);
+    }
+
+    /// \param order  of those that are done
+    bool isBetter(int candidate, int than, const std::vector<int>& order) const {
+        if (rule_ == OrderRule::Levels && operations_[candidate].z_floor_mm != operations_[than].z_floor_mm)
+            return operations_[candidate].z_floor_mm > operations_[than].z_floor_mm;
+        if (rule_ == OrderRule::Branches) {
+            const std::size_t one = lastAbove(candidate, order);
+            const std::size_t other = lastAbove(than, order);
+            if (one != other) return one > other;
+        }
+        if (order.empty()) return false;
+        const Vec2 position = endOf(operations_[order.back()]);
+        return (startOf(operations_[candidate]) - position).norm() <
+               (startOf(operations_[than]) - position).norm();
+    }
+
+  private:
+    /// How much was done when something above the operation was done last; 0 for nothing.
+    std::size_t lastAbove(int operation, const std::vector<int>& order) const {
+        const std::vector<bool>& above = below_[problem_.feature[operation]];
+        for (std::size_t done = order.size(); done > 0; --done)
+            if (above[problem_.feature[order[done - 1]]]) return done;
+        return 0;
+    }
+
+    const std::vector<Operation>& operations_;
+    const Problem& problem_;
+    OrderRule rule_;
+    Below below_;
+};
+
+/// Rapids that join the operations of one setup.
+double travelMm(const std::vector<Operation>& operations, const std::vector<int>& order) {
+    double sum_mm = 0;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        const Toolpath& before = operations[order[i - 1]].path;
+        const Vec3 from = before.moves.empty() ? before.start : before.moves.back().to;
+        const Vec3 way = operations[order[i]].path.start - from;
+        sum_mm += way.head<2>().norm() + std::abs(way.z());
+    }
+    return sum_mm;
+}
+
+}  // namespace
+
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
-                                 const std::vector<Precedence>& features) {
+                                 const std::vector<Precedence>& features, OrderRule rule) {
     const Problem problem = makeProblem(operations, features);
+    const NextOperation next_operation(operations, problem, features, rule);
     std::vector<int> done(problem.queue.size(), 0);
     std::vector<int> order;
-    // Within a visit the nearest operation comes next, so that the tool does not cross the part for nothing.
-    std::optional<Vec2> position;
     for (const int tool : visits(problem, kBeamWidth)) {
         for (;;) {
-            int nearest = -1;
-            double nearest_mm = 0;
+            int best = -1;
             for (std::size_t f = 0; f < problem.queue.size(); ++f) {
                 const int next = nextOperation(problem, done, static_cast<int>(f));
                 if (next < 0 || problem.tool[next] != tool) continue;
-                const double distance_mm = position ? (startOf(operations[next]) - *position).norm() : 0;
-                if (nearest >= 0 && distance_mm >= nearest_mm) continue;
-                nearest = next;
-                nearest_mm = distance_mm;
+                if (best < 0 || next_operation.isBetter(next, best, order)) best = next;
             }
-            if (nearest < 0) break;
-            order.push_back(nearest);
-            ++done[problem.feature[nearest]];
-            position = endOf(operations[nearest]);
+            if (best < 0) break;
+            order.push_back(best);
+            ++done[problem.feature[best]];
         }
     }
     return order;
+}
+
+ShortestOrder shortestOrder(const std::vector<Operation>& operations,
+                            const std::vector<Precedence>& features) {
+    std::map<std::string, int> setup_of;
+    int setups = 0;
+    for (const Precedence& feature : features) {
+        setup_of[feature.feature_id] = feature.setup;
+        setups = std::max(setups, feature.setup + 1);
+    }
+    ShortestOrder shortest;
+    shortest.weighed.resize(setups);
+    std::vector<std::vector<int>> taken(setups);
+    for (const OrderRule rule : {OrderRule::Nearest, OrderRule::Branches, OrderRule::Levels}) {
+        std::vector<std::vector<int>> by_setup(setups);
+        for (const int operation : orderOperations(operations, features, rule))
+            by_setup[setup_of.at(operations[operation].feature_id)].push_back(operation);
+        for (int setup = 0; setup < setups; ++setup) {
+            std::vector<WeighedOrder>& weighed = shortest.weighed[setup];
+            const WeighedOrder found{rule, travelMm(operations, by_setup[setup])};
+            const bool better = weighed.empty() || found.travel_mm < weighed.front().travel_mm;
+            weighed.insert(better ? weighed.begin() : weighed.end(), found);
+            if (better) taken[setup] = std::move(by_setup[setup]);
+        }
+    }
+    for (const std::vector<int>& of_setup : taken)
+        shortest.order.insert(shortest.order.end(), of_setup.begin(), of_setup.end());
+    return shortest;
 }
 
 }  // namespace stepmill

@@ -29,8 +29,19 @@ std::vector<int> toolVisits(const std::vector<Operation>& operations, const std:
 
 /// Puts operations in an order that keeps parents before children, but for Operation::waits, and each
 /// feature's own tool order, and that changes tools as rarely as a greedy look-ahead finds. Returns indices
-/// into `operations`. \param features  parents before children
+/// into `operations`. \param features  parents before children \param rule  what comes next of one tool's
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
-                                 const std::vector<Precedence>& features);
+                                 const std::vector<Precedence>& features,
+                                 OrderRule rule = OrderRule::Nearest);
+
+/// An order of operations, and what was weighed for it in each setup.
+struct ShortestOrder {
+    std::vector<int> order;
+    std::vector<std::vector<WeighedOrder>> weighed;  ///< by setup; the one taken first
+};
+
+/// The same by every rule, each setup by the one with the least travel; of equals the first in OrderRule.
+ShortestOrder shortestOrder(const std::vector<Operation>& operations,
+                            const std::vector<Precedence>& features);
 
 }  // namespace stepmill

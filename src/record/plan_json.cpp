@@ -228,6 +228,10 @@ Json directionJson(const Vec3& direction) {
     return numbers;
 }
 
+Json orderJson(const WeighedOrder& order) {
+    return {{"rule", toString(order.rule)}, {"travel_mm", number(order.travel_mm)}};
+}
+
 Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions) {
     return {{"id", setup.setup.id},
             {"axis", directionJson(setup.setup.axis)},
@@ -235,6 +239,7 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions
             {"program", programName(setup.setup.id, dialect)},
             {"features", listOf(wholeFeatures(setup.features), [](const auto& f) { return Json(f.id()); })},
             {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
+            {"orders", listOf(setup.orders, orderJson)},
             {"time_s", number(setup.time_s)},
             {"motion_time_s", number(setup.motion_s)},
             {"axis_name", axisName(setup.setup.axis)},

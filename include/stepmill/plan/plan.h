@@ -13,6 +13,7 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/part/part.h"
 #include "stepmill/plan/operation.h"
+#include "stepmill/plan/operation_order.h"
 #include "stepmill/sequence/sequence.h"
 #include "stepmill/setup/clamping.h"
 #include "stepmill/setup/setup.h"
@@ -77,6 +78,7 @@ struct PlannedSetup {
     std::vector<PlannedFeature> features;  ///< parents before children
     std::vector<Unplanned> unplanned;
     std::vector<Operation> operations;  ///< in machining order
+    std::vector<WeighedOrder> orders;   ///< that were weighed for these, the one taken first
     VolumeBalance balance;
     double time_s = 0;    ///< tool changes included
     double motion_s = 0;  ///< the same with the machine's acceleration where that is given
@@ -102,7 +104,7 @@ struct PlanRequest {
     FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
-    Cautions cautions;  ///< none in the first plan of a part
+    Cautions cautions;          ///< none in the first plan of a part
 };
 
 struct Plan {

@@ -127,6 +127,16 @@ Element operationsTable(const PlannedSetup& setup) {
     return std::move(table).element();
 }
 
+/// How the order was found; nothing where there is nothing to order.
+std::optional<Element> ordersWords(const PlannedSetup& setup) {
+    if (setup.orders.empty() || setup.operations.size() < 2) return std::nullopt;
+    std::string words;
+    for (const WeighedOrder& order : setup.orders)
+        words += fmt::format("{}{}: {:.0f} mm", words.empty() ? "Rapids between operations, " : "; ",
+                             toString(order.rule), order.travel_mm);
+    return Element("p.soft", words + ". The first is taken.");
+}
+
 /// What the colours and lines of a feature's pictures stand for.
 Element keys() {
     return Element("p.keys.soft", Element("i.stays"), "must stay", Element("i.target"), "target",
@@ -144,7 +154,7 @@ Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialec
                     setupFigure(setup));
     section.mark(setupAnchor(id));
     section.add(Element("h3", "Features"), featuresTable(setup, plan.machine), Element("h3", "Tools"),
-                toolsTable(plan, setup), Element("h3", "Operations in machining order"),
+                toolsTable(plan, setup), Element("h3", "Operations in machining order"), ordersWords(setup),
                 operationsTable(setup), Element("h2", "Feature by feature"), keys());
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
         section.add(featureSection(setup, feature));

@@ -155,5 +155,37 @@ TEST(OrderOperations, KeepsPrecedenceOnRandomForests) {
     }
 }
 
+/// Two pockets at x = 0 and 10, each with one below it.
+const std::vector<Precedence> kTwoBranches{feature("A"), feature("B"), feature("A2", {"A"}),
+                                           feature("B2", {"B"})};
+
+std::vector<Operation> onTwoBranches(double a2_mm, double b2_mm) {
+    std::vector<Operation> operations{operation("A", "T", 0), operation("B", "T", 10),
+                                      operation("A2", "T", a2_mm), operation("B2", "T", b2_mm)};
+    for (std::size_t i = 0; i < operations.size(); ++i)
+        operations[i].z_floor_mm = i < 2 ? -5 : -10;
+    return operations;
+}
+
+TEST(OrderOperations, GoesBranchByBranchOrLevelByLevel) {
+    const std::vector<Operation> operations = onTwoBranches(30, 25);
+    EXPECT_EQ(orderOperations(operations, kTwoBranches, OrderRule::Nearest), (std::vector<int>{0, 1, 3, 2}));
+    EXPECT_EQ(orderOperations(operations, kTwoBranches, OrderRule::Branches), (std::vector<int>{0, 2, 1, 3}));
+    EXPECT_EQ(orderOperations(operations, kTwoBranches, OrderRule::Levels), (std::vector<int>{0, 1, 3, 2}));
+}
+
+TEST(OrderOperations, TakesTheShortestOrderOfEachSetup) {
+    // The nearest next leads back and forth: 0, 4, -5, 14.
+    std::vector<Operation> operations = onTwoBranches(4, 14);
+    operations[1].path.start.x() = -5;
+    const ShortestOrder shortest = shortestOrder(operations, kTwoBranches);
+    ASSERT_EQ(shortest.weighed.size(), 1U);
+    const std::vector<WeighedOrder>& weighed = shortest.weighed.front();
+    ASSERT_EQ(weighed.size(), 3U);
+    EXPECT_EQ(weighed.front().rule, OrderRule::Levels);
+    EXPECT_DOUBLE_EQ(weighed.front().travel_mm, 5 + 9 + 10);
+    EXPECT_EQ(shortest.order, (std::vector<int>{0, 1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace stepmill
