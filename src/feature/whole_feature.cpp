@@ -16,6 +16,10 @@ int bandNumber(const Feature& band) {
     return band.band ? band.band->number : 1;
 }
 
+int bandCount(const Feature& band) {
+    return band.band ? band.band->count : 1;
+}
+
 FeatureClass classOfWhole(const Feature& uppermost, const Feature& lowest) {
     return hasFloor(lowest.feature_class) ? uppermost.feature_class : lowest.feature_class;
 }

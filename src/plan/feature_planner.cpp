@@ -1,10 +1,15 @@
 #include "plan/feature_planner.h"
 
 #include <mutex>
+#include <set>
 
 #include <tbb/parallel_for.h>
 
+#include "plan/nests.h"
+#include "plan/propose_ground.h"
+#include "plan/share_tools.h"
 #include "stepmill/core/error.h"
+#include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/reduced_feature.h"
 #include "stepmill/plan/setup_fixtures.h"
@@ -41,68 +46,225 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
     return sequence;
 }
 
-/// Parents come first, so one pass finds how many generations lie above each feature.
-std::vector<std::vector<std::size_t>> generations(const std::vector<Feature>& features) {
-    std::map<std::string, std::size_t> depth;
-    std::vector<std::vector<std::size_t>> result;
-    for (std::size_t i = 0; i < features.size(); ++i) {
-        std::size_t own = 0;
-        for (const std::string& parent : features[i].parents)
-            own = std::max(own, depth.at(parent) + 1);
-        depth[features[i].id] = own;
-        if (own >= result.size()) result.resize(own + 1);
-        result[own].push_back(i);
+/// Together is taken where it weighs no more than this share: beside other features, which call tools anyway,
+/// less would be no gain.
+constexpr double kGroundPays = 0.995;
+/// So often ground is sought anew beside the ground that was found.
+constexpr int kMostGroundRounds = 3;
+
+/// Planned features that belong together, parents before children, with what went wrong.
+struct PlannedNest {
+    std::vector<PlannedFeature> features;
+    std::vector<std::string> failures;  ///< of each; empty where it was planned
+
+    bool failed() const {
+        return std::any_of(failures.begin(), failures.end(),
+                           [](const std::string& failure) { return !failure.empty(); });
     }
-    return result;
+    double residualMm3() const {
+        double sum_mm3 = 0;
+        for (const PlannedFeature& planned : features)
+            sum_mm3 += residualVolumeMm3(planned.sequence);
+        return sum_mm3;
+    }
+};
+
+/// Seconds or money of a path with the change to its tool.
+double weightOf(const PathTotals& path, const std::string& tool, const PlanningShop& shop) {
+    const EdgeCost cost = edgeCost(path, shop.library.tool(tool), shop.machine);
+    return shop.request.sequence.objective == Objective::Time ? cost.motion_s : cost.motion_cost;
 }
 
-/// Plans features generation by generation: one has to know what those above it leave.
+/// Seconds or money of all paths and tool changes, with tools shared as the plan will share them.
+double weightOf(const PlannedNest& nest, const PlanningShop& shop) {
+    const double change = weightOf({}, shop.library.tools.front().id, shop);
+    std::set<std::string> own;
+    std::vector<Precedence> precedences;
+    std::vector<std::vector<SequenceChoice>> choices;
+    double paths = 0;
+    for (const PlannedFeature& planned : nest.features) {
+        Precedence precedence{planned.feature.id, {}, 0, {}};
+        for (const std::string& parent : planned.feature.parents)
+            if (own.count(parent) > 0) precedence.parents.push_back(parent);
+        own.insert(planned.feature.id);
+        precedences.push_back(std::move(precedence));
+        choices.push_back(choicesOf(planned.sequence));
+        for (const SequenceStep& step : planned.sequence.steps)
+            paths += weightOf(step.path.totals, step.tool_id, shop) - change;
+    }
+    const SharedChoice shared = shareTools(precedences, choices, change, shop.library, 0);
+    return paths + shared.gain.visits_alone * change - shared.gain.saved;
+}
+
+/// "S1.G2.1" of the ground that begins in S1.F2.1.
+std::string groundIds(const Feature& first) {
+    std::string id = first.id;
+    id.replace(id.find(".F"), 2, ".G");
+    return id;
+}
+
+/// Plans the features of a setup nest by nest: one has to know what those above it leave.
 class FeaturePlanner {
   public:
     FeaturePlanner(std::vector<Feature>&& features, const Setup& setup, const PlanningShop& shop,
                    const Progress& progress)
-        : setup_(setup), shop_(shop), progress_(progress) {
-        generations_ = generations(features);
-        planned_.resize(features.size());
-        failures_.resize(features.size());
-        for (std::size_t i = 0; i < features.size(); ++i) {
-            planned_[i].feature = std::move(features[i]);
-            number_[planned_[i].feature.id] = i;
-        }
-    }
+        : features_(std::move(features)), setup_(setup), shop_(shop), progress_(progress) {}
 
     PlannedFeatures plan() {
-        for (const std::vector<std::size_t>& generation : generations_) {
+        const std::vector<Nest> nests = nestsOf(features_);
+        std::vector<PlannedNest> planned(nests.size());
+        for (const std::vector<std::size_t>& generation : generationsOf(nests, features_)) {
             tbb::parallel_for(std::size_t{0}, generation.size(), [&](std::size_t i) {
-                reportStart(planned_[generation[i]].feature.id);
-                planOne(generation[i]);
+                planned[generation[i]] = planNest(nests[generation[i]]);
             });
+            for (const std::size_t nest : generation)
+                publish(nests[nest], planned[nest]);
         }
-        PlannedFeatures found;
-        for (std::size_t i = 0; i < planned_.size(); ++i) {
-            if (!failures_[i].empty())
-                found.warnings.push_back({"feature-failed", planned_[i].feature.id, failures_[i]});
-        }
-        found.features = std::move(planned_);
-        return found;
+        return inOrder(nests, std::move(planned));
     }
 
   private:
     void reportStart(const std::string& id) {
         const std::lock_guard lock(progress_mutex_);
-        const double done = static_cast<double>(started_++) / static_cast<double>(planned_.size());
-        if (progress_) progress_(id, done);
+        const double done = static_cast<double>(started_++) / static_cast<double>(features_.size());
+        if (progress_) progress_(id, std::min(1.0, done));
     }
 
-    void planOne(std::size_t index) {
-        PlannedFeature& planned = planned_[index];
-        std::string& failure = failures_[index];
-        planned.sequence = sequenceOrResidual(planned.feature, failure, [&] {
-            const CutById by_id = [&](const std::string& id) { return asCut(planned_[number_.at(id)]); };
-            const ReducedFeature free =
-                reduced(planned.feature, parentsOf(planned.feature, by_id),
-                        ancestorsOf(planned.feature, by_id), setup_.fixtures, shop_.tol);
-            ToolSequence sequence = sequenceOf(free.feature, planned.feature);
+    /// What later generations ask of a nest.
+    void publish(const Nest& nest, const PlannedNest& planned) {
+        for (const PlannedFeature& feature : planned.features)
+            known_[feature.feature.id] = &feature;
+        std::vector<std::string> kept;
+        for (const std::size_t i : nest) {
+            const std::string& id = features_[i].id;
+            if (known_.count(id) > 0)
+                kept.push_back(id);
+            else
+                stands_in_[id] = standInFor(id, kept, planned);
+        }
+    }
+
+    /// What the children of a level wait for that common ground took whole: the level above, if that has some
+    /// of the ground too, else the ground. \param kept  levels above that are still there
+    static std::string standInFor(const std::string& id, const std::vector<std::string>& kept,
+                                  const PlannedNest& planned) {
+        const auto has = [](const PlannedFeature& ground, const std::string& level) {
+            const std::vector<std::string>& levels = ground.feature.ground_of;
+            return std::find(levels.begin(), levels.end(), level) != levels.end();
+        };
+        const auto ground = std::find_if(planned.features.rbegin(), planned.features.rend(),
+                                         [&](const PlannedFeature& one) { return has(one, id); });
+        STEPMILL_CHECK(ground != planned.features.rend(), "only common ground takes a level");
+        return !kept.empty() && has(*ground, kept.back()) ? kept.back() : ground->feature.id;
+    }
+
+    /// The features in the order they came in, each ground before the first of its levels.
+    PlannedFeatures inOrder(const std::vector<Nest>& nests, std::vector<PlannedNest> planned) const {
+        std::vector<std::size_t> nest_of(features_.size());
+        for (std::size_t n = 0; n < nests.size(); ++n)
+            for (const std::size_t i : nests[n])
+                nest_of[i] = n;
+        PlannedFeatures result;
+        std::vector<std::size_t> next(nests.size(), 0);
+        for (std::size_t i = 0; i < features_.size(); ++i) {
+            PlannedNest& nest = planned[nest_of[i]];
+            for (std::size_t& k = next[nest_of[i]]; k < nest.features.size(); ++k) {
+                PlannedFeature& one = nest.features[k];
+                const bool itself = one.feature.id == features_[i].id;
+                if (!itself && one.feature.ground_of.empty()) break;
+                if (!nest.failures[k].empty())
+                    result.warnings.push_back({"feature-failed", one.feature.id, nest.failures[k]});
+                result.features.push_back(std::move(one));
+                if (itself) {
+                    ++k;
+                    break;
+                }
+            }
+        }
+        return result;
+    }
+
+    /// The levels one after another, or cut together where that is quicker and leaves no more.
+    PlannedNest planNest(const Nest& nest) {
+        std::vector<Feature> levels;
+        for (const std::size_t i : nest) {
+            reportStart(features_[i].id);
+            levels.push_back(belowGround(features_[i]));
+        }
+        PlannedNest best = planAll(levels);
+        if (!mayShareGround(levels) || best.failed()) return best;
+        for (int round = 0; round < kMostGroundRounds; ++round)
+            if (!shareMoreGround(groundIds(levels.front()), best)) break;
+        return best;
+    }
+
+    /// Takes common ground out of the nest where it is quicker so and leaves no more.
+    bool shareMoreGround(const std::string& ids, PlannedNest& best) const {
+        const std::vector<CommonGround> grounds =
+            proposeGround(best.features, shop_.library, shop_.request.sequence.material, ids, shop_.tol);
+        // All of them, or without those that promise least.
+        for (std::size_t count = grounds.size(); count > 0; --count) {
+            std::vector<Feature> features;
+            for (const PlannedFeature& planned : best.features)
+                features.push_back(planned.feature);
+            for (std::size_t i = 0; i < count; ++i)
+                if (isCommonGround(features, grounds[i], shop_.tol))
+                    features = withCommonGround(std::move(features), grounds[i], shop_.tol);
+            PlannedNest together = planAll(features);
+            if (together.failed() || together.residualMm3() > best.residualMm3() + kVolumeRoundingMm3)
+                continue;
+            if (weightOf(together, shop_) > kGroundPays * weightOf(best, shop_)) continue;
+            best = std::move(together);
+            return true;
+        }
+        return false;
+    }
+
+    bool mayShareGround(const std::vector<Feature>& levels) const {
+        const PlanRequest& request = shop_.request;
+        if (levels.size() < 2 || !request.common_ground || request.sequence.finish.any()) return false;
+        const std::string grounds = groundIds(levels.front()) + ".";
+        return std::none_of(request.cautions.begin(), request.cautions.end(), [&](const auto& caution) {
+            return caution.first.starts_with(grounds) ||
+                   std::any_of(levels.begin(), levels.end(),
+                               [&](const Feature& level) { return level.id == caution.first; });
+        });
+    }
+
+    /// The feature with what stands in for parents that are gone.
+    Feature belowGround(Feature feature) const {
+        std::vector<std::string> parents;
+        for (const std::string& parent : feature.parents) {
+            const auto gone = stands_in_.find(parent);
+            const std::string& id = gone == stands_in_.end() ? parent : gone->second;
+            if (std::find(parents.begin(), parents.end(), id) == parents.end()) parents.push_back(id);
+        }
+        feature.parents = std::move(parents);
+        return feature;
+    }
+
+    /// \param features  parents before children
+    PlannedNest planAll(const std::vector<Feature>& features) const {
+        PlannedNest nest;
+        nest.features.reserve(features.size());
+        const CutById by_id = [&](const std::string& id) {
+            for (const PlannedFeature& planned : nest.features)
+                if (planned.feature.id == id) return asCut(planned);
+            return asCut(*known_.at(id));
+        };
+        for (const Feature& feature : features) {
+            std::string& failure = nest.failures.emplace_back();
+            ToolSequence sequence = planOne(feature, by_id, failure);
+            nest.features.push_back({feature, std::move(sequence)});
+        }
+        return nest;
+    }
+
+    ToolSequence planOne(const Feature& feature, const CutById& by_id, std::string& failure) const {
+        return sequenceOrResidual(feature, failure, [&] {
+            const ReducedFeature free = reduced(feature, parentsOf(feature, by_id),
+                                                ancestorsOf(feature, by_id), setup_.fixtures, shop_.tol);
+            ToolSequence sequence = sequenceOf(free.feature, feature);
             sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
             return sequence;
         });
@@ -135,13 +297,12 @@ class FeaturePlanner {
         return options;
     }
 
+    std::vector<Feature> features_;
     const Setup& setup_;
     const PlanningShop& shop_;
     const Progress& progress_;
-    std::vector<std::vector<std::size_t>> generations_;
-    std::vector<PlannedFeature> planned_;
-    std::vector<std::string> failures_;
-    std::map<std::string, std::size_t> number_;
+    std::map<std::string, const PlannedFeature*> known_;  ///< of earlier generations, by id
+    std::map<std::string, std::string> stands_in_;        ///< by the id of a level that is gone
     std::mutex progress_mutex_;
     std::size_t started_ = 0;
 };

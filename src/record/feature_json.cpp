@@ -110,10 +110,20 @@ Json residualJson(const Residual& residual, RegionTables& regions) {
             {"advice", residual.advice}};
 }
 
-Json bandJson(const PlannedFeature& planned, FeatureTables& tables) {
+/// The bands that a band waits for.
+Json parentsJson(const Feature& band, const BandsById& bands) {
+    return listOf(band.parents, [&](const std::string& id) {
+        const Feature& parent = *bands.at(id);
+        return Json{{"feature", wholeOf(parent)}, {"band", bandNumber(parent)}};
+    });
+}
+
+Json bandJson(const PlannedFeature& planned, const BandsById& bands, FeatureTables& tables) {
     const Feature& band = planned.feature;
     const ToolSequence& sequence = planned.sequence;
-    return {{"class", toString(band.feature_class)},
+    return {{"band", bandNumber(band)},
+            {"class", toString(band.feature_class)},
+            {"parents", parentsJson(band, bands)},
             {"top_z_mm", number(band.top_z_mm)},
             {"floor_z_mm", number(band.floor_z_mm)},
             {"area_mm2", number(band.area_mm2)},
@@ -142,14 +152,6 @@ Json bandJson(const PlannedFeature& planned, FeatureTables& tables) {
              })}};
 }
 
-/// The bands that the feature's uppermost one waits for; every other waits for the one above it.
-Json parentsJson(const Feature& uppermost, const BandsById& bands) {
-    return listOf(uppermost.parents, [&](const std::string& id) {
-        const Feature& parent = *bands.at(id);
-        return Json{{"feature", wholeOf(parent)}, {"band", bandNumber(parent)}};
-    });
-}
-
 }  // namespace
 
 std::size_t ObstacleTable::add(const Obstacle& obstacle, RegionTables& regions) {
@@ -171,19 +173,21 @@ BandsById bandsById(const std::vector<PlannedFeature>& features) {
 Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& bands, const Machine& machine,
                  FeatureTables& tables) {
     const FeatureTimes times = timesOf(feature, machine);
-    return {{"id", feature.id()},
-            {"setup", feature.uppermost().setup_id},
-            {"class", toString(feature.featureClass())},
-            {"parents", parentsJson(feature.uppermost(), bands)},
-            {"top_z_mm", number(feature.uppermost().top_z_mm)},
-            {"floor_z_mm", number(feature.lowest().floor_z_mm)},
-            {"depth_mm", number(feature.depth_mm())},
-            {"volume_mm3", number(feature.volume_mm3())},
-            {"time_s", number(times.time_s)},
-            {"motion_time_s", number(times.motion_s)},
-            {"lower_bound_s", number(times.lower_bound_s)},
-            {"bands",
-             listOf(feature.bands, [&](const PlannedFeature* band) { return bandJson(*band, tables); })}};
+    Json json{{"id", feature.id()},
+              {"setup", feature.uppermost().setup_id},
+              {"class", toString(feature.featureClass())},
+              {"levels", bandCount(feature.uppermost())},
+              {"top_z_mm", number(feature.uppermost().top_z_mm)},
+              {"floor_z_mm", number(feature.lowest().floor_z_mm)},
+              {"depth_mm", number(feature.depth_mm())},
+              {"volume_mm3", number(feature.volume_mm3())},
+              {"time_s", number(times.time_s)},
+              {"motion_time_s", number(times.motion_s)},
+              {"lower_bound_s", number(times.lower_bound_s)},
+              {"bands", listOf(feature.bands,
+                               [&](const PlannedFeature* band) { return bandJson(*band, bands, tables); })}};
+    if (!feature.uppermost().ground_of.empty()) json["ground_of"] = feature.uppermost().ground_of;
+    return json;
 }
 
 }  // namespace stepmill::record

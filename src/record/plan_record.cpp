@@ -14,7 +14,7 @@ namespace stepmill {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using record::BandCounts;
+using record::BandsOf;
 using record::failAt;
 using record::ReadTables;
 
@@ -47,7 +47,7 @@ Enum known(const std::optional<Enum>& value, const std::string& word) {
 }
 
 RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools,
-                            const BandCounts& bands) {
+                            const BandsOf& bands) {
     RecordedOperation operation;
     operation.id = json["id"];
     operation.setup_id = json["setup"];
@@ -73,8 +73,7 @@ Fixture fixture(const Json& json, const std::string& pointer, ReadTables& tables
             json["top_z_mm"]};
 }
 
-RecordedSetup setup(const Json& json, const std::string& pointer, const BandCounts& bands,
-                    ReadTables& tables) {
+RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf& bands, ReadTables& tables) {
     RecordedSetup setup;
     setup.id = json["id"];
     for (int i = 0; i < 3; ++i)
@@ -171,7 +170,7 @@ int formatOf(std::string_view text) {
     failAt(error.substr(0, colon), error.substr(colon + 2));
 }
 
-void readFeatures(const Json& plan, const BandCounts& bands, ReadTables& tables, PlanRecord& record) {
+void readFeatures(const Json& plan, const BandsOf& bands, ReadTables& tables, PlanRecord& record) {
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
         for (RecordedFeature& band :
              record::readFeature(plan["features"][i], fmt::format("#/features/{}", i), bands, tables)) {
@@ -200,7 +199,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.stock_volume_mm3 = plan["stock"]["volume_mm3"];
     for (const Json& one : plan["tools"])
         record.tools[one["id"]] = tool(one);
-    const BandCounts bands = record::bandCounts(plan);
+    const BandsOf bands = record::bandsOf(plan);
     ReadTables tables(plan);
     readFeatures(plan, bands, tables, record);
     for (const Json& one : plan["operations"])

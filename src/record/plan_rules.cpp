@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -65,32 +67,68 @@ void checkListed(const Json& plan, const char* list) {
                    fmt::format("no setup lists '{}'", plan[list][i]["id"].get<std::string>()));
 }
 
-/// Features by their ids, as far as they are known.
-using FeaturesById = std::map<std::string, const Json*>;
+using BandName = std::pair<std::string, int>;
+
+BandName nameOf(const Json& name) {
+    return {name["feature"], name["band"]};
+}
+
+std::string wordsOf(const BandName& band) {
+    return fmt::format("band {} of '{}'", band.second, band.first);
+}
+
+/// The bands of a plan with the setups they are cut in.
+std::map<BandName, std::string> setupsOfBands(const Json& plan) {
+    std::map<BandName, std::string> setups;
+    for (const Json& feature : plan["features"])
+        for (const Json& band : feature["bands"])
+            setups[{feature["id"], band["band"]}] = feature["setup"];
+    return setups;
+}
 
 /// Is it a band of a known feature of the setup? \param name  with the members "feature" and "band"
-bool isBand(const Json& name, const Json& setup, const FeaturesById& features) {
-    const auto found = features.find(name["feature"]);
-    return found != features.end() && (*found->second)["setup"] == setup &&
-           name["band"].get<std::size_t>() <= (*found->second)["bands"].size();
+bool isBand(const Json& name, const Json& setup, const std::map<BandName, std::string>& setups) {
+    const auto found = setups.find(nameOf(name));
+    return found != setups.end() && found->second == setup;
 }
 
-std::string wordsOf(const Json& band) {
-    return fmt::format("band {} of '{}'", band["band"].get<int>(), band["feature"].get<std::string>());
+/// No band waits for itself, by way of others or not: those whose parents are done are taken away until none
+/// is left.
+void checkNoCircle(const Json& plan) {
+    std::map<BandName, std::size_t> waits_for;
+    std::map<BandName, std::vector<BandName>> children;
+    std::vector<BandName> ready;
+    for (const Json& feature : plan["features"])
+        for (const Json& band : feature["bands"]) {
+            const BandName name{feature["id"], band["band"]};
+            waits_for[name] = band["parents"].size();
+            if (band["parents"].empty()) ready.push_back(name);
+            for (const Json& parent : band["parents"])
+                children[nameOf(parent)].push_back(name);
+        }
+    while (!ready.empty()) {
+        const BandName done = ready.back();
+        ready.pop_back();
+        waits_for.erase(done);
+        for (const BandName& child : children[done])
+            if (--waits_for.at(child) == 0) ready.push_back(child);
+    }
+    if (!waits_for.empty())
+        failAt("#/features", fmt::format("{} waits for itself", wordsOf(waits_for.begin()->first)));
 }
 
-/// Parents are of the same setup and stand before their children.
+/// Parents are other bands of the same setup.
 void checkParents(const Json& plan) {
-    FeaturesById before;
+    const std::map<BandName, std::string> setups = setupsOfBands(plan);
     for (std::size_t i = 0; i < plan["features"].size(); ++i) {
         const Json& feature = plan["features"][i];
-        for (const Json& parent : feature["parents"])
-            if (!isBand(parent, feature["setup"], before))
-                failAt(at("features", i, "parents"),
-                       fmt::format("{} is none of a feature of this setup that stands before this one",
-                                   wordsOf(parent)));
-        before[feature["id"]] = &feature;
+        for (std::size_t k = 0; k < feature["bands"].size(); ++k)
+            for (const Json& parent : feature["bands"][k]["parents"])
+                if (!isBand(parent, feature["setup"], setups))
+                    failAt(fmt::format("{}/{}/parents", at("features", i, "bands"), k),
+                           fmt::format("{} is none of this setup", wordsOf(nameOf(parent))));
     }
+    checkNoCircle(plan);
 }
 
 /// Every list of a table by column has an entry for each of its rows.
@@ -110,7 +148,16 @@ void checkSame(const Json& feature, const char* field, double by_bands, double s
                fmt::format("expected what its bands say, {:.6f}, found {:.6f}", by_bands, told));
 }
 
-/// A feature is what its bands make up, each where the one above it ends.
+/// Bands are numbered from above, each where the one above it ends; common ground may have taken some.
+void checkBandAbove(const Json& above, const Json& band, const std::string& pointer) {
+    const int apart = band["band"].get<int>() - above["band"].get<int>();
+    if (apart < 1) failAt(pointer + "/band", "expected a number above that of the band above");
+    const double gap_mm = above["floor_z_mm"].get<double>() - band["top_z_mm"].get<double>();
+    if (apart == 1 ? gap_mm != 0 : gap_mm <= 0)
+        failAt(pointer + "/top_z_mm", "expected the floor of the band above");
+}
+
+/// A feature is what its bands make up.
 void checkBands(const Json& feature, const std::string& pointer) {
     const Json& bands = feature["bands"];
     double volume_mm3 = 0;
@@ -118,9 +165,10 @@ void checkBands(const Json& feature, const std::string& pointer) {
         volume_mm3 += bands[i]["volume_mm3"].get<double>();
         checkColumns(bands[i]["tools"], fmt::format("{}/bands/{}/tools", pointer, i));
         checkColumns(bands[i]["dag"]["edges"], fmt::format("{}/bands/{}/dag/edges", pointer, i));
-        if (i > 0 && bands[i]["top_z_mm"] != bands[i - 1]["floor_z_mm"])
-            failAt(fmt::format("{}/bands/{}/top_z_mm", pointer, i), "expected the floor of the band above");
+        if (i > 0) checkBandAbove(bands[i - 1], bands[i], fmt::format("{}/bands/{}", pointer, i));
     }
+    if (bands.back()["band"] > feature["levels"])
+        failAt(pointer + "/levels", "expected no less than the number of the lowest band");
     const double slack = kWritten * static_cast<double>(bands.size() + 1);
     const double top_z_mm = bands.front()["top_z_mm"];
     const double floor_z_mm = bands.back()["floor_z_mm"];
@@ -153,7 +201,7 @@ void checkTool(const Json& tool, const std::string& pointer) {
 }
 
 void checkOperation(const Json& operation, const std::map<std::string, Json>& tools,
-                    const FeaturesById& features, const std::string& pointer) {
+                    const std::map<BandName, std::string>& setups_of_bands, const std::string& pointer) {
     const auto tool = tools.find(operation["tool"]);
     if (tool == tools.end())
         failAt(pointer + "/tool",
@@ -162,9 +210,9 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     if (drills != (operation["role"] == "drill"))
         failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
                                               tool->second["type"].get<std::string>()));
-    if (!isBand(operation, operation["setup"], features))
-        failAt(pointer + "/feature",
-               fmt::format("expected a feature of this plan and setup, found {}", wordsOf(operation)));
+    if (!isBand(operation, operation["setup"], setups_of_bands))
+        failAt(pointer + "/feature", fmt::format("expected a feature of this plan and setup, found {}",
+                                                 wordsOf(nameOf(operation))));
     if (operation["z_top_mm"].get<double>() <= operation["z_floor_mm"].get<double>())
         failAt(pointer + "/z_top_mm", "expected a top above the floor");
 }
@@ -209,19 +257,17 @@ void checkPlanRules(const Json& plan) {
     for (const char* list : {"setups", "tools", "features", "operations"})
         checkUnique(plan, list, "id");
     checkUnique(plan, "tools", "number");
+    for (std::size_t i = 0; i < plan["features"].size(); ++i)
+        checkBands(plan["features"][i], at("features", i));
     checkParents(plan);
     std::map<std::string, Json> tools;
     for (std::size_t i = 0; i < plan["tools"].size(); ++i) {
         checkTool(plan["tools"][i], at("tools", i));
         tools[plan["tools"][i]["id"]] = plan["tools"][i];
     }
-    FeaturesById features;
-    for (std::size_t i = 0; i < plan["features"].size(); ++i) {
-        features[plan["features"][i]["id"]] = &plan["features"][i];
-        checkBands(plan["features"][i], at("features", i));
-    }
+    const std::map<BandName, std::string> setups_of_bands = setupsOfBands(plan);
     for (std::size_t i = 0; i < plan["operations"].size(); ++i)
-        checkOperation(plan["operations"][i], tools, features, at("operations", i));
+        checkOperation(plan["operations"][i], tools, setups_of_bands, at("operations", i));
     checkListed(plan, "features");
     checkListed(plan, "operations");
     checkAxes(plan);

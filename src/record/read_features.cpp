@@ -129,41 +129,45 @@ const Obstacle& ReadTables::obstacle(const Json& number, const std::string& poin
     return obstacle;
 }
 
-BandCounts bandCounts(const Json& plan) {
-    BandCounts counts;
-    for (const Json& feature : plan["features"])
-        counts[feature["id"]] = static_cast<int>(feature["bands"].size());
-    return counts;
+BandsOf bandsOf(const Json& plan) {
+    BandsOf bands;
+    for (const Json& feature : plan["features"]) {
+        RecordedBands& own = bands[feature["id"]];
+        own.count = feature["levels"];
+        for (const Json& band : feature["bands"])
+            own.numbers.push_back(band["band"]);
+    }
+    return bands;
 }
 
-std::string namedBand(const Json& name, const BandCounts& counts) {
-    return bandId(name["feature"], name["band"], counts.at(name["feature"]));
+std::string namedBand(const Json& name, const BandsOf& bands) {
+    return bandId(name["feature"], name["band"], bands.at(name["feature"]).count);
 }
 
-std::vector<std::string> bandIds(const std::string& feature_id, const BandCounts& counts) {
-    const int count = counts.at(feature_id);
+std::vector<std::string> bandIds(const std::string& feature_id, const BandsOf& bands) {
+    const RecordedBands& own = bands.at(feature_id);
     std::vector<std::string> ids;
-    for (int number = 1; number <= count; ++number)
-        ids.push_back(bandId(feature_id, number, count));
+    for (const int number : own.numbers)
+        ids.push_back(bandId(feature_id, number, own.count));
     return ids;
 }
 
-std::vector<RecordedFeature> readFeature(const Json& json, const std::string& pointer,
-                                         const BandCounts& counts, ReadTables& tables) {
-    const std::vector<std::string> ids = bandIds(json["id"], counts);
-    std::vector<RecordedFeature> bands;
+std::vector<RecordedFeature> readFeature(const Json& json, const std::string& pointer, const BandsOf& bands,
+                                         ReadTables& tables) {
+    const RecordedBands& own = bands.at(json["id"]);
+    const std::vector<std::string> ids = bandIds(json["id"], bands);
+    std::vector<RecordedFeature> read;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        bands.push_back(readBand(json["bands"][i], fmt::format("{}/bands/{}", pointer, i), tables));
-        Feature& band = bands.back().feature;
+        read.push_back(readBand(json["bands"][i], fmt::format("{}/bands/{}", pointer, i), tables));
+        Feature& band = read.back().feature;
         band.id = ids[i];
         band.setup_id = json["setup"];
-        if (ids.size() > 1)
-            band.band = Band{json["id"], static_cast<int>(i) + 1, static_cast<int>(ids.size())};
-        if (i > 0) band.parents = {ids[i - 1]};
+        if (own.count > 1) band.band = Band{json["id"], own.numbers[i], own.count};
+        if (json.contains("ground_of")) band.ground_of = json["ground_of"].get<std::vector<std::string>>();
+        for (const Json& parent : json["bands"][i]["parents"])
+            band.parents.push_back(namedBand(parent, bands));
     }
-    for (const Json& parent : json["parents"])
-        bands.front().feature.parents.push_back(namedBand(parent, counts));
-    return bands;
+    return read;
 }
 
 }  // namespace stepmill::record

@@ -32,19 +32,25 @@ class ReadTables {
     std::size_t segments_ = 0;  // of all that was asked for
 };
 
-/// How many bands each feature has, by its id.
-using BandCounts = std::map<std::string, int>;
-BandCounts bandCounts(const nlohmann::ordered_json& plan);
+/// The bands that a feature has in the plan.
+struct RecordedBands {
+    int count = 1;             ///< as it was parted
+    std::vector<int> numbers;  ///< of those that common ground has left, from above
+};
+
+/// By the feature's id.
+using BandsOf = std::map<std::string, RecordedBands>;
+BandsOf bandsOf(const nlohmann::ordered_json& plan);
 
 /// Id of the band that an operation or a child names: its members "feature" and "band".
-std::string namedBand(const nlohmann::ordered_json& name, const BandCounts& counts);
+std::string namedBand(const nlohmann::ordered_json& name, const BandsOf& bands);
 
 /// The ids of a feature's bands, from above.
-std::vector<std::string> bandIds(const std::string& feature_id, const BandCounts& counts);
+std::vector<std::string> bandIds(const std::string& feature_id, const BandsOf& bands);
 
 /// The bands of one entry of features, from above. \throws Error(InvalidCatalog) naming what contradicts
 /// itself
 std::vector<RecordedFeature> readFeature(const nlohmann::ordered_json& json, const std::string& pointer,
-                                         const BandCounts& counts, ReadTables& tables);
+                                         const BandsOf& bands, ReadTables& tables);
 
 }  // namespace stepmill::record

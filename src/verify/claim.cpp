@@ -11,6 +11,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/books.h"
+#include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/removed.h"
 #include "stepmill/plan/roughing.h"
@@ -227,7 +228,9 @@ class ClaimWalk {
         if (const auto& leaves = record_.request->roughing)
             stage.found = withAllowance(std::move(stage.found), *leaves, library_, record_.material, tol_);
         const RecordedSetup& recorded = record_.setups[derived_.size()];
-        const std::vector<Feature> features = inBands(stage.found.features, library_, record_.material);
+        const std::vector<Feature> features =
+            besideGrounds(inBands(stage.found.features, library_, record_.material), recorded);
+        if (!failures_.empty()) return;
         SetupComparison(record_, recorded, tol_, failures_).compare(stage, features);
         if (!failures_.empty()) return;
         DerivedSetup& derived = derived_.emplace_back();
@@ -242,6 +245,23 @@ class ClaimWalk {
         derived.planned.setup = stage.setup;
         derived.planned.unplanned = stage.found.unplanned;
         derived.layers = std::move(stage.layers);
+    }
+
+    /// The features with the grounds that the record takes out of them: which ground is up to the plan, as
+    /// long as all its levels have it.
+    std::vector<Feature> besideGrounds(std::vector<Feature> features, const RecordedSetup& recorded) {
+        for (const std::string& id : recorded.feature_ids) {
+            const Feature& feature = record_.features.at(id).feature;
+            if (feature.ground_of.empty()) continue;
+            const CommonGround ground{id, feature.ground_of, feature.target};
+            if (isCommonGround(features, ground, tol_)) {
+                features = withCommonGround(std::move(features), ground, tol_);
+                continue;
+            }
+            failures_.push_back({"plan.json", 0, id, "is no ground that its levels share"});
+            break;
+        }
+        return features;
     }
 
     /// What the plan says of the whole follows from its features and what stays of them.

@@ -19,24 +19,21 @@ struct BandOfPlan {
 inline std::string bandNamed(const nlohmann::ordered_json& name, const nlohmann::ordered_json& plan) {
     const std::string feature = name.at("feature");
     for (const auto& one : plan.at("features"))
-        if (one.at("id") == feature && one.at("bands").size() > 1)
+        if (one.at("id") == feature && one.at("levels") > 1)
             return feature + "." + std::to_string(name.at("band").get<int>());
     return feature;
 }
 
-/// All bands, parents before children.
+/// All bands, feature by feature.
 inline std::vector<BandOfPlan> bandsOf(const nlohmann::ordered_json& plan) {
     std::vector<BandOfPlan> bands;
     for (const auto& feature : plan.at("features")) {
-        int number = 0;
         for (const auto& band : feature.at("bands")) {
-            const std::string id = bandNamed({{"feature", feature.at("id")}, {"band", ++number}}, plan);
             std::vector<std::string> parents;
-            if (number > 1) parents = {bands.back().id};
-            if (number == 1)
-                for (const auto& parent : feature.at("parents"))
-                    parents.push_back(bandNamed(parent, plan));
-            bands.push_back({id, band, parents});
+            for (const auto& parent : band.at("parents"))
+                parents.push_back(bandNamed(parent, plan));
+            bands.push_back(
+                {bandNamed({{"feature", feature.at("id")}, {"band", band.at("band")}}, plan), band, parents});
         }
     }
     return bands;

@@ -64,6 +64,9 @@ struct Feature {
     std::string id;  ///< "S1.F2"
     std::string setup_id;
     std::optional<Band> band;  ///< nothing: the feature is whole
+    /// Common ground: ids of the nested features, from above, that it was taken out of, to be cut down
+    /// through all of them at once; empty for any other feature [common-ground.md].
+    std::vector<std::string> ground_of;
     FeatureClass feature_class = FeatureClass::ClosedPocket;
     std::vector<std::string> parents;  ///< ids that must be machined before this one
     double top_z_mm = 0;

@@ -15,6 +15,8 @@ std::string bandId(const std::string& whole_id, int number, int count);
 const std::string& wholeOf(const Feature& band);
 /// From above, from 1 on.
 int bandNumber(const Feature& band);
+/// How many bands its feature was parted into; 1 where it is the only one.
+int bandCount(const Feature& band);
 
 /// What a feature is as a whole: what goes through is called by where it comes out, all else by its mouth.
 FeatureClass classOfWhole(const Feature& uppermost, const Feature& lowest);

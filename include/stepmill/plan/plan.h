@@ -104,6 +104,7 @@ struct PlanRequest {
     FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
+    bool common_ground = true;  ///< nested features may be cut down together where that is quicker
     Cautions cautions;          ///< none in the first plan of a part
 };
 

@@ -100,7 +100,8 @@ void removeFeature(Json& plan, const std::string& id) {
     erase(plan["operations"], of_feature);
     erase(plan["features"], [&](const Json& entry) { return entry["id"] == id; });
     for (Json& feature : plan["features"])
-        erase(feature["parents"], of_feature);
+        for (Json& band : feature["bands"])
+            erase(band["parents"], of_feature);
     for (Json& setup : plan["setups"]) {
         erase(setup["features"], [&](const Json& entry) { return entry == id; });
         erase(setup["operations"], [&](const Json& entry) { return gone.count(entry) > 0; });
@@ -151,6 +152,8 @@ void partBand(Json& feature, Json& plan) {
     const double middle_mm = (upper["top_z_mm"].get<double>() + upper["floor_z_mm"].get<double>()) / 2;
     upper["floor_z_mm"] = lower["top_z_mm"] = middle_mm;
     upper["volume_mm3"] = lower["volume_mm3"] = upper["volume_mm3"].get<double>() / 2;
+    lower["band"] = feature["levels"] = 2;
+    lower["parents"] = {nameOf(feature)};
     feature["bands"] = {upper, lower};
     for (Json& operation : plan["operations"])
         if (operation["feature"] == feature["id"]) operation["band"] = 2;
@@ -233,6 +236,12 @@ const std::vector<Weakening> kWeakenings{
          partBand(feature, plan);
          feature["bands"][1]["top_z_mm"] = feature["bands"][1]["top_z_mm"].get<double>() - 0.1;
      }},
+    {"bands that wait for each other",
+     [](Json& plan) {
+         Json& feature = first(plan, "features");
+         partBand(feature, plan);
+         feature["bands"][0]["parents"] = {{{"feature", feature["id"]}, {"band", 2}}};
+     }},
     {"feature without bands", [](Json& plan) { first(plan, "features")["bands"] = Json::array(); }},
     {"operation on a band that is none", [](Json& plan) { first(plan, "operations")["band"] = 2; }},
     {"volume of another feature", [](Json& plan) { first(plan, "features")["volume_mm3"] = 1e6; }},
@@ -258,9 +267,8 @@ const std::vector<Weakening> kWeakenings{
                      band["class"] = "through pocket";
      }},
     {"parent of another setup",
-     [](Json& plan) { last(plan, "features")["parents"] = {nameOf(plan["features"][0])}; }},
-    {"parent of its own",
-     [](Json& plan) { first(plan, "features")["parents"] = {nameOf(plan["features"][0])}; }},
+     [](Json& plan) { lastBand(plan)["parents"] = {nameOf(plan["features"][0])}; }},
+    {"parent of its own", [](Json& plan) { firstBand(plan)["parents"] = {nameOf(plan["features"][0])}; }},
     {"first feature removed", [](Json& plan) { removeFeature(plan, plan["features"][0]["id"]); }},
     {"last feature removed", [](Json& plan) { removeFeature(plan, plan["features"].back()["id"]); }},
     {"feature twice", [](Json& plan) { plan["features"].push_back(plan["features"][0]); }},

@@ -28,10 +28,11 @@ json minimalPlan() {
                "shank": {"diameter_mm": 8, "bottom_mm": 20, "top_mm": 30},
                "holder": [{"diameter_mm": 28, "bottom_mm": 30, "top_mm": 60}]}],
     "features": [{
-        "id": "S1.F1", "setup": "S1", "class": "closed pocket", "parents": [{"feature": "S1.F1", "band": 2}],
+        "id": "S1.F1", "setup": "S1", "class": "closed pocket", "levels": 1,
         "top_z_mm": 0, "floor_z_mm": -5, "depth_mm": 5, "volume_mm3": 1570.8, "time_s": 55, "motion_time_s": 56,
         "lower_bound_s": 40, "bands": [{
-        "class": "closed pocket", "top_z_mm": 0, "floor_z_mm": -5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
+        "band": 1, "class": "closed pocket", "parents": [{"feature": "S1.F1", "band": 2}],
+        "top_z_mm": 0, "floor_z_mm": -5, "area_mm2": 314.16, "volume_mm3": 1570.8, "open_length_mm": 0, "closed_length_mm": 62.83,
         "min_corner_radius_mm": 10,
         "target": 0, "obstruction": 1, "obstacles": [0],
         "tools": {"tool": ["EM8"], "accessible_area_mm2": [314.16], "coverable_area_mm2": [314.16],
@@ -177,8 +178,9 @@ TEST(PlanSchema, RefusesADigestThatIsNone) {
 }
 
 TEST(PlanSchema, RefusesAFeatureIdWithoutItsSetup) {
-    EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"), Lines{"#/setups/0/features/0: expected a text like "
-                                                              "^S[0-9]{1,4}\\.F[0-9]{1,6}$, found \"F1\""});
+    EXPECT_EQ(errorsWith("/setups/0/features/0", "F1"),
+              Lines{"#/setups/0/features/0: expected a text like "
+                    "^S[0-9]{1,4}\\.(F[0-9]{1,6}|G[0-9]{1,6}(\\.[0-9]{1,4}){1,2})$, found \"F1\""});
 }
 
 TEST(PlanSchema, TakesAnySurfaceKindButOnlyCounts) {

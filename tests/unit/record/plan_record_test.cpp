@@ -84,8 +84,8 @@ TEST(PlanRecord, RefusesNumbersOfEntriesThatAreNot) {
     plan["operations"][0]["band"] = 2;
     expectRefused(plan, "#/operations/0/feature", "band 2 of 'S1.F1'");
     plan = seed("bands");
-    plan["features"][1]["parents"][0]["band"] = 3;
-    expectRefused(plan, "#/features/1/parents", "band 3 of 'S1.F1'");
+    plan["features"][1]["bands"][0]["parents"][0]["band"] = 3;
+    expectRefused(plan, "#/features/1/bands/0/parents", "band 3 of 'S1.F1'");
 }
 
 TEST(PlanRecord, RefusesBandsThatDoNotMakeUpTheirFeature) {
@@ -98,6 +98,28 @@ TEST(PlanRecord, RefusesBandsThatDoNotMakeUpTheirFeature) {
     plan = seed("bands");
     plan["features"][0]["volume_mm3"] = 1571.8;
     expectRefused(plan, "#/features/0/volume_mm3", "what its bands say");
+}
+
+TEST(PlanRecord, KeepsTheNamesOfBandsWhereCommonGroundTookOthers) {
+    Json plan = seed("bands");
+    Json& feature = plan["features"][0];
+    feature["levels"] = 4;
+    feature["bands"][1]["band"] = 3;
+    feature["bands"][1]["top_z_mm"] = -3;
+    plan["operations"][0]["band"] = 3;
+    const PlanRecord record = recordOf(plan);
+    EXPECT_EQ(record.setups.front().feature_ids, (std::vector<std::string>{"S1.F1.1", "S1.F1.3", "S1.F2"}));
+    EXPECT_EQ(record.features.at("S1.F1.3").feature.band->count, 4);
+    EXPECT_EQ(record.operations.at("S1.O1").feature_id, "S1.F1.3");
+}
+
+TEST(PlanRecord, RefusesBandsThatWaitForThemselves) {
+    Json plan = seed("bands");
+    plan["features"][0]["bands"][0]["parents"] = {{{"feature", "S1.F1"}, {"band", 2}}};
+    expectRefused(plan, "#/features", "waits for itself");
+    plan = seed("bands");
+    plan["features"][0]["bands"][1]["band"] = 1;
+    expectRefused(plan, "#/features/0/bands/1/band", "above that of the band above");
 }
 
 TEST(PlanRecord, RefusesAColumnThatMissesAnEntry) {

@@ -1,0 +1,57 @@
+// Whole plans in which nested features are cut together.
+
+#include <gtest/gtest.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/proven/proven_plan.h"
+#include "stepmill/verify/claim.h"
+
+namespace stepmill {
+namespace {
+
+const Tolerances kTol;
+
+Part samplePart(const std::string& name) {
+    return readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name + ".step").front();
+}
+
+ProvenPlan planned(const Part& part, bool common_ground) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.common_ground = common_ground;
+    return planProven(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+}
+
+int groundsOf(const Plan& plan) {
+    int count = 0;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const PlannedFeature& planned : setup.features)
+            count += planned.feature.ground_of.empty() ? 0 : 1;
+    return count;
+}
+
+class CutTogether : public testing::TestWithParam<const char*> {};
+
+TEST_P(CutTogether, IsProvenQuickerAndLeavesTheSame) {
+    const Part part = samplePart(GetParam());
+    const ProvenPlan together = planned(part, true);
+    const ProvenPlan apart = planned(part, false);
+    EXPECT_GT(groundsOf(together.plan), 0);
+    EXPECT_EQ(groundsOf(apart.plan), 0);
+    EXPECT_TRUE(together.mayRun());
+    EXPECT_LT(together.plan.totals.motion_s, apart.plan.totals.motion_s);
+    EXPECT_NEAR(together.plan.balance.planned_mm3, apart.plan.balance.planned_mm3, kVolumeRoundingMm3);
+}
+
+TEST_P(CutTogether, FollowsFromPartAndLibrary) {
+    const Part part = samplePart(GetParam());
+    const ProvenPlan plan = planned(part, true);
+    const PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
+    for (const ProofFailure& failure : compareWithPart(record, {part, defaultToolLibrary(), {}, {}}, kTol))
+        ADD_FAILURE() << failure.operation << ": " << failure.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, CutTogether, testing::Values("nested_pockets", "die_cavity"));
+
+}  // namespace
+}  // namespace stepmill
