@@ -51,6 +51,7 @@ ExpectedOutcome rowFrom(const std::string& part, const Json& fields) {
     row.cpu_s = fields.at("cpu_s");
     if (fields.contains("import")) row.refusal = refusalFrom(fields.at("import"));
     row.solids = fields.value("solids", 1);
+    row.slow = fields.value("slow", false);
     return row;
 }
 
@@ -100,7 +101,14 @@ std::vector<ExpectedOutcome> expectedPlans(const std::vector<std::string>& folde
     std::vector<ExpectedOutcome> rows;
     for (const std::string& folder : folders)
         for (const ExpectedOutcome& expected : expectedOf(folder))
-            if (expected.hasPlan()) rows.push_back(expected);
+            if (expected.hasPlan() && !expected.slow) rows.push_back(expected);
+    return rows;
+}
+
+std::vector<ExpectedOutcome> slowPlans() {
+    std::vector<ExpectedOutcome> rows;
+    for (const ExpectedOutcome& expected : expectedOutcomes())
+        if (expected.hasPlan() && expected.slow) rows.push_back(expected);
     return rows;
 }
 

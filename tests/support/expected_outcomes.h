@@ -26,6 +26,7 @@ struct ExpectedOutcome {
     double cpu_s = 0;
     std::optional<ErrorCode> refusal;  ///< why the file is not even read; nothing: it is
     int solids = 1;                    ///< in the file, repeats counted
+    bool slow = false;  ///< for `make test-all` alone: in suites named Slow, which CI leaves out
 
     bool hasPlan() const { return outcome == Outcome::Planned || outcome == Outcome::Gaps; }
 };
@@ -36,8 +37,10 @@ void PrintTo(const ExpectedOutcome& expected, std::ostream* out);
 /// All rows, patterns resolved, in the table's order.
 const std::vector<ExpectedOutcome>& expectedOutcomes();
 
-/// The rows of these folders ("step_parts", "nist", ...) that get a plan.
+/// The rows of these folders ("step_parts", "nist", ...) that get a plan and are not slow.
 std::vector<ExpectedOutcome> expectedPlans(const std::vector<std::string>& folders);
+/// All rows that get a plan and are slow.
+std::vector<ExpectedOutcome> slowPlans();
 
 /// The rows of a folder.
 std::vector<ExpectedOutcome> expectedOf(const std::string& folder);
