@@ -85,7 +85,7 @@ class LoopReader {
 
     /// The same point; the next ones are told from there.
     Vec2 move(const Json& json, std::size_t first) {
-        const Vec2 to = at(json, first);
+        Vec2 to = at(json, first);
         x_nm_ += nanometresAt(json, first);
         y_nm_ += nanometresAt(json, first + 1);
         return to;
