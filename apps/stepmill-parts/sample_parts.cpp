@@ -1,7 +1,9 @@
 #include "sample_parts.h"
 
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeWedge.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <GeomConvert.hxx>
@@ -27,20 +29,55 @@ std::vector<Corner> inches(std::vector<Corner> outline, double x_in, double y_in
     return outline;
 }
 
-/// z = 17 + 8 (u^2 + v^2) + 1.5 u v^2 with u = (x - 50) / 30, v = (y - 35) / 20: a bowl 8 deep that is not
-/// symmetric in x, exact as a B-spline of degree 2. Goes past the block's top on all sides.
-Handle(Geom_Surface) bowl() {
-    const double reach = 1.3;
+/// z = lowest + rise (u^2 + v^2) + skew u v^2 with u = (x - x0) / a, v = (y - y0) / b: a bowl, or with a
+/// negative rise a dome, that is not symmetric in x.
+struct Bowl {
+    double x_mm = 0;
+    double y_mm = 0;
+    double a_mm = 0;
+    double b_mm = 0;
+    double lowest_mm = 0;
+    double rise_mm = 0;
+    double skew_mm = 0;
+    double reach = 1;  ///< largest u and v
+};
+
+/// Exact as a B-spline of degree 2.
+Handle(Geom_Surface) bowl(const Bowl& made) {
+    const double reach = made.reach;
     const double linear[] = {-reach, 0, reach};                              // control values of u
     const double square[] = {reach * reach, -reach * reach, reach * reach};  // and of u^2
     TColgp_Array2OfPnt poles(1, 3, 1, 3);
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            const double z = 17 + 8 * (square[i] + square[j]) + 1.5 * linear[i] * square[j];
-            poles.SetValue(i + 1, j + 1, gp_Pnt(50 + 30 * linear[i], 35 + 20 * linear[j], z));
+            const double z = made.lowest_mm + made.rise_mm * (square[i] + square[j]) +
+                             made.skew_mm * linear[i] * square[j];
+            poles.SetValue(i + 1, j + 1,
+                           gp_Pnt(made.x_mm + made.a_mm * linear[i], made.y_mm + made.b_mm * linear[j], z));
         }
     }
     return GeomConvert::SurfaceToBSplineSurface(new Geom_BezierSurface(poles));
+}
+
+/// All that stands over a surface, up to that much.
+TopoDS_Shape over(const Handle(Geom_Surface) & surface, double height_mm) {
+    const TopoDS_Shape face = BRepBuilderAPI_MakeFace(surface, Precision::Confusion()).Shape();
+    return BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, height_mm)).Shape();
+}
+
+/// Upright cone that gets narrower towards its top.
+TopoDS_Shape cone(double x, double y, double z0, double diameter, double z1, double top_diameter) {
+    return BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, y, z0), gp::DZ()), diameter / 2, top_diameter / 2, z1 - z0)
+        .Shape();
+}
+
+/// Block whose four sides lean inwards by `draft_mm` over its height.
+TopoDS_Shape drafted(double x0, double y0, double z0, double x1, double y1, double z1, double draft_mm) {
+    // A wedge rises along its y, which becomes z; its z then runs against y.
+    const gp_Ax2 axes(gp_Pnt(x0, y1, z0), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0));
+    return BRepPrimAPI_MakeWedge(axes, x1 - x0, z1 - z0, y1 - y0, draft_mm, draft_mm, x1 - x0 - draft_mm,
+                                 y1 - y0 - draft_mm)
+        .Shape();
 }
 
 }  // namespace
@@ -193,13 +230,33 @@ SamplePart fourSetups() {
 }
 
 SamplePart dieCavity() {
-    const TopoDS_Shape face = BRepBuilderAPI_MakeFace(bowl(), Precision::Confusion()).Shape();
-    const TopoDS_Shape cavity = BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 30)).Shape();
+    // Goes past the block's top on all sides.
+    const TopoDS_Shape cavity = over(bowl({50, 35, 30, 20, 17, 8, 1.5, 1.3}), 30);
     return {
         "die_cavity",
         "block 100 x 70 x 25 with a free-form cavity about 60 x 40, 8 deep, one B-spline face: roughed in "
         "planes, the rest is left to 3D finishing",
         assemble(box(0, 0, 0, 100, 70, 25), {}, {cavity})};
+}
+
+SamplePart dieWithIslands() {
+    const TopoDS_Shape cavity = over(bowl({70, 50, 50, 34, 20, 16, 3, 1.3}), 60);
+    return {
+        "die_with_islands",
+        "block 140 x 100 x 36 with a free-form cavity about 100 x 68, 16 deep, one B-spline face, a conical "
+        "island of diameter 24 to 14 that ends 5 under the block's top, and a round one of diameter 16 that "
+        "ends 10 under it: the loops of a hunt plane are one in another, and fewer from plane to plane",
+        assemble(assemble(box(0, 0, 0, 140, 100, 36), {}, {cavity}),
+                 {cone(52, 50, 15, 24, 31, 14), cylinder(92, 54, 16, 15, 26)}, {})};
+}
+
+SamplePart moldCore() {
+    const TopoDS_Shape sky = over(bowl({70, 50, 60, 45, 40, -10, -2, 1.3}), 60);
+    const TopoDS_Shape core = assemble(drafted(25, 20, 12, 115, 80, 45, 4), {}, {sky});
+    return {"mold_core",
+            "plate 140 x 100 x 14 with a core 90 x 60 on it, its sides leaning 4 in 33, its top a dome, one "
+            "B-spline face, 40 over the plate's bottom at its highest: roughed from outside in",
+            assemble(box(0, 0, 0, 140, 100, 14), {core}, {})};
 }
 
 SamplePart shoulderBlock() {
@@ -214,8 +271,9 @@ SamplePart shoulderBlock() {
 }
 
 std::vector<SamplePart> allSampleParts() {
-    return {roundedPocket(), butterflyPocket(), bossedPocket(), pocketWithoutBosses(), openSlots(),
-            nestedPockets(), plateWithHoles(),  fourSetups(),   dieCavity(),           shoulderBlock()};
+    return {roundedPocket(), butterflyPocket(), bossedPocket(),   pocketWithoutBosses(),
+            openSlots(),     nestedPockets(),   plateWithHoles(), fourSetups(),
+            dieCavity(),     dieWithIslands(),  moldCore(),       shoulderBlock()};
 }
 
 std::string sampleReadme(const std::vector<SamplePart>& parts) {

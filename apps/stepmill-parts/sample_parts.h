@@ -24,6 +24,8 @@ SamplePart nestedPockets();
 SamplePart plateWithHoles();
 SamplePart fourSetups();
 SamplePart dieCavity();
+SamplePart dieWithIslands();
+SamplePart moldCore();
 SamplePart shoulderBlock();
 
 /// All of them, in the order above.
