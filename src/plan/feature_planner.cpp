@@ -9,6 +9,7 @@
 #include "plan/propose_ground.h"
 #include "plan/share_tools.h"
 #include "stepmill/core/error.h"
+#include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/reduced_feature.h"
@@ -55,6 +56,7 @@ constexpr int kMostGroundRounds = 3;
 /// Planned features that belong together, parents before children, with what went wrong.
 struct PlannedNest {
     std::vector<PlannedFeature> features;
+    std::vector<ReducedFeature> free;   ///< what of each was free to be cut
     std::vector<std::string> failures;  ///< of each; empty where it was planned
 
     bool failed() const {
@@ -101,6 +103,17 @@ std::string groundIds(const Feature& first) {
     std::string id = first.id;
     id.replace(id.find(".F"), 2, ".G");
     return id;
+}
+
+/// Do tools find the same in both?
+bool sameRoom(const Feature& a, const Feature& b) {
+    const auto same = [](const Obstacle& one, const Obstacle& other) {
+        return one.bottom_z_mm == other.bottom_z_mm && one.top_z_mm == other.top_z_mm &&
+               feature::identical(one.section, other.section);
+    };
+    return a.top_z_mm == b.top_z_mm && a.floor_z_mm == b.floor_z_mm && a.through == b.through &&
+           feature::identical(a.target, b.target) && feature::identical(a.obstruction, b.obstruction) &&
+           std::equal(a.obstacles.begin(), a.obstacles.end(), b.obstacles.begin(), b.obstacles.end(), same);
 }
 
 /// Plans the features of a setup nest by nest: one has to know what those above it leave.
@@ -191,7 +204,7 @@ class FeaturePlanner {
             reportStart(features_[i].id);
             levels.push_back(belowGround(features_[i]));
         }
-        PlannedNest best = planAll(levels);
+        PlannedNest best = planAll(levels, {});
         if (!mayShareGround(levels) || best.failed()) return best;
         for (int round = 0; round < kMostGroundRounds; ++round)
             if (!shareMoreGround(groundIds(levels.front()), best)) break;
@@ -210,7 +223,7 @@ class FeaturePlanner {
             for (std::size_t i = 0; i < count; ++i)
                 if (isCommonGround(features, grounds[i], shop_.tol))
                     features = withCommonGround(std::move(features), grounds[i], shop_.tol);
-            PlannedNest together = planAll(features);
+            PlannedNest together = planAll(features, best);
             if (together.failed() || together.residualMm3() > best.residualMm3() + kVolumeRoundingMm3)
                 continue;
             if (weightOf(together, shop_) > kGroundPays * weightOf(best, shop_)) continue;
@@ -244,7 +257,8 @@ class FeaturePlanner {
     }
 
     /// \param features  parents before children
-    PlannedNest planAll(const std::vector<Feature>& features) const {
+    /// \param known     features of it that find the same room keep their sequences
+    PlannedNest planAll(const std::vector<Feature>& features, const PlannedNest& known) const {
         PlannedNest nest;
         nest.features.reserve(features.size());
         const CutById by_id = [&](const std::string& id) {
@@ -253,21 +267,34 @@ class FeaturePlanner {
             return asCut(*known_.at(id));
         };
         for (const Feature& feature : features) {
+            ReducedFeature& free = nest.free.emplace_back();
             std::string& failure = nest.failures.emplace_back();
-            ToolSequence sequence = planOne(feature, by_id, failure);
+            ToolSequence sequence = sequenceOrResidual(feature, failure, [&] {
+                free = reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id),
+                               setup_.fixtures, shop_.tol);
+                const ToolSequence* same = sequenceIn(known, free);
+                return same != nullptr ? *same : sequenceOf(free, feature);
+            });
             nest.features.push_back({feature, std::move(sequence)});
         }
         return nest;
     }
 
-    ToolSequence planOne(const Feature& feature, const CutById& by_id, std::string& failure) const {
-        return sequenceOrResidual(feature, failure, [&] {
-            const ReducedFeature free = reduced(feature, parentsOf(feature, by_id),
-                                                ancestorsOf(feature, by_id), setup_.fixtures, shop_.tol);
-            ToolSequence sequence = sequenceOf(free.feature, feature);
-            sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
-            return sequence;
-        });
+    /// The sequence of the same feature with the same room; null where there is none.
+    static const ToolSequence* sequenceIn(const PlannedNest& known, const ReducedFeature& free) {
+        for (std::size_t i = 0; i < known.features.size(); ++i) {
+            const bool same = known.features[i].feature.id == free.feature.id && known.failures[i].empty() &&
+                              known.free[i].blocked.empty() && free.blocked.empty() &&
+                              sameRoom(known.free[i].feature, free.feature);
+            if (same) return &known.features[i].sequence;
+        }
+        return nullptr;
+    }
+
+    ToolSequence sequenceOf(const ReducedFeature& free, const Feature& feature) const {
+        ToolSequence sequence = sequenceOf(free.feature, feature);
+        sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
+        return sequence;
     }
 
     /// \param free  what of the feature is free to be cut
