@@ -26,6 +26,9 @@ namespace {
 constexpr double kFeaturesShare = 0.3;
 constexpr double kSequencesShare = 0.35;
 
+/// Sine of the angle below which two axes are parallel.
+constexpr double kSameAxis = 1e-6;
+
 /// A residual of which less than this lies outside earlier ones is not new.
 constexpr double kNewResidualShare = 0.1;
 
@@ -56,6 +59,16 @@ void requireMachinableSize(const Part& part, const std::vector<Setup>& setups, c
                             size_mm, machine.name, travel_mm, part.unit_in_file));
         }
     }
+}
+
+/// Roughing takes of the setups that were chosen for the part those along the first one's axis: from other
+/// sides it would see no more than the allowance and the stairs of the first.
+std::vector<Setup> setupsFor(const Part& part, const PlanRequest& request) {
+    std::vector<Setup> setups = chooseSetups(part, request.setup);
+    if (!request.roughing || !request.setup.axes.empty() || setups.empty()) return setups;
+    const Vec3 first = setups.front().axis;
+    std::erase_if(setups, [&](const Setup& setup) { return setup.axis.cross(first).norm() > kSameAxis; });
+    return setups;
 }
 
 /// The share of the whole work that one setup is, for the progress bar.
@@ -180,7 +193,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
               const Machine& machine, const Tolerances& tol, const Progress& progress) {
     requireMaterial(library, request.sequence.material);
     if (progress) progress("setups", 0);
-    const std::vector<Setup> setups = chooseSetups(part, request.setup);
+    const std::vector<Setup> setups = setupsFor(part, request);
     STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
     requireMachinableSize(part, setups, machine);
     const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
