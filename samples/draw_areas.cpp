@@ -1,6 +1,6 @@
 // Draws what one cutter reaches in a pocket, what it leaves to a smaller one, the rings of a contour-parallel
-// path, a finishing pass and what a holder keeps from a cutter: the pictures of docs/algorithms. Usage:
-// draw_areas FOLDER
+// path, a finishing pass, what a holder keeps from a cutter and a die's hunt planes: the pictures of
+// docs/algorithms. Usage: draw_areas FOLDER
 
 #include <filesystem>
 
@@ -112,6 +112,29 @@ void drawLumps(const std::filesystem::path& folder, const Tolerances& tol) {
                                         {toSvgPath(target), "none", "#1d2733"}}));
 }
 
+/// The target of one of a die's hunt planes: the cavity gets narrower, its two islands wider.
+Region huntPlane(int number, const Tolerances& tol) {
+    constexpr double kLeanMm = 2.2;
+    const double in = kLeanMm * number;
+    const Region cavity = makeRoundedRectangle({in, in}, {90 - in, 56 - in}, 16 - in);
+    const Region cone = makeCircle({28, 28}, 3 + in);
+    return subtract(subtract(cavity, cone, tol), makeCircle({64, 30}, 7), tol);
+}
+
+/// A die's hunt planes from above, and the ground that a cutter shares among all of them.
+void drawHuntPlanes(const std::filesystem::path& folder, const Tolerances& tol) {
+    constexpr int kPlanes = 4;
+    constexpr double kCutterMm = 6;
+    const Region top = huntPlane(0, tol);
+    std::vector<Layer> layers{{toSvgPath(top), "#fdf6df", "none"}};
+    const Region lowest = huntPlane(kPlanes - 1, tol);
+    layers.push_back({toSvgPath(ClearanceDiagram(lowest, tol).opening(kCutterMm)), "#8ec9e3", "#0b4f75"});
+    for (int number = 1; number < kPlanes; ++number)
+        layers.push_back({toSvgPath(huntPlane(number, tol)), "none", "#d08a1e"});
+    layers.push_back({toSvgPath(top), "none", "#1d2733"});
+    writeFile(folder / "hunt-planes.svg", svg(boundingBox(top), layers));
+}
+
 void draw(const std::filesystem::path& folder) {
     const Tolerances tol;
     const Region pocket = butterfly(tol);
@@ -143,6 +166,7 @@ void draw(const std::filesystem::path& folder) {
               svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"}, {rings, "none", "#0b4f75"}, walls}));
     drawFinishing(folder, pocket, tol);
     drawLumps(folder, tol);
+    drawHuntPlanes(folder, tol);
 }
 
 }  // namespace

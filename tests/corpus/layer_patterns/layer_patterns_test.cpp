@@ -1,4 +1,4 @@
-// [Li2001, Table 1] on our die cavity: the pattern chosen in each layer is the quickest one there.
+// [Li2001, Table 1] on our dies: the pattern chosen in each layer is the quickest one there.
 
 #include <gtest/gtest.h>
 
@@ -31,10 +31,17 @@ LayerTimes timesOf(ClearingTask task, const ToolAssembly& tool, const Machine& m
     return {std::min(time(Pattern::Zigzag), time(Pattern::OneWay)), offset, time(Pattern::Best)};
 }
 
-TEST(DieCavityLayers, AreCutInTheBestOfBothPatternsEach) {
+Part diePart(const std::string& name) {
+    return readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name + ".step").front();
+}
+
+class DieLayers : public testing::TestWithParam<const char*> {};
+class RoughedLayers : public testing::TestWithParam<const char*> {};
+
+TEST_P(DieLayers, AreCutInTheBestOfBothPatternsEach) {
     const ToolLibrary library = defaultToolLibrary();
     const Machine machine = defaultMachine();
-    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/die_cavity.step").front();
+    const Part part = diePart(GetParam());
     const FeatureSet features = recogniseFeatures(slice(chooseSetups(part, {}).front(), kTol), kTol);
     ASSERT_GE(features.features.size(), 3U);
     int compared = 0;
@@ -61,6 +68,37 @@ TEST(DieCavityLayers, AreCutInTheBestOfBothPatternsEach) {
     }
     EXPECT_GE(compared, 20);
 }
+
+/// Seconds of all paths when every layer is gone over by one pattern, or each by its best.
+double pathSeconds(const Part& part, Pattern pattern) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.sequence.pattern = pattern;
+    request.roughing = FinishAllowance{0.5, 0.5};
+    request.common_ground = false;  // which ground pays depends on the patterns
+    const Plan plan = planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+    double sum_s = 0;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations)
+            sum_s += operation.path.totals.time_s();
+    return sum_s;
+}
+
+TEST_P(RoughedLayers, TakeNoLongerThanWithOnePatternForAllOfThem) {
+    const Part part = diePart(GetParam());
+    const double best_s = pathSeconds(part, Pattern::Best);
+    EXPECT_GT(best_s, 0);
+    for (const Pattern pattern : {Pattern::ContourInsideOut, Pattern::ContourOutsideIn, Pattern::StockOffset,
+                                  Pattern::Zigzag, Pattern::OneWay}) {
+        const double one_s = pathSeconds(part, pattern);
+        std::printf("%-18s %-36s %7.2f s, best of each layer %7.2f s\n", GetParam(),
+                    toString(pattern).c_str(), one_s, best_s);
+        EXPECT_LE(best_s, one_s * (1 + 1e-5)) << toString(pattern);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, DieLayers, testing::Values("die_cavity", "die_with_islands"));
+INSTANTIATE_TEST_SUITE_P(Parts, RoughedLayers, testing::Values("die_cavity", "mold_core"));
 
 }  // namespace
 }  // namespace stepmill::test

@@ -121,12 +121,13 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
 
 class SimulatePlan : public testing::TestWithParam<const char*> {
   protected:
-    static Plan plan(const FinishAllowance& finish) {
+    static Plan plan(const FinishAllowance& finish, const std::optional<FinishAllowance>& roughing = {}) {
         const Part part =
             readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + GetParam() + ".step").front();
         PlanRequest request;
         request.sequence.material = "aluminium";
         request.sequence.finish = finish;
+        request.roughing = roughing;
         return planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
     }
 };
@@ -140,9 +141,21 @@ TEST_P(SimulatePlan, CutsTheSameWithAFinishingAllowance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulatePlan,
-                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity", "four_setups",
-                                         "nested_pockets", "open_slots", "plate_with_holes",
-                                         "pocket_without_bosses", "rounded_pocket", "shoulder_block"),
+                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity",
+                                         "die_with_islands", "four_setups", "nested_pockets", "open_slots",
+                                         "plate_with_holes", "pocket_without_bosses", "rounded_pocket",
+                                         "shoulder_block"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+class SimulateRoughing : public SimulatePlan {};
+
+TEST_P(SimulateRoughing, CutsWhatItSaysAndNothingElse) {
+    // Whole cells, so that upright walls stay between them.
+    expectCutsWhatItSays(plan({}, FinishAllowance{2 * kCellMm, 2 * kCellMm}), GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateRoughing,
+                         testing::Values("die_cavity", "mold_core", "nested_pockets", "open_slots"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 }  // namespace

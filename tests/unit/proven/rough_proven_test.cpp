@@ -30,7 +30,8 @@ TEST_P(RoughedSample, IsProvenAndLeavesTheAllowance) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, RoughedSample,
-                         testing::Values("die_cavity", "nested_pockets", "open_slots", "plate_with_holes"));
+                         testing::Values("die_cavity", "mold_core", "nested_pockets", "open_slots",
+                                         "plate_with_holes"));
 
 }  // namespace
 }  // namespace stepmill
