@@ -124,7 +124,7 @@ Region huntPlane(int number, const Tolerances& tol) {
 /// A die's hunt planes from above, and the ground that a cutter shares among all of them.
 void drawHuntPlanes(const std::filesystem::path& folder, const Tolerances& tol) {
     constexpr int kPlanes = 4;
-    constexpr double kCutterMm = 6;
+    constexpr double kCutterMm = 4.5;
     const Region top = huntPlane(0, tol);
     std::vector<Layer> layers{{toSvgPath(top), "#fdf6df", "none"}};
     const Region lowest = huntPlane(kPlanes - 1, tol);
