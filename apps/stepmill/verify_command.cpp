@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -57,6 +58,14 @@ void addFolder(const JobCheck& check, const std::vector<ManifestFile>& written, 
             verification.remarks.push_back({file.name, FileRemark::Kind::NotRead});
 }
 
+/// Does anything stay that was not asked to, as roughing's allowance is?
+bool leavesUnasked(const PlanRecord& record, const Verification& verification) {
+    const bool roughing = record.request && record.request->roughing;
+    return std::any_of(verification.left.begin(), verification.left.end(), [&](const ReasonVolume& entry) {
+        return !roughing || !isLeftByRoughing(entry.reason);
+    });
+}
+
 int verifyFolder(const VerifyOptions& options, Workplace& place) {
     const Tolerances tol;
     place.progress.show("reading the files", 0);
@@ -72,7 +81,7 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
     else
         printOut(verificationText(verification));
     if (!verification.proven()) return kUnproven;
-    return verification.left.empty() ? kComplete : kGaps;
+    return leavesUnasked(plan.record, verification) ? kGaps : kComplete;
 }
 
 int runVerify(const VerifyOptions& options) {
@@ -98,7 +107,8 @@ void addVerifyCommand(CLI::App& app, int& exit_code) {
         "holder meet no material, feeds and tools are the plan's.\n"
         "Programs in the folder that are not of the job fail; files that are not as they were written are "
         "named.\n"
-        "Exit codes: 0 proven; 1 proven, but the plan itself leaves something; 2 a proof fails (file and "
+        "Exit codes: 0 proven; 1 proven, but the plan itself leaves something that roughing is not meant to; "
+        "2 a proof fails (file and "
         "line "
         "are\nnamed), or files are missing or unreadable.\n"
         "Examples:\n"

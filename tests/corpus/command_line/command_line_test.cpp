@@ -47,8 +47,23 @@ class CommandLine : public testing::Test {
 TEST_F(CommandLine, HelpNamesEveryCommandAndTheExitCodes) {
     const ProgramRun run = runProgram({stepmillBinary(), "--help"});
     EXPECT_EQ(run.exit_code, 0);
-    for (const char* word : {"plan", "inspect", "rank", "tools", "Exit codes"})
+    for (const char* word : {"plan", "rough", "inspect", "rank", "tools", "Exit codes"})
         EXPECT_NE(run.out.find(word), std::string::npos) << word;
+}
+
+TEST_F(CommandLine, RoughsAPartAndSaysWhatStays) {
+    const ProgramRun run =
+        runProgram({stepmillBinary(), "rough", kPart, "--allowance", "0.4", "-o", out_.string()});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    const ProgramRun proof = runProgram({stepmillBinary(), "verify", out_.string(), "--part", kPart});
+    EXPECT_EQ(proof.exit_code, 0) << proof.out;
+    EXPECT_NE(proof.out.find("(allowance)"), std::string::npos) << proof.out;
+}
+
+TEST_F(CommandLine, RefusesAnAllowanceThatIsNone) {
+    const ProgramRun run =
+        runProgram({stepmillBinary(), "rough", kPart, "--floor-allowance", "7", "-o", out_.string()});
+    expectRefused(run, out_, {"--floor-allowance", "0.01 to 5"});
 }
 
 TEST_F(CommandLine, PlansAPartWithDataOnStandardOutputOnly) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/catalog/read_catalog.h"
+#include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/proven/proven_plan.h"
 #include "stepmill/verify/claim.h"
 
@@ -49,6 +50,27 @@ TEST_P(CutTogether, FollowsFromPartAndLibrary) {
     const PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
     for (const ProofFailure& failure : compareWithPart(record, {part, defaultToolLibrary(), {}, {}}, kTol))
         ADD_FAILURE() << failure.operation << ": " << failure.text;
+}
+
+/// What is said of a plan of the part whose common ground was changed.
+std::vector<ProofFailure> saidOf(const Part& part, const std::function<void(Feature& ground)>& change) {
+    const ProvenPlan plan = planned(part, true);
+    PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
+    for (auto& [id, recorded] : record.features)
+        if (!recorded.feature.ground_of.empty()) change(recorded.feature);
+    return compareWithPart(record, {part, defaultToolLibrary(), {}, {}}, kTol);
+}
+
+TEST(ChangedGround, IsNotWhatThePartSays) {
+    const Part part = samplePart("nested_pockets");
+    EXPECT_TRUE(saidOf(part, [](Feature&) {}).empty());
+    EXPECT_FALSE(saidOf(part, [](Feature& ground) { ground.ground_of.clear(); }).empty());
+    EXPECT_FALSE(saidOf(part, [](Feature& ground) { ground.ground_of.pop_back(); }).empty());
+    EXPECT_FALSE(saidOf(part, [](Feature& ground) { ground.obstruction = {}; }).empty());
+    EXPECT_FALSE(
+        saidOf(part, [](Feature& ground) { ground.target = offset(ground.target, 1, kTol); }).empty());
+    EXPECT_FALSE(
+        saidOf(part, [](Feature& ground) { ground.target = offset(ground.target, -1, kTol); }).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, CutTogether, testing::Values("nested_pockets", "die_cavity"));
