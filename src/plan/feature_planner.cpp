@@ -1,5 +1,6 @@
 #include "plan/feature_planner.h"
 
+#include <limits>
 #include <mutex>
 #include <set>
 
@@ -51,7 +52,7 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
 /// less would be no gain.
 constexpr double kGroundPays = 0.995;
 /// So often ground is sought anew beside the ground that was found.
-constexpr int kMostGroundRounds = 3;
+constexpr int kMostGroundRounds = 2;
 
 /// Planned features that belong together, parents before children, with what went wrong.
 struct PlannedNest {
@@ -77,13 +78,26 @@ double weightOf(const PathTotals& path, const std::string& tool, const PlanningS
     return shop.request.sequence.objective == Objective::Time ? cost.motion_s : cost.motion_cost;
 }
 
+/// Seconds or money of a tool change.
+double changeWeight(const PlanningShop& shop) {
+    return weightOf({}, shop.library.tools.front().id, shop);
+}
+
+/// Of all paths, without tool changes.
+double pathsWeight(const PlannedNest& nest, const PlanningShop& shop) {
+    double weight = 0;
+    for (const PlannedFeature& planned : nest.features)
+        for (const SequenceStep& step : planned.sequence.steps)
+            weight += weightOf(step.path.totals, step.tool_id, shop) - changeWeight(shop);
+    return weight;
+}
+
 /// Seconds or money of all paths and tool changes, with tools shared as the plan will share them.
 double weightOf(const PlannedNest& nest, const PlanningShop& shop) {
-    const double change = weightOf({}, shop.library.tools.front().id, shop);
+    const double change = changeWeight(shop);
     std::set<std::string> own;
     std::vector<Precedence> precedences;
     std::vector<std::vector<SequenceChoice>> choices;
-    double paths = 0;
     for (const PlannedFeature& planned : nest.features) {
         Precedence precedence{planned.feature.id, {}, 0, {}};
         for (const std::string& parent : planned.feature.parents)
@@ -91,11 +105,20 @@ double weightOf(const PlannedNest& nest, const PlanningShop& shop) {
         own.insert(planned.feature.id);
         precedences.push_back(std::move(precedence));
         choices.push_back(choicesOf(planned.sequence));
-        for (const SequenceStep& step : planned.sequence.steps)
-            paths += weightOf(step.path.totals, step.tool_id, shop) - change;
     }
     const SharedChoice shared = shareTools(precedences, choices, change, shop.library, 0);
-    return paths + shared.gain.visits_alone * change - shared.gain.saved;
+    return pathsWeight(nest, shop) + shared.gain.visits_alone * change - shared.gain.saved;
+}
+
+/// What a nest may leave and weigh to be better than another.
+struct NestLimit {
+    double residual_mm3 = std::numeric_limits<double>::infinity();
+    double weight = std::numeric_limits<double>::infinity();
+};
+
+/// Do the features so far leave more, or do their paths alone weigh more?
+bool isBeyond(const PlannedNest& nest, const NestLimit& limit, const PlanningShop& shop) {
+    return nest.residualMm3() > limit.residual_mm3 || pathsWeight(nest, shop) > limit.weight;
 }
 
 /// "S1.G2.1" of the ground that begins in S1.F2.1.
@@ -204,7 +227,7 @@ class FeaturePlanner {
             reportStart(features_[i].id);
             levels.push_back(belowGround(features_[i]));
         }
-        PlannedNest best = planAll(levels, {});
+        PlannedNest best = planAll(levels, {}, {});
         if (!mayShareGround(levels) || best.failed()) return best;
         for (int round = 0; round < kMostGroundRounds; ++round)
             if (!shareMoreGround(groundIds(levels.front()), best)) break;
@@ -215,18 +238,18 @@ class FeaturePlanner {
     bool shareMoreGround(const std::string& ids, PlannedNest& best) const {
         const std::vector<CommonGround> grounds =
             proposeGround(best.features, shop_.library, shop_.request.sequence.material, ids, shop_.tol);
-        // All of them, or without those that promise least.
-        for (std::size_t count = grounds.size(); count > 0; --count) {
+        const NestLimit limit{best.residualMm3() + kVolumeRoundingMm3, kGroundPays * weightOf(best, shop_)};
+        // All of them, or the one that promises most: every trial takes as long as the nest itself.
+        for (std::size_t count = grounds.size(); count > 0; count = count > 1 ? 1 : 0) {
             std::vector<Feature> features;
             for (const PlannedFeature& planned : best.features)
                 features.push_back(planned.feature);
             for (std::size_t i = 0; i < count; ++i)
                 if (isCommonGround(features, grounds[i], shop_.tol))
                     features = withCommonGround(std::move(features), grounds[i], shop_.tol);
-            PlannedNest together = planAll(features, best);
-            if (together.failed() || together.residualMm3() > best.residualMm3() + kVolumeRoundingMm3)
-                continue;
-            if (weightOf(together, shop_) > kGroundPays * weightOf(best, shop_)) continue;
+            PlannedNest together = planAll(features, best, limit);
+            if (together.features.size() < features.size() || together.failed()) continue;
+            if (weightOf(together, shop_) > limit.weight) continue;
             best = std::move(together);
             return true;
         }
@@ -258,7 +281,9 @@ class FeaturePlanner {
 
     /// \param features  parents before children
     /// \param known     features of it that find the same room keep their sequences
-    PlannedNest planAll(const std::vector<Feature>& features, const PlannedNest& known) const {
+    /// \return  fewer features where those are beyond the limit already
+    PlannedNest planAll(const std::vector<Feature>& features, const PlannedNest& known,
+                        const NestLimit& limit) const {
         PlannedNest nest;
         nest.features.reserve(features.size());
         const CutById by_id = [&](const std::string& id) {
@@ -276,6 +301,7 @@ class FeaturePlanner {
                 return same != nullptr ? *same : sequenceOf(free, feature);
             });
             nest.features.push_back({feature, std::move(sequence)});
+            if (isBeyond(nest, limit, shop_)) break;
         }
         return nest;
     }
