@@ -138,6 +138,13 @@ SetupRequest setupRequest(const PlanOptions& options) {
 
 namespace {
 
+double scallop(double scallop_mm) {
+    if (scallop_mm == 0 || (scallop_mm >= kLeastScallopMm && scallop_mm <= kMostScallopMm)) return scallop_mm;
+    throw Error(ErrorCode::Usage, "--scallop",
+                fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastScallopMm, kMostScallopMm,
+                            scallop_mm));
+}
+
 double allowance(double mm, const char* option) {
     const bool fits = mm == 0 || (mm >= kLeastAllowanceMm && mm <= kMostAllowanceMm);
     if (!fits)
@@ -163,6 +170,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
         request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());
     request.sequence.finish = {allowance(options.finish_walls_mm, "--finish-walls"),
                                allowance(options.finish_floors_mm, "--finish-floors")};
+    request.scallop_mm = scallop(options.scallop_mm);
     return request;
 }
 

@@ -29,6 +29,7 @@ struct PlanOptions {
     std::string cost_model = "paths";
     double finish_walls_mm = 0;
     double finish_floors_mm = 0;
+    double scallop_mm = kDefaultScallopMm;
     std::string solid;  ///< empty: the only one; a number; "all"
     std::string unit;   ///< empty: as the file says
     int jobs = 0;       ///< 0: one per core

@@ -135,6 +135,10 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     plan->add_option("--finish-floors", options->finish_floors_mm,
                      "mm that roughing leaves on floors for a finishing pass over them; 0: no such pass")
         ->capture_default_str();
+    plan->add_option("--scallop", options->scallop_mm,
+                     "mm of the ridges that ball, bull-nose and chamfer cutters leave on walls that lean; 0: "
+                     "none of them is used there")
+        ->capture_default_str();
     addImportOption(*plan, *options);
     plan->add_flag("--strict", options->strict, "exit 1 on any warning as well");
     plan->add_flag("--json", options->json, "print plan.json on standard output instead of the summary");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "plan/feature_planner.h"
+#include "plan/form_finishing.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
@@ -82,6 +83,7 @@ struct PlannedStage {
     StageAir air;
     std::vector<Prism> removed;
     StockStep stock;
+    Stock left;  ///< after its feature operations
     std::vector<Warning> warnings;
 };
 
@@ -134,6 +136,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
         planned.stock = walk.cut(*stage, planned.removed);
+        planned.left = walk.left();
         planned.layers = std::move(stage->layers);
         stages.push_back(std::move(planned));
     }
@@ -145,6 +148,35 @@ std::vector<PlannedSetup> setupsOf(std::vector<PlannedStage>& stages) {
     std::vector<PlannedSetup> setups;
     for (PlannedStage& stage : stages)
         setups.push_back(std::move(stage.setup));
+    return setups;
+}
+
+/// The setups with form operations after all others, where the library has cutters for them.
+std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
+                                    const PlanningShop& shop, const Progress& progress) {
+    const PlanRequest& request = shop.request;
+    const std::string& material = request.sequence.material;
+    if (request.scallop_mm <= 0 || !hasFormCutters(shop.library, material)) return setups;
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        PlannedSetup& setup = setups[i];
+        if (progress) progress("leaning walls of " + setup.setup.id, 1);
+        const FormShop forms{shop.library,
+                             shop.machine,
+                             material,
+                             request.scallop_mm,
+                             request.sequence.retract_mm,
+                             shop.cautionOf(formGroundId(setup.setup.id)),
+                             shop.tol};
+        std::optional<FormFinishing> finishing =
+            finishForms({setup.setup, stages[i].layers, stages[i].left, stages.back().left}, forms);
+        if (!finishing) continue;
+        setup.form = std::move(finishing->ground);
+        for (Operation& operation : finishing->operations) {
+            operation.id = operationId(setup.setup.id, setup.operations.size() + 1);
+            setup.operations.push_back(std::move(operation));
+        }
+        linkOperations(setup.operations, shop.machine);
+    }
     return setups;
 }
 
@@ -189,6 +221,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     std::vector<PlannedSetup> operating =
         withOperations(std::move(shared.setups),
                        {usable.library, machine, request.sequence.material, request.cautions, tol});
+    operating = withForms(std::move(operating), stages, shop, progress);
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.library = withStickOuts(usable.library, operating);

@@ -1,4 +1,5 @@
 #include "stepmill/record/plan_json.h"
+#include "record/form_ground_json.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
 #include "stepmill/core/error.h"
@@ -165,17 +166,22 @@ Json toolJson(const ToolAssembly& tool) {
     Json range = nullptr;
     if (tool.stick_out_range)
         range = {number(tool.stick_out_range->shortest_mm), number(tool.stick_out_range->longest_mm)};
-    return {{"id", tool.id},
-            {"number", tool.number},
-            {"type", toString(tool.type)},
-            {"description", tool.description},
-            {"diameter_mm", number(tool.diameter_mm)},
-            {"corner_radius_mm", number(tool.corner_radius_mm)},
-            {"flute_length_mm", number(tool.flute_length_mm)},
-            {"stick_out_mm", number(tool.stick_out_mm)},
-            {"stick_out_range_mm", std::move(range)},
-            {"shank", cylinderJson(tool.shank)},
-            {"holder", listOf(tool.holder, cylinderJson)}};
+    Json json{{"id", tool.id},
+              {"number", tool.number},
+              {"type", toString(tool.type)},
+              {"description", tool.description},
+              {"diameter_mm", number(tool.diameter_mm)},
+              {"corner_radius_mm", number(tool.corner_radius_mm)},
+              {"flute_length_mm", number(tool.flute_length_mm)},
+              {"stick_out_mm", number(tool.stick_out_mm)},
+              {"stick_out_range_mm", std::move(range)},
+              {"shank", cylinderJson(tool.shank)},
+              {"holder", listOf(tool.holder, cylinderJson)}};
+    if (tool.type == ToolType::Chamfer) {
+        json["tip_diameter_mm"] = number(tool.tip_diameter_mm);
+        json["included_angle_deg"] = number(tool.included_angle_deg);
+    }
+    return json;
 }
 
 /// Tools the operations use, by number.
@@ -213,6 +219,10 @@ Json featureJson(const PlannedFeature& planned) {
             {"motion_time_s", number(sequence.motion_s)},
             {"lower_bound_s", number(sequence.lower_bound_s)},
             {"residual", listOf(sequence.residual, residualJson)}};
+}
+
+Json reasonJson(const ReasonVolume& entry) {
+    return {{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}};
 }
 
 Json patternTimeJson(const PatternTime& time) {
@@ -255,11 +265,8 @@ Json operationJson(const Operation& operation) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
         json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);
     }
+    if (!operation.takes.empty()) json["takes"] = listOf(operation.takes, reasonJson);
     return json;
-}
-
-Json reasonJson(const ReasonVolume& entry) {
-    return {{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}};
 }
 
 Json balanceJson(const VolumeBalance& balance) {
@@ -323,6 +330,13 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect) {
             {"volume_balance", balanceJson(setup.balance)}};
 }
 
+Json formsJson(const Plan& plan) {
+    Json forms = Json::array();
+    for (const PlannedSetup& setup : plan.setups)
+        if (setup.form) forms.push_back(record::formGroundJson(*setup.form));
+    return forms;
+}
+
 Json totalsJson(const PlanTotals& totals) {
     return {{"time_s", number(totals.time_s)},
             {"motion_time_s", number(totals.motion_s)},
@@ -364,6 +378,7 @@ std::string planJson(const Plan& plan) {
         {"warnings", listOf(plan.warnings, [](const Warning& warning) {
              return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
          })}};
+    if (Json forms = formsJson(plan); !forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }
 

@@ -4,10 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "record/form_ground_json.h"
 #include "record/plan_rules.h"
+#include "record/read_region.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
-#include "stepmill/planar/region_json.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
@@ -18,18 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kPlanFile = "plan.json";
 
 using record::failAt;
-
-/// The loops as written, checked: a region that crosses itself or runs the wrong way proves anything.
-Region region(const Json& json, const std::string& pointer) {
-    try {
-        Region region = regionFromJson(json, kPlanFile + pointer);
-        if (const auto fault = diagnose(region)) failAt(pointer, "is no region: " + *fault);
-        return region;
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::InvalidRegion) throw;
-        failAt(pointer, std::string(error.what()).substr(error.subject().size() + 2));
-    }
-}
+using record::readRegion;
 
 void requireUpright(double bottom_z_mm, double top_z_mm, const std::string& pointer) {
     if (top_z_mm <= bottom_z_mm) failAt(pointer + "/top_z_mm", "expected a top above the bottom");
@@ -47,6 +37,8 @@ ToolAssembly tool(const Json& json) {
     tool.description = json["description"];
     tool.diameter_mm = json["diameter_mm"];
     tool.corner_radius_mm = json["corner_radius_mm"];
+    tool.tip_diameter_mm = json.value("tip_diameter_mm", 0.0);
+    tool.included_angle_deg = json.value("included_angle_deg", 0.0);
     tool.flute_length_mm = json["flute_length_mm"];
     tool.stick_out_mm = json["stick_out_mm"];
     tool.shank = cylinder(json["shank"]);
@@ -75,19 +67,19 @@ PlannedFeature feature(const Json& json, const std::string& pointer) {
     feature.through = !hasFloor(feature.feature_class);
     feature.area_mm2 = json["area_mm2"];
     feature.volume_mm3 = json["volume_mm3"];
-    feature.target = region(json["target"], pointer + "/target");
-    feature.obstruction = region(json["obstruction"], pointer + "/obstruction");
+    feature.target = readRegion(json["target"], pointer + "/target");
+    feature.obstruction = readRegion(json["obstruction"], pointer + "/obstruction");
     for (std::size_t i = 0; i < json["obstacles"].size(); ++i) {
         const Json& from = json["obstacles"][i];
         const std::string at = fmt::format("{}/obstacles/{}", pointer, i);
         requireUpright(from["bottom_z_mm"], from["top_z_mm"], at);
         feature.obstacles.push_back(
-            {from["bottom_z_mm"], from["top_z_mm"], region(from["section"], at + "/section")});
+            {from["bottom_z_mm"], from["top_z_mm"], readRegion(from["section"], at + "/section")});
     }
     for (std::size_t i = 0; i < json["residual"].size(); ++i) {
         const Json& from = json["residual"][i];
         Residual residual;
-        residual.region = region(from["region"], fmt::format("{}/residual/{}/region", pointer, i));
+        residual.region = readRegion(from["region"], fmt::format("{}/residual/{}/region", pointer, i));
         residual.area_mm2 = from["area_mm2"];
         residual.volume_mm3 = from["volume_mm3"];
         residual.reason = stayReasonFrom(from["reason"].get<std::string>());
@@ -114,6 +106,10 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.speed_rpm = json["speed_rpm"];
     operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
     operation.dwell_s = json["dwell_s"];
+    if (json.contains("takes"))
+        for (const Json& entry : json["takes"])
+            operation.takes.push_back(
+                {stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
     return operation;
 }
 
@@ -134,8 +130,8 @@ RecordedSetup setup(const Json& json, const std::string& pointer) {
             const Json& one = json["fixtures"][i];
             const std::string at = fmt::format("{}/fixtures/{}", pointer, i);
             requireUpright(one["bottom_z_mm"], one["top_z_mm"], at);
-            setup.fixtures.push_back(
-                {one["name"], region(one["section"], at + "/section"), one["bottom_z_mm"], one["top_z_mm"]});
+            setup.fixtures.push_back({one["name"], readRegion(one["section"], at + "/section"),
+                                      one["bottom_z_mm"], one["top_z_mm"]});
         }
     setup.time_s = json["time_s"];
     setup.feature_ids = json["features"].get<std::vector<std::string>>();
@@ -152,6 +148,15 @@ Machine machine(const Json& json) {
     machine.max_speed_rpm = json.value("max_speed_rpm", 0.0);
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     return machine;
+}
+
+void readForms(const Json& plan, PlanRecord& record) {
+    if (!plan.contains("forms")) return;
+    for (std::size_t i = 0; i < plan["forms"].size(); ++i) {
+        FormGround ground = record::formGroundFrom(plan["forms"][i], fmt::format("#/forms/{}", i));
+        const std::string id = ground.id;
+        record.forms[id] = std::move(ground);
+    }
 }
 
 /// Who plans for a machine that is too small is told so.
@@ -217,6 +222,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
         record.operations[one["id"]] = operation(one, record.tools);
     for (std::size_t i = 0; i < plan["setups"].size(); ++i)
         record.setups.push_back(setup(plan["setups"][i], fmt::format("#/setups/{}", i)));
+    readForms(plan, record);
     noteTravel(plan, record);
     readBalance(plan, tol, record);
     return record;

@@ -87,11 +87,17 @@ void checkTool(const Json& tool, const std::string& pointer) {
     const double radius_mm = tool["diameter_mm"].get<double>() / 2;
     const bool fits = type == "ball"   ? std::abs(corner_mm - radius_mm) <= kSameRadiusMm
                       : type == "bull" ? corner_mm > 0 && corner_mm <= radius_mm + kSameRadiusMm
-                      : type == "flat" || type == "drill" ? corner_mm == 0
-                                                          : corner_mm <= radius_mm + kSameRadiusMm;
+                      : type == "flat" || type == "drill" || type == "chamfer"
+                          ? corner_mm == 0
+                          : corner_mm <= radius_mm + kSameRadiusMm;
     if (!fits)
         failAt(pointer + "/corner_radius_mm",
                fmt::format("{} mm is no corner of a {} cutter of {} mm", corner_mm, type, 2 * radius_mm));
+    if ((type == "chamfer") != tool.contains("included_angle_deg") ||
+        (type == "chamfer") != tool.contains("tip_diameter_mm"))
+        failAt(pointer, "expected tip and angle of a chamfer mill, and of nothing else");
+    if (type == "chamfer" && tool["tip_diameter_mm"].get<double>() >= 2 * radius_mm)
+        failAt(pointer + "/tip_diameter_mm", "expected less than the diameter");
     double below_mm = tool["stick_out_mm"];
     for (std::size_t i = 0; i < tool["holder"].size(); ++i) {
         const Json& cylinder = tool["holder"][i];
@@ -113,12 +119,30 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     if (drills != (operation["role"] == "drill"))
         failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
                                               tool->second["type"].get<std::string>()));
+    const std::string type = tool->second["type"];
+    const bool form = operation["role"] == "form";
+    if (form && type != "ball" && type != "bull" && type != "chamfer")
+        failAt(pointer + "/role", fmt::format("'form' is no work of a {}", type));
     const auto feature = feature_setup.find(operation["feature"]);
     if (feature == feature_setup.end() || feature->second != operation["setup"].get<std::string>())
         failAt(pointer + "/feature", fmt::format("expected a feature of this plan and setup, found '{}'",
                                                  operation["feature"].get<std::string>()));
     if (operation["z_top_mm"].get<double>() <= operation["z_floor_mm"].get<double>())
         failAt(pointer + "/z_top_mm", "expected a top above the floor");
+}
+
+/// Setups by their form grounds.
+std::map<std::string, std::string> formSetups(const Json& plan) {
+    std::map<std::string, std::string> setup_of;
+    if (!plan.contains("forms")) return setup_of;
+    for (std::size_t i = 0; i < plan["forms"].size(); ++i) {
+        const Json& form = plan["forms"][i];
+        if (form["id"].get<std::string>() != formGroundId(form["setup"]))
+            failAt(at("forms", i, "id"), "expected the id of its setup's ground");
+        if (!setup_of.emplace(form["id"], form["setup"]).second)
+            failAt(at("forms", i, "id"), "expected a setup that no other form has");
+    }
+    return setup_of;
 }
 
 void checkAxes(const Json& plan) {
@@ -170,8 +194,12 @@ void checkPlanRules(const Json& plan) {
     std::map<std::string, std::string> feature_setup;
     for (const Json& feature : plan["features"])
         feature_setup[feature["id"]] = feature["setup"];
-    for (std::size_t i = 0; i < plan["operations"].size(); ++i)
-        checkOperation(plan["operations"][i], tools, feature_setup, at("operations", i));
+    const std::map<std::string, std::string> form_setup = formSetups(plan);
+    for (std::size_t i = 0; i < plan["operations"].size(); ++i) {
+        const Json& operation = plan["operations"][i];
+        checkOperation(operation, tools, operation["role"] == "form" ? form_setup : feature_setup,
+                       at("operations", i));
+    }
     checkListed(plan, "features");
     checkListed(plan, "operations");
     checkAxes(plan);
@@ -226,6 +254,10 @@ void checkBooks(const Json& plan, const Tolerances& tol) {
     std::map<std::string, double> volume_of;
     for (const Json& feature : plan["features"])
         volume_of[feature["setup"]] += feature["volume_mm3"].get<double>();
+    for (const Json& operation : plan["operations"])
+        if (operation.contains("takes"))
+            for (const Json& taken : operation["takes"])
+                volume_of[operation["setup"]] += taken["volume_mm3"].get<double>();
     for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
         const Json& setup = plan["setups"][i];
         if (!setup.contains("volume_balance")) continue;
