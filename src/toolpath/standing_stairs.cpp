@@ -47,6 +47,18 @@ std::size_t endOfSlice(const std::vector<Obstacle>& bands, std::size_t first, do
     return end;
 }
 
+/// What of a region lies in each of several places apart from each other; places with nothing are left out.
+std::vector<Region> inPlaces(const Region& region, const std::vector<Region>& places) {
+    std::vector<Region> parts;
+    for (const Region& place : places) {
+        Region part;
+        for (const Loop& loop : region.loops)
+            if (contains(place, loop.start)) part.loops.push_back(loop);
+        if (!part.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
 /// What stands in a slice, ready to be asked what comes near it.
 struct Standing {
     const Region& region;
@@ -137,6 +149,7 @@ class WayBuilder {
 
 StandingStairs::StandingStairs(const FormGround& ground, const Tolerances& tol) : tol_(tol) {
     const std::vector<Obstacle>& bands = ground.must_stand;
+    const std::vector<Region> places = components(ground.window);
     for (std::size_t i = 0; i < bands.size();) {
         const double low_mm = bands[i].bottom_z_mm;
         const Obstacle* stair = at(ground.stairs, (low_mm + bands[i].top_z_mm) / 2);
@@ -148,9 +161,9 @@ StandingStairs::StandingStairs(const FormGround& ground, const Tolerances& tol) 
         const double high_mm = bands[end - 1].top_z_mm;
         const Obstacle& middle = bands[i + (end - i) / 2];
         Region left = joined(toolpath::piecesBeyondSkins(subtract(stair->section, middle.section, tol), tol));
-        if (!left.empty())
+        for (Region& place : inPlaces(left, places))
             slices_.push_back(
-                {(middle.bottom_z_mm + middle.top_z_mm) / 2, high_mm - low_mm, std::move(left)});
+                {(middle.bottom_z_mm + middle.top_z_mm) / 2, high_mm - low_mm, std::move(place)});
         i = end;
     }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <map>
-#include <memory>
+#include <tuple>
 #include <vector>
 
 #include "stepmill/catalog/tool.h"
@@ -11,8 +11,41 @@
 
 namespace stepmill {
 
-/// A form ground with the clearance diagrams of its bands, which all cutters share. They are made when they
-/// are first asked for; not safe to share between threads.
+/// One component of a form ground's window, with the clearance diagrams of its bands, which all cutters
+/// share. They are made when they are first asked for; not safe to share between threads.
+class FormRoom {
+  public:
+    /// \param sections  of the bands that must stand, as far as they lie in the window
+    /// Keeps `ground`.
+    FormRoom(const FormGround& ground, Region window, std::vector<Region> sections, const Tolerances& tol);
+
+    const Region& window() const { return window_; }
+    /// Heights between which there are stairs in the room.
+    double stairsBottomMm() const { return stairs_bottom_mm_; }
+    double stairsTopMm() const { return stairs_top_mm_; }
+    /// The section of must_stand[band], grown. Empty for an empty one.
+    Region grown(std::size_t band, double by_mm) const;
+    /// All that must stand in that band and above it, grown.
+    Region grownAbove(std::size_t band, double by_mm) const;
+    /// Does the band hold the same section as the one above it?
+    bool goesOn(std::size_t band) const { return goes_on_[band] != 0; }
+
+  private:
+    using Diagrams = std::map<std::size_t, ClearanceDiagram>;
+    const ClearanceDiagram& shadow(std::size_t band) const;
+    void findStairs(const FormGround& ground);
+
+    Region window_;
+    std::vector<Region> sections_;
+    Tolerances tol_;
+    std::vector<char> goes_on_;
+    double stairs_bottom_mm_ = 0;
+    double stairs_top_mm_ = 0;
+    mutable Diagrams bands_;
+    mutable Diagrams shadows_;
+};
+
+/// A form ground as the rooms of its window.
 class FormBands {
   public:
     /// Keeps `ground`.
@@ -20,25 +53,16 @@ class FormBands {
 
     const FormGround& ground() const { return ground_; }
     const Tolerances& tolerances() const { return tol_; }
-    /// The section of must_stand[band], grown. Empty for an empty one.
-    Region grown(std::size_t band, double by_mm) const;
-    /// All that must stand in that band and above it, grown.
-    Region grownAbove(std::size_t band, double by_mm) const;
-    /// The section of obstacles[index], grown.
-    Region obstacleGrown(std::size_t index, double by_mm) const;
-    /// Does the band hold the same section as the one above it?
-    bool goesOn(std::size_t band) const { return goes_on_[band] != 0; }
+    const std::vector<FormRoom>& rooms() const { return rooms_; }
+    /// The section of obstacles[index], grown, as far as it reaches into the room.
+    const Region& obstacleGrown(std::size_t index, double by_mm, std::size_t room) const;
 
   private:
-    using Diagrams = std::map<std::size_t, ClearanceDiagram>;
-    const ClearanceDiagram& shadow(std::size_t band) const;
-
     const FormGround& ground_;
     Tolerances tol_;
-    std::vector<char> goes_on_;
-    mutable Diagrams bands_;
-    mutable Diagrams shadows_;
-    mutable Diagrams obstacles_;
+    std::vector<FormRoom> rooms_;
+    mutable std::map<std::size_t, ClearanceDiagram> obstacles_;
+    mutable std::map<std::tuple<std::size_t, double, std::size_t>, Region> obstacles_grown_;
 };
 
 /// Where the axis of a form cutter may stand while its tip is at a height.
@@ -51,17 +75,18 @@ class FormCentres {
     /// Keeps `bands`.
     FormCentres(const FormBands& bands, const ToolAssembly& tool);
 
-    /// Errs inwards by the guard of paths, and by what a band is high times the sine of the wall's lean. Kept
-    /// by height.
+    /// In rooms where the cutter would meet stairs; others have no free centres. Errs inwards by the guard of
+    /// paths, and by what a band is high times the sine of the wall's lean. Kept by height.
     const Region& at(double tip_z_mm) const;
 
   private:
-    Region keptOff(double tip_z_mm) const;
-    void addHolder(double tip_z_mm, std::vector<Region>& kept_off) const;
+    Region inRoom(std::size_t room, double tip_z_mm) const;
+    Region keptOff(std::size_t room, double tip_z_mm) const;
+    void addHolder(std::size_t room, double tip_z_mm, std::vector<Region>& kept_off) const;
 
     const FormBands& bands_;
     const ToolAssembly& tool_;
-    Region within_;  ///< the window less the cutter's radius
+    std::vector<Region> within_;  ///< the rooms' windows less the cutter's radius
     mutable std::map<double, Region> known_;
 };
 

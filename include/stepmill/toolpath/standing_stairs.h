@@ -23,7 +23,7 @@ class StandingStairs {
   public:
     StandingStairs(const FormGround& ground, const Tolerances& tol);
 
-    /// What stands at one height, and what height it stands for.
+    /// What stands at one height in one component of the window, and what height it stands for.
     struct Slice {
         double z_mm = 0;
         double height_mm = 0;
