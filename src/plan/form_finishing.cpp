@@ -17,7 +17,7 @@ namespace {
 constexpr double kLeastGainMm3 = 0.5;
 constexpr double kLeastGainShare = 0.01;
 /// So many cutters are tried as the first one, the most promising.
-constexpr std::size_t kMostFirst = 3;
+constexpr std::size_t kMostFirst = 2;
 /// Sequences that take this share of what the best takes take as much.
 constexpr double kAsMuchShare = 0.99;
 
@@ -61,8 +61,11 @@ class FormChooser {
             FormSteps way = begun;
             way.push_back(step);
             ways.push_back(way);
-            while (goOn(way))
+            // A cutter that alone takes longer than all that is known to do it is no beginning.
+            while (timeOf(way) < timeOf(cheapest(ways)) || takenOf(way) >= takenOf(cheapest(ways))) {
+                if (!goOn(way)) break;
                 ways.push_back(way);
+            }
         }
         return cheapest(ways);
     }
@@ -155,7 +158,7 @@ class TakenByReason {
             if (!spans(layer, slice.z_mm)) continue;
             const double mm2 = area(slice.region) - area(after.slices()[i].region);
             if (mm2 <= 0) continue;
-            taken_mm3 += mm2 * slice.height_mm;
+            taken_mm3 += mm2 * slice.height_mm();
             weigh(layer, subtract(slice.region, after.slices()[i].region, tol_), weights);
         }
         for (const bool others : {false, true})
@@ -186,6 +189,18 @@ class TakenByReason {
     const Tolerances& tol_;
     std::vector<std::vector<double>> left_;  ///< by layer and cause
 };
+
+/// Slice by slice what stood before and does not after.
+std::vector<Prism> takenPrisms(const StandingStairs& before, const StandingStairs& after,
+                               const Tolerances& tol) {
+    std::vector<Prism> prisms;
+    for (std::size_t i = 0; i < before.slices().size(); ++i) {
+        const StandingStairs::Slice& slice = before.slices()[i];
+        Region taken = subtract(slice.region, after.slices()[i].region, tol);
+        if (area(taken) > tol.area_mm2) prisms.push_back({std::move(taken), slice.top_mm, slice.bottom_mm});
+    }
+    return prisms;
+}
 
 Operation operationOf(FormStep& step, const FormGround& ground, const FormShop& shop) {
     Operation operation;
@@ -229,6 +244,7 @@ std::optional<FormFinishing> finishForms(const FormSources& sources, const FormS
         finishing.operations.back().takes = taken.of(*before, step.left);
         before = &step.left;
     }
+    finishing.removed = takenPrisms(chooser.all(), steps.back().left, shop.tol);
     finishing.ground = std::move(site->ground);
     return finishing;
 }

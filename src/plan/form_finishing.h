@@ -24,6 +24,7 @@ struct FormShop {
 struct FormFinishing {
     FormGround ground;
     std::vector<Operation> operations;  ///< in their order, without ids; none where no cutter gains anything
+    std::vector<Prism> removed;         ///< what they take, in setup coordinates
 };
 
 /// Are there cutters for leaning walls at all?

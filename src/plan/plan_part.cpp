@@ -157,6 +157,8 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
     const PlanRequest& request = shop.request;
     const std::string& material = request.sequence.material;
     if (request.scallop_mm <= 0 || !hasFormCutters(shop.library, material)) return setups;
+    // A wall that leans to two setups is finished in the first.
+    Stock at_end = stages.back().left;
     for (std::size_t i = 0; i < setups.size(); ++i) {
         PlannedSetup& setup = setups[i];
         if (progress) progress("leaning walls of " + setup.setup.id, 1);
@@ -168,9 +170,10 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
                              shop.cautionOf(formGroundId(setup.setup.id)),
                              shop.tol};
         std::optional<FormFinishing> finishing =
-            finishForms({setup.setup, stages[i].layers, stages[i].left, stages.back().left}, forms);
+            finishForms({setup.setup, stages[i].layers, stages[i].left, at_end}, forms);
         if (!finishing) continue;
         setup.form = std::move(finishing->ground);
+        at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
         for (Operation& operation : finishing->operations) {
             operation.id = operationId(setup.setup.id, setup.operations.size() + 1);
             setup.operations.push_back(std::move(operation));

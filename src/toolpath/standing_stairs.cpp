@@ -83,11 +83,10 @@ class SweptWay {
     bool takeFrom(Region& region, double radius_mm) const {
         if (region.empty() || !grown(box_, radius_mm).intersects(boundingBox(region))) return false;
         const Standing standing{region, EdgeIndex(region)};
-        std::vector<Path> near;
-        for (const Edge& edge : edges_)
-            if (standing.meets(edge, radius_mm)) near.push_back({edge.from, {edge.segment}});
+        std::size_t count = 0;
+        const std::vector<Path> near = stretchesNear(standing, radius_mm, count);
         if (near.empty()) return false;
-        if (way_.closed() && 2 * near.size() > edges_.size())
+        if (way_.closed() && 2 * count > edges_.size())
             takeAround(region, radius_mm);
         else
             region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
@@ -95,6 +94,20 @@ class SweptWay {
     }
 
   private:
+    /// The stretches of the way on which the disc cuts, and how many edges they have.
+    std::vector<Path> stretchesNear(const Standing& standing, double radius_mm, std::size_t& count) const {
+        std::vector<Path> near;
+        bool goes_on = false;
+        for (const Edge& edge : edges_) {
+            const bool meets = standing.meets(edge, radius_mm);
+            if (meets && !goes_on) near.push_back({edge.from, {}});
+            if (meets) near.back().segments.push_back(edge.segment);
+            if (meets) ++count;
+            goes_on = meets;
+        }
+        return near;
+    }
+
     /// Round a closed way the disc sweeps what lies within its radius on both sides.
     void takeAround(Region& region, double radius_mm) const {
         if (!around_) around_.emplace(Region{{signedArea(way_) > 0 ? way_ : reversed(way_)}}, tol_);
@@ -163,7 +176,7 @@ StandingStairs::StandingStairs(const FormGround& ground, const Tolerances& tol) 
         Region left = joined(toolpath::piecesBeyondSkins(subtract(stair->section, middle.section, tol), tol));
         for (Region& place : inPlaces(left, places))
             slices_.push_back(
-                {(middle.bottom_z_mm + middle.top_z_mm) / 2, high_mm - low_mm, std::move(place)});
+                {(middle.bottom_z_mm + middle.top_z_mm) / 2, low_mm, high_mm, std::move(place)});
         i = end;
     }
 }
@@ -171,7 +184,7 @@ StandingStairs::StandingStairs(const FormGround& ground, const Tolerances& tol) 
 double StandingStairs::volumeMm3() const {
     double sum = 0;
     for (const Slice& slice : slices_)
-        sum += area(slice.region) * slice.height_mm;
+        sum += area(slice.region) * slice.height_mm();
     return sum;
 }
 

@@ -26,8 +26,11 @@ class StandingStairs {
     /// What stands at one height in one component of the window, and what height it stands for.
     struct Slice {
         double z_mm = 0;
-        double height_mm = 0;
+        double bottom_mm = 0;
+        double top_mm = 0;
         Region region;
+
+        double height_mm() const { return top_mm - bottom_mm; }
     };
     const std::vector<Slice>& slices() const { return slices_; }
     double volumeMm3() const;
