@@ -120,7 +120,7 @@ class HeightMap {
         double air_run = 0;
         for (const Move& move : path.moves) {
             if (move.kind == MoveKind::Rapid) {
-                rapid(from, move, radius_mm - slack_mm, cut);
+                rapid(from, move, cutter, radius_mm - slack_mm, cut);
                 air_run = 0;
             } else {
                 feed(from, move, cutter, air_run, cut);
@@ -148,14 +148,16 @@ class HeightMap {
         return {at.x(), at.y(), from.z() + share * (move.to.z() - from.z())};
     }
 
-    void rapid(const Vec3& from, const Move& move, double radius_mm, Cut& cut) const {
+    void rapid(const Vec3& from, const Move& move, const CutterProfile& cutter, double radius_mm,
+               Cut& cut) const {
         // Nothing is lowered, so steps may be as long as the disc is wide in cells.
         const int steps = stepsOf(from, move, std::max(0.5 * radius_mm, raster_.cellMm())).first;
         for (int i = 0; i <= steps; ++i) {
             const Vec3 at = along(from, move, static_cast<double>(i) / steps);
             bool hit = false;
             raster_.forDisc(at.head<2>(), radius_mm, [&](std::size_t c) {
-                hit = hit || (heights_[c] > empty_z_mm_ && heights_[c] > at.z() + kFlushMm);
+                const double z_mm = at.z() + cutter.heightAt((raster_.centre(c) - at.head<2>()).norm());
+                hit = hit || (heights_[c] > empty_z_mm_ && heights_[c] > z_mm + kFlushMm);
             });
             if (hit && cut.rapid_hits++ == 0) cut.first_hit = at;
         }
