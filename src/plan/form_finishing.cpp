@@ -16,8 +16,6 @@ namespace {
 /// A cutter that takes less than this, or than this share of what is there, is not worth its change [mm3].
 constexpr double kLeastGainMm3 = 0.5;
 constexpr double kLeastGainShare = 0.01;
-/// So many cutters are tried as the first one, the most promising.
-constexpr std::size_t kMostFirst = 2;
 /// Sequences that take this share of what the best takes take as much.
 constexpr double kAsMuchShare = 0.99;
 
@@ -52,10 +50,7 @@ class FormChooser {
     FormSteps choose() {
         FormSteps begun = chamfers();
         const StandingStairs& left = begun.empty() ? all_ : begun.back().left;
-        std::vector<FormStep> first = steps(left, begun);
-        std::sort(first.begin(), first.end(),
-                  [](const FormStep& a, const FormStep& b) { return a.taken_mm3 > b.taken_mm3; });
-        if (first.size() > kMostFirst) first.erase(first.begin() + kMostFirst, first.end());
+        const FormSteps first = promising(steps(left, begun));
         std::vector<FormSteps> ways{begun};
         for (const FormStep& step : first) {
             FormSteps way = begun;
@@ -92,6 +87,21 @@ class FormChooser {
             FormStep step = work_.step(*tool, stairs);
             if (step.taken_mm3 >= least_mm3_) found.push_back(std::move(step));
         }
+        return found;
+    }
+
+    /// Those that take most and that take most in a minute.
+    static FormSteps promising(const FormSteps& steps) {
+        if (steps.size() < 2) return steps;
+        const auto most =
+            std::max_element(steps.begin(), steps.end(),
+                             [](const FormStep& a, const FormStep& b) { return a.taken_mm3 < b.taken_mm3; });
+        const auto quickest =
+            std::max_element(steps.begin(), steps.end(), [](const FormStep& a, const FormStep& b) {
+                return a.taken_mm3 * b.time_s < b.taken_mm3 * a.time_s;
+            });
+        FormSteps found{*quickest};
+        if (most != quickest) found.push_back(*most);
         return found;
     }
 

@@ -82,9 +82,8 @@ std::vector<double> wallLevels(const FormSite& site, double corner_mm, double st
     while (z_mm > lowest_mm + kSameHeightMm) {
         double next_mm = std::max(lowest_mm, z_mm - stepBelow(demands, z_mm, most_mm));
         // The foot of a stair is a floor: there the corner makes the fillet.
-        for (const Obstacle& stair : site.ground.stairs)
-            if (stair.bottom_z_mm < z_mm - kSameHeightMm && stair.bottom_z_mm > next_mm)
-                next_mm = stair.bottom_z_mm;
+        for (const double foot_mm : site.feet_mm)
+            if (foot_mm < z_mm - kSameHeightMm && foot_mm > next_mm) next_mm = foot_mm;
         z_mm = onBand(site, next_mm, z_mm);
         if (hasStairs(site, z_mm, z_mm + corner_mm + most_mm)) levels.push_back(z_mm);
     }

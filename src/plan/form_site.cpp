@@ -20,6 +20,8 @@ constexpr double kLeastHiddenMm3 = 0.05;
 /// Bands are no thinner, whatever the lean, and no thicker on walls that lean at all [mm].
 constexpr double kThinnestBandMm = 0.01;
 constexpr double kThickestBandMm = 0.25;
+/// Where other setups cut the stock at a slant or across, it is looked at in parts of this height [mm].
+constexpr double kStockPartMm = 0.5;
 /// Heights of bands are numbers that programs can say [mm].
 constexpr double kHeightStepMm = 1e-4;
 /// A setup has no more bands than this; where it would, they are cut coarser.
@@ -43,6 +45,10 @@ double seenFromAboveMm3(const Layer& layer) {
     return sum;
 }
 
+double onStep(double z_mm) {
+    return std::round(z_mm / kHeightStepMm) * kHeightStepMm;
+}
+
 struct Heights {
     double bottom_mm = 0;
     double top_mm = 0;
@@ -57,8 +63,7 @@ void addBands(const SectionCutter& part, const Heights& heights, double skin_mm,
         into.push_back(heights);
         return;
     }
-    const double middle_mm =
-        std::round((heights.bottom_mm + heights.top_mm) / 2 / kHeightStepMm) * kHeightStepMm;
+    const double middle_mm = onStep((heights.bottom_mm + heights.top_mm) / 2);
     addBands(part, {heights.bottom_mm, middle_mm}, skin_mm, into);
     addBands(part, {middle_mm, heights.top_mm}, skin_mm, into);
 }
@@ -94,19 +99,44 @@ class SiteMaker {
         for (std::size_t i = layers.size(); i-- > 0;) {
             const Layer& layer = layers[i];
             if (seenFromAboveMm3(layer) < kLeastHiddenMm3) continue;
-            const Region standing =
-                intersect(layer.part, at_end.at((layer.top_z_mm + layer.bottom_z_mm) / 2), tol_);
+            const std::size_t before = site_.ground.stairs.size();
             const double thin_mm = std::min(kThinnestBandMm, layer.height_mm() / 2);
-            const Region at_top = part_.partBetween(layer.top_z_mm - thin_mm, layer.top_z_mm);
-            Region stairs = joined(toolpath::piecesBeyondSkins(subtract(standing, at_top, tol_), tol_));
-            if (!stairs.empty())
-                site_.ground.stairs.push_back({layer.bottom_z_mm, layer.top_z_mm, std::move(stairs)});
+            const Region ground =
+                subtract(layer.part, part_.partBetween(layer.top_z_mm - thin_mm, layer.top_z_mm), tol_);
+            for (const Heights& heights : heightsOfStock(at_end, layer))
+                addStair(at_end, ground, heights);
+            if (site_.ground.stairs.size() > before) site_.feet_mm.push_back(layer.bottom_z_mm);
         }
     }
 
+    void addStair(const StockSections& at_end, const Region& ground, const Heights& heights) {
+        const Region standing = intersect(ground, at_end.at((heights.top_mm + heights.bottom_mm) / 2), tol_);
+        Region stairs = joined(toolpath::piecesBeyondSkins(standing, tol_));
+        if (!stairs.empty())
+            site_.ground.stairs.push_back({heights.bottom_mm, heights.top_mm, std::move(stairs)});
+    }
+
+    /// The layer in parts over which the stock hardly changes; the whole layer where it does not at all.
+    std::vector<Heights> heightsOfStock(const StockSections& at_end, const Layer& layer) const {
+        const double height_mm = layer.height_mm();
+        const Region low = at_end.at(layer.bottom_z_mm + 0.05 * height_mm);
+        const bool same = feature::sameRegion(low, at_end.at(layer.bottom_z_mm + 0.5 * height_mm), tol_) &&
+                          feature::sameRegion(low, at_end.at(layer.bottom_z_mm + 0.95 * height_mm), tol_);
+        const int parts = same ? 1 : std::max(1, static_cast<int>(std::ceil(height_mm / kStockPartMm)));
+        std::vector<Heights> all;
+        double bottom_mm = layer.bottom_z_mm;
+        for (int i = 1; i <= parts; ++i) {
+            const double top_mm =
+                i == parts ? layer.top_z_mm : onStep(layer.bottom_z_mm + height_mm * i / parts);
+            all.push_back({bottom_mm, top_mm});
+            bottom_mm = top_mm;
+        }
+        return all;
+    }
+
     bool leans(const Layer& layer) const {
-        return std::any_of(site_.ground.stairs.begin(), site_.ground.stairs.end(),
-                           [&](const Obstacle& stair) { return stair.bottom_z_mm == layer.bottom_z_mm; });
+        return std::find(site_.feet_mm.begin(), site_.feet_mm.end(), layer.bottom_z_mm) !=
+               site_.feet_mm.end();
     }
 
     void findWindow() {

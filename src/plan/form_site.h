@@ -22,6 +22,7 @@ struct FormSite {
     FormGround ground;
     /// Of each band that must stand the leans of its faces that look up, as sines from upright, ascending.
     std::vector<std::vector<double>> leans;
+    std::vector<double> feet_mm;  ///< where layers with stairs end below, ascending
 };
 
 /// The stairs that flat layers leave in a setup, with what must stand beside them, cut so fine that a band's

@@ -13,6 +13,11 @@ namespace {
 /// Heights in plan.json have six decimals: sections are compared that far inside their bands [mm].
 constexpr double kWrittenMm = 1e-6;
 
+/// Walls of free form are fitted anew at every height, each time within the curve tolerance.
+double slackMm(const Tolerances& tol) {
+    return tol.gouge_mm + 2 * tol.curve_fit_mm;
+}
+
 /// The first height of a band at which the part is not covered.
 std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band, const Region& window,
                                 const Tolerances& tol) {
@@ -21,7 +26,7 @@ std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band,
     tops.push_back(band.top_z_mm - kWrittenMm);
     for (const double top_mm : tops) {
         const Region stands = intersect(part.partBetween(bottom_mm, top_mm), window, tol);
-        if (!covers(band.section, stands, tol.gouge_mm, tol)) return bottom_mm;
+        if (!covers(band.section, stands, slackMm(tol), tol)) return bottom_mm;
         bottom_mm = top_mm;
     }
     return std::nullopt;
