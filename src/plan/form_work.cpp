@@ -3,6 +3,7 @@
 #include "plan/form_work.h"
 
 #include "plan/form_levels.h"
+#include "stepmill/core/error.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/form_passes.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -34,8 +35,19 @@ std::vector<const ToolAssembly*> FormWork::cutters() const {
     return found;
 }
 
-double FormWork::leastMm(const ToolAssembly& /*tool*/) const {
-    return kSkinScallops * shop_.scallop_mm;
+/// Nothing where the cutter has no pass, or where no sure region of free centres is found: what other levels
+/// leave there stays.
+std::optional<toolpath::FormLevel> FormWork::levelAt(const FormCentres& centres, const StandingStairs& stairs,
+                                                     const CutterForm& form, const CuttingData& cutting,
+                                                     double z_mm) const {
+    try {
+        toolpath::FormLevel level = toolpath::formLevel(centres, stairs, form, z_mm,
+                                                        toolpath::usedStepOver(cutting, form.fullRadiusMm()),
+                                                        kSkinScallops * shop_.scallop_mm, shop_.tol);
+        if (!level.passes.empty()) return level;
+    } catch (const Error&) {
+    }
+    return std::nullopt;
 }
 
 FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) {
@@ -46,12 +58,10 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
     FormStep step{&tool, {}, 0, 0, stairs};
     std::vector<toolpath::FormLevel> levels;
     for (const double z_mm : formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm)) {
-        toolpath::FormLevel level =
-            toolpath::formLevel(*centres, step.left, form, z_mm,
-                                toolpath::usedStepOver(cutting, tool.radius_mm()), leastMm(tool), shop_.tol);
-        if (level.passes.empty()) continue;
-        step.left.cut({z_mm, level.passes}, form);
-        levels.push_back(std::move(level));
+        std::optional<toolpath::FormLevel> level = levelAt(*centres, step.left, form, cutting, z_mm);
+        if (!level) continue;
+        step.left.cut({z_mm, level->passes}, form);
+        levels.push_back(std::move(*level));
     }
     step.path = toolpath::formPath({site_.ground, retractZ(site_.ground, shop_), shop_.caution.plain_ways},
                                    levels, tool, cutting, shop_.machine, shop_.tol);

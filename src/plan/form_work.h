@@ -2,11 +2,13 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "plan/form_finishing.h"
 #include "stepmill/access/form_centres.h"
+#include "stepmill/toolpath/form_passes.h"
 #include "stepmill/toolpath/standing_stairs.h"
 
 namespace stepmill {
@@ -32,7 +34,9 @@ class FormWork {
     std::vector<const ToolAssembly*> cutters() const;
 
   private:
-    double leastMm(const ToolAssembly& tool) const;
+    std::optional<toolpath::FormLevel> levelAt(const FormCentres& centres, const StandingStairs& stairs,
+                                               const CutterForm& form, const CuttingData& cutting,
+                                               double z_mm) const;
 
     const FormSite& site_;
     const FormShop& shop_;

@@ -22,6 +22,8 @@
 namespace stepmill {
 namespace {
 
+using Warnings = std::vector<Warning>;
+
 /// Shares of a setup's work at which its stages start, by rough experience; only the progress bar sees them.
 constexpr double kFeaturesShare = 0.3;
 constexpr double kSequencesShare = 0.35;
@@ -151,9 +153,20 @@ std::vector<PlannedSetup> setupsOf(std::vector<PlannedStage>& stages) {
     return setups;
 }
 
+/// What keeps form cutters from a setup must not lose the plan: the walls stay as flat layers leave them.
+std::optional<FormFinishing> formsOf(const FormSources& sources, const FormShop& shop, Warnings& warnings) {
+    try {
+        return finishForms(sources, shop);
+    } catch (const Error& error) {
+        warnings.push_back({"planning-failed", formGroundId(sources.setup.id),
+                            fmt::format("leaning walls stay as flat layers leave them: {}", error.what())});
+        return std::nullopt;
+    }
+}
+
 /// The setups with form operations after all others, where the library has cutters for them.
 std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
-                                    const PlanningShop& shop, const Progress& progress) {
+                                    const PlanningShop& shop, const Progress& progress, Warnings& warnings) {
     const PlanRequest& request = shop.request;
     const std::string& material = request.sequence.material;
     if (request.scallop_mm <= 0 || !hasFormCutters(shop.library, material)) return setups;
@@ -170,7 +183,7 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
                              shop.cautionOf(formGroundId(setup.setup.id)),
                              shop.tol};
         std::optional<FormFinishing> finishing =
-            finishForms({setup.setup, stages[i].layers, stages[i].left, at_end}, forms);
+            formsOf({setup.setup, stages[i].layers, stages[i].left, at_end}, forms, warnings);
         if (!finishing) continue;
         setup.form = std::move(finishing->ground);
         at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
@@ -224,7 +237,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     std::vector<PlannedSetup> operating =
         withOperations(std::move(shared.setups),
                        {usable.library, machine, request.sequence.material, request.cautions, tol});
-    operating = withForms(std::move(operating), stages, shop, progress);
+    Warnings form_warnings;
+    operating = withForms(std::move(operating), stages, shop, progress, form_warnings);
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.library = withStickOuts(usable.library, operating);
@@ -240,6 +254,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     append(plan.warnings, usable.warnings);
     for (const PlannedStage& stage : stages)
         append(plan.warnings, stage.warnings);
+    append(plan.warnings, form_warnings);
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
     if (progress) progress("done", 1);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge_index.h"
@@ -86,10 +87,8 @@ class SweptWay {
         std::size_t count = 0;
         const std::vector<Path> near = stretchesNear(standing, radius_mm, count);
         if (near.empty()) return false;
-        if (way_.closed() && 2 * count > edges_.size())
-            takeAround(region, radius_mm);
-        else
-            region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
+        const bool around = way_.closed() && 2 * count > edges_.size() && takeAround(region, radius_mm);
+        if (!around) region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
         return true;
     }
 
@@ -108,13 +107,19 @@ class SweptWay {
         return near;
     }
 
-    /// Round a closed way the disc sweeps what lies within its radius on both sides.
-    void takeAround(Region& region, double radius_mm) const {
-        if (!around_) around_.emplace(Region{{signedArea(way_) > 0 ? way_ : reversed(way_)}}, tol_);
-        const Region inner = intersect(region, around_->region(), tol_);
-        const Region kept_inside =
-            inner.empty() ? Region{} : intersect(inner, around_->offset(-radius_mm), tol_);
-        region = unite(subtract(region, around_->offset(radius_mm), tol_), kept_inside, tol_);
+    /// Round a closed way the disc sweeps what lies within its radius on both sides. False where the offsets
+    /// of a way that was rounded in a program are not sure.
+    bool takeAround(Region& region, double radius_mm) const {
+        try {
+            if (!around_) around_.emplace(Region{{signedArea(way_) > 0 ? way_ : reversed(way_)}}, tol_);
+            const Region inner = intersect(region, around_->region(), tol_);
+            const Region kept_inside =
+                inner.empty() ? Region{} : intersect(inner, around_->offset(-radius_mm), tol_);
+            region = unite(subtract(region, around_->offset(radius_mm), tol_), kept_inside, tol_);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
     }
 
     const Path& way_;
