@@ -62,10 +62,10 @@ TEST(ToolErrors, TellAWrongType) {
 TEST(ToolErrors, TellTheAllowedWords) {
     EXPECT_EQ(messageWith("/unit", "cm"), "tools.json#/unit: expected one of \"mm\", \"inch\", found \"cm\"");
     EXPECT_EQ(messageWith("/format", 2), "tools.json#/format: expected 1, found 2");
-    EXPECT_EQ(
-        messageWith("/tools/1/type", "reamer"),
-        "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", \"chamfer\", found "
-        "\"reamer\"");
+    EXPECT_EQ(messageWith("/tools/1/type", "reamer"),
+              "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", "
+              "\"chamfer\", found "
+              "\"reamer\"");
 }
 
 TEST(ToolErrors, TellALibraryWithoutTools) {
