@@ -25,7 +25,9 @@ constexpr double kStockPartMm = 0.5;
 /// Heights of bands are numbers that programs can say [mm].
 constexpr double kHeightStepMm = 1e-4;
 /// A setup has no more bands than this; where it would, they are cut coarser.
-constexpr std::size_t kMostBands = 900;
+constexpr std::size_t kMostBands = 500;
+/// ... but never coarser than for a skin of that thickness [mm].
+constexpr double kThickestSkinMm = 0.5;
 /// Room around the stairs beyond the cutter's own width [mm].
 constexpr double kRoomMm = 2.0;
 
@@ -59,7 +61,7 @@ void addBands(const SectionCutter& part, const Heights& heights, double skin_mm,
     const double height_mm = heights.top_mm - heights.bottom_mm;
     const double lean = part.greatestLean(heights.bottom_mm, heights.top_mm);
     const bool fine = height_mm * lean <= skin_mm || height_mm <= 2 * kThinnestBandMm;
-    if (lean <= 0 || (fine && height_mm <= kThickestBandMm)) {
+    if (lean <= 0 || (fine && height_mm <= std::max(kThickestBandMm, skin_mm))) {
         into.push_back(heights);
         return;
     }
@@ -201,7 +203,7 @@ class SiteMaker {
     void cutBands() {
         double skin_mm = skin_mm_;
         std::vector<LayerBand> bands = allBands(skin_mm);
-        while (bands.size() > kMostBands && skin_mm < kThickestBandMm) {
+        while (bands.size() > kMostBands && skin_mm < kThickestSkinMm) {
             skin_mm *= 2;
             bands = allBands(skin_mm);
         }
