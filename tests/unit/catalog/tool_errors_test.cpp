@@ -68,6 +68,26 @@ TEST(ToolErrors, TellTheAllowedWords) {
               "\"reamer\"");
 }
 
+TEST(ToolErrors, TellWhatAChamferMillMustSay) {
+    json library = goodLibrary();
+    json& mill = library["tools"][0];
+    mill["type"] = "chamfer";
+    mill.erase("corner_radius");
+    const auto message = [&] { return messageOfText(library.dump()); };
+    EXPECT_NE(message().find("expected the field \"tip_diameter\" of a chamfer mill"), std::string::npos)
+        << message();
+    mill["tip_diameter"] = mill["diameter"];
+    mill["included_angle_deg"] = 90;
+    EXPECT_NE(message().find("/tip_diameter: expected less than the diameter"), std::string::npos)
+        << message();
+    mill["tip_diameter"] = 0;
+    const ToolAssembly read = toolLibraryFromText(library.dump(), "tools.json").tools[0];
+    EXPECT_EQ(read.type, ToolType::Chamfer);
+    EXPECT_EQ(read.included_angle_deg, 90);
+    mill["type"] = "flat";
+    EXPECT_NE(message().find("expected on a chamfer mill alone"), std::string::npos) << message();
+}
+
 TEST(ToolErrors, TellALibraryWithoutTools) {
     EXPECT_EQ(messageWith("/tools", json::array()),
               "tools.json#/tools: expected a list of 1 to 1000 items, found a list of 0");
