@@ -139,6 +139,13 @@ SetupRequest setupRequest(const PlanOptions& options) {
 
 namespace {
 
+double scallop(double scallop_mm) {
+    if (scallop_mm == 0 || (scallop_mm >= kLeastScallopMm && scallop_mm <= kMostScallopMm)) return scallop_mm;
+    throw Error(ErrorCode::Usage, "--scallop",
+                fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastScallopMm, kMostScallopMm,
+                            scallop_mm));
+}
+
 double allowance(double mm, const char* option) {
     const bool fits = mm == 0 || (mm >= kLeastAllowanceMm && mm <= kMostAllowanceMm);
     if (!fits)
@@ -168,6 +175,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
         request.roughing = {
             allowance(options.allowance_mm, "--allowance"),
             allowance(options.floor_allowance_mm.value_or(options.allowance_mm), "--floor-allowance")};
+    request.scallop_mm = scallop(options.scallop_mm);
     return request;
 }
 

@@ -14,6 +14,10 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     plan->add_option("--finish-floors", options->finish_floors_mm,
                      "mm that roughing leaves on floors for a finishing pass over them; 0: no such pass")
         ->capture_default_str();
+    plan->add_option("--scallop", options->scallop_mm,
+                     "mm of the ridges that ball, bull-nose and chamfer cutters leave on walls that lean; 0: "
+                     "none of them is used there")
+        ->capture_default_str();
     plan->footer(
         "Examples:\n"
         "  stepmill plan bracket.step\n"

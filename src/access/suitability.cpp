@@ -41,6 +41,8 @@ std::optional<Exclusion> wrongHole(const Feature& feature, const ToolAssembly& t
 
 std::optional<Exclusion> unsuitable(const FeatureGround& ground, const ToolAssembly& tool,
                                     const std::string& material) {
+    if (tool.type == ToolType::Chamfer)
+        return Exclusion{ExclusionReason::WrongType, "a chamfer mill leaves its cone on a flat floor"};
     if (tool.type == ToolType::Ball || tool.type == ToolType::Bull)
         return Exclusion{ExclusionReason::WrongType,
                          fmt::format("a {} cutter leaves its corner radius of {:.4g} mm on a flat floor",

@@ -57,6 +57,7 @@ class ToolRules {
     void check() {
         checkLimits();
         checkCornerRadius();
+        checkCone();
         checkLengths();
         checkShank();
         checkHolder();
@@ -132,13 +133,40 @@ class ToolRules {
         if (type == "ball")
             expect(nearlyEqual(corner, radius), at,
                    "half the diameter of a ball cutter, " + lengthText(radius), found);
-        else if (type == "flat" || type == "drill")
-            expect(corner == 0, at, "0 for a " + type + (type == "flat" ? " end mill" : ""), found);
+        else if (type == "flat" || type == "drill" || type == "chamfer")
+            expect(corner == 0, at,
+                   "0 for a " + type +
+                       (type == "flat"      ? " end mill"
+                        : type == "chamfer" ? " mill"
+                                            : ""),
+                   found);
         else if (type == "bull")
             expect(corner > 0 && corner <= radius, at,
                    "a number greater than 0 and of at most half the diameter, " + lengthText(radius), found);
         else
             expect(corner <= radius, at, "at most half the diameter, " + lengthText(radius), found);
+    }
+
+    /// A chamfer mill is a cone from its tip to its diameter, as high as its flutes at most.
+    void checkCone() {
+        const bool cone = tool_["type"] == "chamfer";
+        for (const char* field : {"tip_diameter", "included_angle_deg"}) {
+            if (cone && !tool_.contains(field))
+                findings_.push_back(
+                    {pointer_,
+                     fmt::format("expected the field \"{}\" of a chamfer mill, found none", field)});
+            if (!cone && tool_.contains(field))
+                findings_.push_back({childPointer(pointer_, field), "expected on a chamfer mill alone"});
+        }
+        if (!cone || !tool_.contains("tip_diameter") || !tool_.contains("included_angle_deg")) return;
+        const double tip = tool_["tip_diameter"];
+        expect(tip < diameter_, childPointer(pointer_, "tip_diameter"),
+               "less than the diameter, " + lengthText(diameter_), tool_["tip_diameter"]);
+        const double half_rad = degToRad(tool_["included_angle_deg"].get<double>()) / 2;
+        const double cone_height = (diameter_ - tip) / 2 / std::tan(half_rad);
+        expect(tool_["flute_length"].get<double>() >= cone_height * (1 - kEqualShare),
+               childPointer(pointer_, "flute_length"),
+               "at least the height of the cone, " + lengthText(cone_height), tool_["flute_length"]);
     }
 
     bool isRange() const { return tool_["stick_out"].is_object(); }

@@ -34,6 +34,8 @@ class ToolReader {
         tool.diameter_mm = length(from, "diameter");
         tool.corner_radius_mm =
             tool.type == ToolType::Ball ? tool.diameter_mm / 2 : length(from, "corner_radius");
+        tool.tip_diameter_mm = length(from, "tip_diameter");
+        tool.included_angle_deg = from.value("included_angle_deg", 0.0);
         tool.flute_length_mm = length(from, "flute_length");
         tool.flutes = from.value("flutes", 0);
         tool.centre_cutting = from.value("centre_cutting", tool.isDrill());

@@ -9,11 +9,9 @@
 namespace stepmill {
 namespace {
 
-constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"},
-                                             {ToolType::Ball, "ball"},
-                                             {ToolType::Bull, "bull"},
-                                             {ToolType::Drill, "drill"},
-                                             {ToolType::Face, "face"}};
+constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"}, {ToolType::Ball, "ball"},
+                                             {ToolType::Bull, "bull"}, {ToolType::Drill, "drill"},
+                                             {ToolType::Face, "face"}, {ToolType::Chamfer, "chamfer"}};
 constexpr EnumWord<Coolant> kCoolants[] = {
     {Coolant::Off, "off"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}};
 

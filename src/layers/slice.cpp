@@ -11,6 +11,7 @@
 #include "layers/slab/cut_layer.h"
 #include "layers/slab/levels.h"
 #include "layers/slab/slab.h"
+#include "layers/stock/raw_stock.h"
 #include "layers/stock/stock_air.h"
 #include "stepmill/core/error.h"
 #include "stepmill/layers/layer_stack.h"
@@ -29,8 +30,7 @@ namespace {
 /// The solids of a setup, ready to cut.
 struct Solids {
     SolidMesh part;
-    std::optional<SolidMesh> raw_stock;  ///< none: an upright box
-    Region stock_box;
+    layers::RawStock raw;
     layers::StockAir air;      ///< what earlier setups cut from the raw stock
     double worthless_mm3 = 0;  ///< of which no slab makes a difference: SliceOptions::least_gain_share
 };
@@ -44,12 +44,6 @@ constexpr int kAskewStretches = 3;
 /// left to the joining of slabs.
 constexpr double kSharedAir = 1.0 / 16;
 
-bool isUprightBox(const Setup& setup) {
-    if (setup.stock.kind != Stock::Kind::Box) return false;
-    const Eigen::Matrix3d r = setup.part_to_setup.linear().cwiseAbs();
-    return (r.array() * (1 - r.array())).matrix().norm() < 1e-12;
-}
-
 double worthlessMm3(const Setup& setup, const SliceOptions& options) {
     if (setup.stock.isRaw()) return 0;
     return setup.removable_mm3 *
@@ -58,30 +52,19 @@ double worthlessMm3(const Setup& setup, const SliceOptions& options) {
 
 Solids makeSolids(const Setup& setup, const SliceOptions& options, const Tolerances& tol) {
     STEPMILL_CHECK(setup.part.shape, "a part to slice has a shape");
-    Solids solids{
+    return {
         SolidMesh(setup.part.shape->solid, setup.part_to_setup, layers::facetChord(setup.part.bbox_mm), tol),
-        std::nullopt,
-        {},
-        layers::StockAir(setup, worthlessMm3(setup, options) / 2, tol),
+        layers::RawStock(setup, tol), layers::StockAir(setup, worthlessMm3(setup, options) / 2, tol),
         worthlessMm3(setup, options)};
-    if (isUprightBox(setup)) {
-        const Box3& box = setup.stock_bbox_mm;
-        solids.stock_box = makeRectangle(box.min().head<2>(), box.max().head<2>());
-    } else {
-        STEPMILL_CHECK(setup.stock.shape, "a stock other than an upright box has a shape");
-        solids.raw_stock.emplace(setup.stock.shape->solid, setup.part_to_setup,
-                                 layers::facetChord(setup.stock.bbox_mm), tol);
-    }
-    return solids;
 }
 
 /// The stock in the slab: raw, less what is air at every height of it.
 void cutStock(const Solids& solids, const SliceOptions& options, const Tolerances& tol, CutLayer& cut) {
     Layer& layer = cut.layer;
-    layer.stock = solids.stock_box;
+    layer.stock = solids.raw.box();
     double stock_mm3 = area(layer.stock) * layer.height_mm();
-    if (solids.raw_stock) {
-        SlabCut raw = layers::cutSlab(*solids.raw_stock, layer.top_z_mm, layer.bottom_z_mm, options, tol);
+    if (solids.raw.mesh()) {
+        SlabCut raw = layers::cutSlab(*solids.raw.mesh(), layer.top_z_mm, layer.bottom_z_mm, options, tol);
         layer.stock = std::move(raw.region);
         cut.raw_stock_upright = raw.vertical;
         stock_mm3 = raw.vertical ? area(layer.stock) * layer.height_mm() : raw.volume_mm3;
@@ -105,11 +88,11 @@ void cutStock(const Solids& solids, const SliceOptions& options, const Tolerance
 Region stockHalfWay(const Solids& solids, const Tolerances& tol, const CutLayer& cut) {
     const Layer& layer = cut.layer;
     const double half_way = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-    Region raw = solids.stock_box;
-    if (solids.raw_stock) {
+    Region raw = solids.raw.box();
+    if (solids.raw.mesh()) {
         raw = layer.stock;
         if (!cut.raw_stock_upright)
-            raw = layers::exactSection(*solids.raw_stock, half_way, tol).value_or(layer.stock);
+            raw = layers::exactSection(*solids.raw.mesh(), half_way, tol).value_or(layer.stock);
     }
     return subtract(raw, solids.air.at(half_way), tol);
 }
@@ -219,7 +202,7 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
 std::vector<std::size_t> stockBounds(const Solids& solids, const std::vector<Level>& levels,
                                      const SliceOptions& options) {
     std::vector<Level> of_stock;
-    if (solids.raw_stock) layers::addLevels(*solids.raw_stock, Level::Rank::Plane, of_stock);
+    if (solids.raw.mesh()) layers::addLevels(*solids.raw.mesh(), Level::Rank::Plane, of_stock);
     std::vector<std::size_t> bounds;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const bool of_raw = std::any_of(of_stock.begin(), of_stock.end(), [&](const Level& level) {
@@ -303,7 +286,7 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     const Solids solids = makeSolids(setup, options, tol);
     std::vector<layers::Level> marks;
     layers::addLevels(solids.part, Level::Rank::Plane, marks);
-    if (solids.raw_stock) layers::addLevels(*solids.raw_stock, Level::Rank::Plane, marks);
+    if (solids.raw.mesh()) layers::addLevels(*solids.raw.mesh(), Level::Rank::Plane, marks);
     for (const double z : solids.air.planes())
         marks.push_back({z, Level::Rank::CutPlane});
     LayerStack stack;

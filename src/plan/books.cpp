@@ -84,6 +84,21 @@ void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReas
     }
 }
 
+/// What form operations take of what leaning walls hide moves to what is planned; returns what of it is not
+/// among those volumes.
+double moveFormCuts(const PlannedSetup& planned, double& planned_mm3, VolumeByReason& hidden) {
+    double missing_mm3 = 0;
+    for (const Operation& operation : planned.operations)
+        for (const ReasonVolume& taken : operation.takes) {
+            double& there_mm3 = hidden[taken.reason];
+            const double moved_mm3 = std::min(there_mm3, taken.volume_mm3);
+            there_mm3 -= moved_mm3;
+            planned_mm3 += taken.volume_mm3;
+            missing_mm3 += taken.volume_mm3 - moved_mm3;
+        }
+    return missing_mm3;
+}
+
 /// The books of one setup.
 VolumeBalance setupBooks(const SetupAccount& account) {
     VolumeBalance books;
@@ -117,6 +132,7 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     unreachable[{Reason::LeaningWall, {}}] += air.back_mm3;
     lessen(residual, air.left_mm3);
     lessen(unreachable, air.left_mm3 - residual_mm3);
+    lessen(unreachable, moveFormCuts(planned, books.planned_mm3, unreachable));
     books.residual_by_reason = listOf(residual);
     books.unreachable_by_reason = listOf(unreachable);
     books.residual_mm3 = sumOf(books.residual_by_reason);
@@ -141,8 +157,12 @@ VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, const std::ve
     VolumeByReason unreachable;
     for (const ReasonVolume& entry : last.unreachable_by_reason)
         unreachable[entry.reason] += entry.volume_mm3;
+    // Form operations of earlier setups are no part of the stock that the last one sees.
+    double moved_mm3 = 0;
+    for (std::size_t i = 0; i + 1 < accounts.size(); ++i)
+        lessen(unreachable, moveFormCuts(*accounts[i].planned, moved_mm3, unreachable));
     addEarlierResiduals(accounts, residual);
-    const double earlier_mm3 = std::min(sumOf(listOf(residual)), last.unreachable_mm3);
+    const double earlier_mm3 = std::min(sumOf(listOf(residual)), sumOf(listOf(unreachable)));
     lessen(residual, sumOf(listOf(residual)) - earlier_mm3);
     lessen(unreachable, earlier_mm3);
     for (const ReasonVolume& entry : last.residual_by_reason)

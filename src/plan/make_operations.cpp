@@ -97,6 +97,10 @@ void letStartEarly(const PlannedSetup& setup, std::size_t first, const Operation
 
 }  // namespace
 
+std::string operationId(const std::string& setup_id, std::size_t number) {
+    return fmt::format("{}.O{}", setup_id, number);
+}
+
 std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
                                          const OperationSettings& settings) {
     std::vector<Operation> operations;
@@ -119,7 +123,7 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
     for (const int index : shortest.order) {
         PlannedSetup& setup = setups[setup_of[index]];
         setup.operations.push_back(std::move(operations[index]));
-        setup.operations.back().id = fmt::format("{}.O{}", setup.setup.id, setup.operations.size());
+        setup.operations.back().id = operationId(setup.setup.id, setup.operations.size());
     }
     for (PlannedSetup& setup : setups)
         linkOperations(setup.operations, settings.machine);

@@ -20,6 +20,9 @@ struct OperationSettings {
 /// paths move there.
 std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups, const OperationSettings& settings);
 
+/// "S1.O3": numbered in machining order from 1 on.
+std::string operationId(const std::string& setup_id, std::size_t number);
+
 /// Joins operations in their order: each begins with the rapid from where the one before it ended, so that
 /// an operation's lengths and times are those of its part of the program.
 void linkOperations(std::vector<Operation>& operations, const Machine& machine);

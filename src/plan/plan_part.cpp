@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "plan/feature_planner.h"
+#include "plan/form_finishing.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
@@ -21,6 +22,8 @@
 
 namespace stepmill {
 namespace {
+
+using Warnings = std::vector<Warning>;
 
 /// Shares of a setup's work at which its stages start, by rough experience; only the progress bar sees them.
 constexpr double kFeaturesShare = 0.3;
@@ -96,6 +99,7 @@ struct PlannedStage {
     StageAir air;
     std::vector<Prism> removed;
     StockStep stock;
+    Stock left;  ///< after its feature operations
     std::vector<Warning> warnings;
 };
 
@@ -151,6 +155,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
         planned.stock = walk.cut(*stage, planned.removed);
+        planned.left = walk.left();
         planned.layers = std::move(stage->layers);
         stages.push_back(std::move(planned));
     }
@@ -162,6 +167,50 @@ std::vector<PlannedSetup> setupsOf(std::vector<PlannedStage>& stages) {
     std::vector<PlannedSetup> setups;
     for (PlannedStage& stage : stages)
         setups.push_back(std::move(stage.setup));
+    return setups;
+}
+
+/// What keeps form cutters from a setup must not lose the plan: the walls stay as flat layers leave them.
+std::optional<FormFinishing> formsOf(const FormSources& sources, const FormShop& shop, Warnings& warnings) {
+    try {
+        return finishForms(sources, shop);
+    } catch (const Error& error) {
+        warnings.push_back({"planning-failed", formGroundId(sources.setup.id),
+                            fmt::format("leaning walls stay as flat layers leave them: {}", error.what())});
+        return std::nullopt;
+    }
+}
+
+/// The setups with form operations after all others, where the library has cutters for them.
+std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
+                                    const PlanningShop& shop, const Progress& progress, Warnings& warnings) {
+    const PlanRequest& request = shop.request;
+    const std::string& material = request.sequence.material;
+    const bool finishes = request.scallop_mm > 0 && !request.roughing;
+    if (!finishes || !hasFormCutters(shop.library, material)) return setups;
+    // A wall that leans to two setups is finished in the first.
+    Stock at_end = stages.back().left;
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        PlannedSetup& setup = setups[i];
+        if (progress) progress("leaning walls of " + setup.setup.id, 1);
+        const FormShop forms{shop.library,
+                             shop.machine,
+                             material,
+                             request.scallop_mm,
+                             request.sequence.retract_mm,
+                             shop.cautionOf(formGroundId(setup.setup.id)),
+                             shop.tol};
+        std::optional<FormFinishing> finishing =
+            formsOf({setup.setup, stages[i].layers, stages[i].left, at_end}, forms, warnings);
+        if (!finishing) continue;
+        setup.form = std::move(finishing->ground);
+        at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
+        for (Operation& operation : finishing->operations) {
+            operation.id = operationId(setup.setup.id, setup.operations.size() + 1);
+            setup.operations.push_back(std::move(operation));
+        }
+        linkOperations(setup.operations, shop.machine);
+    }
     return setups;
 }
 
@@ -206,6 +255,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     std::vector<PlannedSetup> operating =
         withOperations(std::move(shared.setups),
                        {usable.library, machine, request.sequence.material, request.cautions, tol});
+    Warnings form_warnings;
+    operating = withForms(std::move(operating), stages, shop, progress, form_warnings);
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.library = withStickOuts(usable.library, operating);
@@ -221,6 +272,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     append(plan.warnings, usable.warnings);
     for (const PlannedStage& stage : stages)
         append(plan.warnings, stage.warnings);
+    append(plan.warnings, form_warnings);
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
     if (progress) progress("done", 1);

@@ -1,6 +1,7 @@
 #include "stepmill/record/plan_json.h"
 
 #include "record/feature_json.h"
+#include "record/form_ground_json.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
 #include "stepmill/feature/whole_feature.h"
@@ -111,17 +112,22 @@ Json toolJson(const ToolAssembly& tool) {
     Json range = nullptr;
     if (tool.stick_out_range)
         range = {number(tool.stick_out_range->shortest_mm), number(tool.stick_out_range->longest_mm)};
-    return {{"id", tool.id},
-            {"number", tool.number},
-            {"type", toString(tool.type)},
-            {"description", tool.description},
-            {"diameter_mm", number(tool.diameter_mm)},
-            {"corner_radius_mm", number(tool.corner_radius_mm)},
-            {"flute_length_mm", number(tool.flute_length_mm)},
-            {"stick_out_mm", number(tool.stick_out_mm)},
-            {"stick_out_range_mm", std::move(range)},
-            {"shank", cylinderJson(tool.shank)},
-            {"holder", listOf(tool.holder, cylinderJson)}};
+    Json json{{"id", tool.id},
+              {"number", tool.number},
+              {"type", toString(tool.type)},
+              {"description", tool.description},
+              {"diameter_mm", number(tool.diameter_mm)},
+              {"corner_radius_mm", number(tool.corner_radius_mm)},
+              {"flute_length_mm", number(tool.flute_length_mm)},
+              {"stick_out_mm", number(tool.stick_out_mm)},
+              {"stick_out_range_mm", std::move(range)},
+              {"shank", cylinderJson(tool.shank)},
+              {"holder", listOf(tool.holder, cylinderJson)}};
+    if (tool.type == ToolType::Chamfer) {
+        json["tip_diameter_mm"] = number(tool.tip_diameter_mm);
+        json["included_angle_deg"] = number(tool.included_angle_deg);
+    }
+    return json;
 }
 
 /// Tools the operations use, by number.
@@ -135,6 +141,10 @@ Json usedToolsJson(const Plan& plan) {
     return listOf(used, [](const auto& entry) { return toolJson(*entry.second); });
 }
 
+Json reasonJson(const ReasonVolume& entry) {
+    return {{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}};
+}
+
 Json patternTimeJson(const PatternTime& time) {
     return {{"pattern", toString(time.pattern)},
             {"angle_deg", number(time.angle_deg)},
@@ -146,13 +156,13 @@ Json regionPatternsJson(const RegionPatterns& region) {
     return listOf(region.weighed, patternTimeJson);
 }
 
-/// \param feature  the band it cuts
-Json operationJson(const Operation& operation, const Feature& feature) {
+/// \param feature  that it cuts, or form ground \param band  the feature's
+Json operationJson(const Operation& operation, const std::string& feature, int band) {
     const Toolpath& path = operation.path;
     Json json{{"id", operation.id},
               {"setup", operation.setup_id},
-              {"feature", wholeOf(feature)},
-              {"band", bandNumber(feature)},
+              {"feature", feature},
+              {"band", band},
               {"tool", operation.tool_id},
               {"role", toString(operation.role)},
               {"pattern", path.pattern},
@@ -177,11 +187,8 @@ Json operationJson(const Operation& operation, const Feature& feature) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
         json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);
     }
+    if (!operation.takes.empty()) json["takes"] = listOf(operation.takes, reasonJson);
     return json;
-}
-
-Json reasonJson(const ReasonVolume& entry) {
-    return {{"reason", toString(entry.reason)}, {"volume_mm3", number(entry.volume_mm3)}};
 }
 
 Json balanceJson(const VolumeBalance& balance) {
@@ -251,6 +258,19 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions
             {"volume_balance", balanceJson(setup.balance)}};
 }
 
+Json formsJson(const Plan& plan, record::FeatureTables& tables) {
+    Json forms = Json::array();
+    for (const PlannedSetup& setup : plan.setups)
+        if (setup.form) forms.push_back(record::formGroundJson(*setup.form, tables));
+    return forms;
+}
+
+Json operationJson(const Operation& operation, const record::BandsById& bands) {
+    if (operation.role == Role::Form) return operationJson(operation, operation.feature_id, 1);
+    const Feature& band = *bands.at(operation.feature_id);
+    return operationJson(operation, wholeOf(band), bandNumber(band));
+}
+
 Json totalsJson(const PlanTotals& totals) {
     return {{"time_s", number(totals.time_s)},
             {"motion_time_s", number(totals.motion_s)},
@@ -276,8 +296,9 @@ std::string planJson(const Plan& plan) {
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
             features.push_back(record::featureJson(feature, bands, plan.machine, tables));
         for (const Operation& operation : setup.operations)
-            operations.push_back(operationJson(operation, *bands.at(operation.feature_id)));
+            operations.push_back(operationJson(operation, bands));
     }
+    Json forms = formsJson(plan, tables);
     Json content{
         {"part", partJson(plan.part)},
         {"stock", stockJson(plan.stock)},
@@ -301,6 +322,7 @@ std::string planJson(const Plan& plan) {
         {"obstacles", tables.obstacles.rows()},
         {"regions", tables.regions.regions()},
         {"loops", tables.regions.loops()}};
+    if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "record/form_ground_json.h"
 #include "record/plan_rules.h"
 #include "record/read_features.h"
 #include "stepmill/catalog/json_schema.h"
@@ -30,6 +31,8 @@ ToolAssembly tool(const Json& json) {
     tool.description = json["description"];
     tool.diameter_mm = json["diameter_mm"];
     tool.corner_radius_mm = json["corner_radius_mm"];
+    tool.tip_diameter_mm = json.value("tip_diameter_mm", 0.0);
+    tool.included_angle_deg = json.value("included_angle_deg", 0.0);
     tool.flute_length_mm = json["flute_length_mm"];
     tool.stick_out_mm = json["stick_out_mm"];
     tool.shank = cylinder(json["shank"]);
@@ -51,7 +54,8 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     RecordedOperation operation;
     operation.id = json["id"];
     operation.setup_id = json["setup"];
-    operation.feature_id = record::namedBand(json, bands);
+    operation.feature_id =
+        json["role"] == "form" ? json["feature"].get<std::string>() : record::namedBand(json, bands);
     operation.tool = tools.at(json["tool"]);
     operation.role = known(roleFrom(json["role"].get<std::string>()), json["role"]);
     operation.pattern = json["pattern"];
@@ -64,6 +68,10 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.speed_rpm = json["speed_rpm"];
     operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
     operation.dwell_s = json["dwell_s"];
+    if (json.contains("takes"))
+        for (const Json& entry : json["takes"])
+            operation.takes.push_back(
+                {stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
     return operation;
 }
 
@@ -106,6 +114,15 @@ Machine machine(const Json& json) {
     machine.max_speed_rpm = json.value("max_speed_rpm", 0.0);
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     return machine;
+}
+
+void readForms(const Json& plan, ReadTables& tables, PlanRecord& record) {
+    if (!plan.contains("forms")) return;
+    for (std::size_t i = 0; i < plan["forms"].size(); ++i) {
+        FormGround ground = record::formGroundFrom(plan["forms"][i], fmt::format("#/forms/{}", i), tables);
+        const std::string id = ground.id;
+        record.forms[id] = std::move(ground);
+    }
 }
 
 /// Who plans for a machine that is too small is told so.
@@ -206,6 +223,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
         record.operations[one["id"]] = operation(one, record.tools, bands);
     for (std::size_t i = 0; i < plan["setups"].size(); ++i)
         record.setups.push_back(setup(plan["setups"][i], fmt::format("#/setups/{}", i), bands, tables));
+    readForms(plan, tables, record);
     noteTravel(plan, record);
     readBalance(plan, tol, record);
     return record;

@@ -184,11 +184,17 @@ void checkTool(const Json& tool, const std::string& pointer) {
     const double radius_mm = tool["diameter_mm"].get<double>() / 2;
     const bool fits = type == "ball"   ? std::abs(corner_mm - radius_mm) <= kSameRadiusMm
                       : type == "bull" ? corner_mm > 0 && corner_mm <= radius_mm + kSameRadiusMm
-                      : type == "flat" || type == "drill" ? corner_mm == 0
-                                                          : corner_mm <= radius_mm + kSameRadiusMm;
+                      : type == "flat" || type == "drill" || type == "chamfer"
+                          ? corner_mm == 0
+                          : corner_mm <= radius_mm + kSameRadiusMm;
     if (!fits)
         failAt(pointer + "/corner_radius_mm",
                fmt::format("{} mm is no corner of a {} cutter of {} mm", corner_mm, type, 2 * radius_mm));
+    if ((type == "chamfer") != tool.contains("included_angle_deg") ||
+        (type == "chamfer") != tool.contains("tip_diameter_mm"))
+        failAt(pointer, "expected tip and angle of a chamfer mill, and of nothing else");
+    if (type == "chamfer" && tool["tip_diameter_mm"].get<double>() >= 2 * radius_mm)
+        failAt(pointer + "/tip_diameter_mm", "expected less than the diameter");
     double below_mm = tool["stick_out_mm"];
     for (std::size_t i = 0; i < tool["holder"].size(); ++i) {
         const Json& cylinder = tool["holder"][i];
@@ -201,7 +207,7 @@ void checkTool(const Json& tool, const std::string& pointer) {
 }
 
 void checkOperation(const Json& operation, const std::map<std::string, Json>& tools,
-                    const std::map<BandName, std::string>& setups_of_bands, const std::string& pointer) {
+                    const std::map<BandName, std::string>& setups_of_work, const std::string& pointer) {
     const auto tool = tools.find(operation["tool"]);
     if (tool == tools.end())
         failAt(pointer + "/tool",
@@ -210,11 +216,31 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     if (drills != (operation["role"] == "drill"))
         failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
                                               tool->second["type"].get<std::string>()));
-    if (!isBand(operation, operation["setup"], setups_of_bands))
+    const bool form = operation["role"] == "form";
+    const std::string type = tool->second["type"];
+    if (form && type != "ball" && type != "bull" && type != "chamfer")
+        failAt(pointer + "/role", fmt::format("'form' is no work of a {}", type));
+    if (form != (operation["feature"] == formGroundId(operation["setup"])))
+        failAt(pointer + "/role", "expected 'form' on a form ground and there alone");
+    if (!isBand(operation, operation["setup"], setups_of_work))
         failAt(pointer + "/feature", fmt::format("expected a feature of this plan and setup, found {}",
                                                  wordsOf(nameOf(operation))));
     if (operation["z_top_mm"].get<double>() <= operation["z_floor_mm"].get<double>())
         failAt(pointer + "/z_top_mm", "expected a top above the floor");
+}
+
+/// Form grounds, each as the only band of its own, with the setups they are in.
+std::map<BandName, std::string> setupsOfForms(const Json& plan) {
+    std::map<BandName, std::string> setups;
+    if (!plan.contains("forms")) return setups;
+    for (std::size_t i = 0; i < plan["forms"].size(); ++i) {
+        const Json& form = plan["forms"][i];
+        if (form["id"].get<std::string>() != formGroundId(form["setup"]))
+            failAt(at("forms", i, "id"), "expected the id of its setup's ground");
+        if (!setups.emplace(BandName{form["id"], 1}, form["setup"]).second)
+            failAt(at("forms", i, "id"), "expected a setup that no other form has");
+    }
+    return setups;
 }
 
 void checkAxes(const Json& plan) {
@@ -265,9 +291,10 @@ void checkPlanRules(const Json& plan) {
         checkTool(plan["tools"][i], at("tools", i));
         tools[plan["tools"][i]["id"]] = plan["tools"][i];
     }
-    const std::map<BandName, std::string> setups_of_bands = setupsOfBands(plan);
+    std::map<BandName, std::string> setups_of_work = setupsOfBands(plan);
+    setups_of_work.merge(setupsOfForms(plan));
     for (std::size_t i = 0; i < plan["operations"].size(); ++i)
-        checkOperation(plan["operations"][i], tools, setups_of_bands, at("operations", i));
+        checkOperation(plan["operations"][i], tools, setups_of_work, at("operations", i));
     checkListed(plan, "features");
     checkListed(plan, "operations");
     checkAxes(plan);
@@ -327,6 +354,10 @@ void checkBooks(const Json& plan, const Tolerances& tol) {
     std::map<std::string, double> volume_of;
     for (const Json& feature : plan["features"])
         volume_of[feature["setup"]] += feature["volume_mm3"].get<double>();
+    for (const Json& operation : plan["operations"])
+        if (operation.contains("takes"))
+            for (const Json& taken : operation["takes"])
+                volume_of[operation["setup"]] += taken["volume_mm3"].get<double>();
     for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
         const Json& setup = plan["setups"][i];
         if (!setup.contains("volume_balance")) continue;

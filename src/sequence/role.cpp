@@ -4,9 +4,9 @@
 namespace stepmill {
 namespace {
 
-constexpr EnumWord<Role> kRoles[] = {{Role::Face, "face"},   {Role::Rough, "rough"},
-                                     {Role::Rest, "rest"},   {Role::Surrogate, "surrogate"},
-                                     {Role::Drill, "drill"}, {Role::Finish, "finish"}};
+constexpr EnumWord<Role> kRoles[] = {
+    {Role::Face, "face"},   {Role::Rough, "rough"},   {Role::Rest, "rest"}, {Role::Surrogate, "surrogate"},
+    {Role::Drill, "drill"}, {Role::Finish, "finish"}, {Role::Form, "form"}};
 
 }  // namespace
 

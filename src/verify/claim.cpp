@@ -18,6 +18,7 @@
 #include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
+#include "verify/claim_form.h"
 
 namespace stepmill {
 namespace {
@@ -242,6 +243,13 @@ class ClaimWalk {
         derived.removed = removedBy(planned, tol_);
         derived.stock = walk.cut(stage, derived.removed);
         derived.air = airOf(stage);
+        for (const std::string& id : recorded.operation_ids)
+            if (record_.operations.at(id).role == Role::Form) {
+                derived.planned.operations.emplace_back();
+                derived.planned.operations.back().takes = record_.operations.at(id).takes;
+            }
+        const auto form = record_.forms.find(formGroundId(recorded.id));
+        if (form != record_.forms.end()) verify::compareForm(form->second, stage.setup, tol_, failures_);
         derived.planned.setup = stage.setup;
         derived.planned.unplanned = stage.found.unplanned;
         derived.layers = std::move(stage.layers);

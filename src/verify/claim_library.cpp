@@ -68,6 +68,8 @@ void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library,
     compare.sameWord("the type", toString(recorded.type), toString(in_library.type));
     compare.same("the diameter", recorded.diameter_mm, in_library.diameter_mm);
     compare.same("the corner radius", recorded.corner_radius_mm, in_library.corner_radius_mm);
+    compare.same("the tip diameter", recorded.tip_diameter_mm, in_library.tip_diameter_mm);
+    compare.same("the included angle", recorded.included_angle_deg, in_library.included_angle_deg);
     compare.same("the flute length", recorded.flute_length_mm, in_library.flute_length_mm);
     if (!mayStandOut(in_library, recorded.stick_out_mm))
         return compare.fail(fmt::format("the stick-out of {:g} is not the library's", recorded.stick_out_mm));

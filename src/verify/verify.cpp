@@ -13,6 +13,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"
+#include "verify/prove_form.h"
 #include "verify/prove_operation.h"
 #include "verify/prove_state.h"
 
@@ -57,11 +58,33 @@ class SetupProver {
 
     void proveOne(const ReadOperation& operation) {
         const RecordedOperation& planned = plannedOf(operation);
-        FeatureState& state = stateOf(planned.feature_id);
         OperationProof proof{operation.id, planned.feature_id, planned.tool.id, file_, operation.line};
         const verify::Findings findings{file_, proof, into_.failures};
         verify::proveStates(*program_, operation, planned, findings);
         verify::proveFeeds(*program_, operation, planned, record_.machine.max_feed_mm_per_min, findings);
+        if (planned.role == Role::Form)
+            proveForm(operation, planned, findings);
+        else
+            proveInFeature(operation, planned, findings);
+        into_.operations.push_back(proof);
+    }
+
+    void proveForm(const ReadOperation& operation, const RecordedOperation& planned,
+                   const verify::Findings& findings) {
+        for (const std::string& id : setup_.operation_ids)
+            if (record_.operations.at(id).role != Role::Form && done_.count(id) == 0)
+                findings.add(operation.line,
+                             fmt::format("runs before {}, which clears what it counts on", id));
+        const FormGround& ground = record_.forms.at(planned.feature_id);
+        if (!stairs_) stairs_.emplace(ground, tol_);
+        verify::proveFormMoves(operation, planned, ground, tol_, findings);
+        verify::proveFormCut(operation, planned, tol_, *stairs_, findings);
+        done_.insert(operation.id);
+    }
+
+    void proveInFeature(const ReadOperation& operation, const RecordedOperation& planned,
+                        const verify::Findings& findings) {
+        FeatureState& state = stateOf(planned.feature_id);
         proveOnStock(operation, planned, state, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
         for (verify::StandingAbove& above : state.standing)
@@ -73,9 +96,8 @@ class SetupProver {
         const double floor_z_mm = last ? state.standing.front().z_mm : planned.z_floor_mm;
         const std::vector<Region> left = leftOf(planned.feature_id, floor_z_mm, state);
         for (const Region& piece : left)
-            proof.left_mm2 += area(piece);
+            findings.proof.left_mm2 += area(piece);
         if (last) checkLeft(operation, planned.feature_id, floor_z_mm, state, left, findings);
-        into_.operations.push_back(proof);
     }
 
     const RecordedOperation& plannedOf(const ReadOperation& operation) const {
@@ -220,6 +242,7 @@ class SetupProver {
     const Tolerances& tol_;
     Verification& into_;
     std::map<std::string, FeatureState> states_;
+    std::optional<StandingStairs> stairs_;  ///< of the setup's form ground, once a form operation has begun
     std::set<std::string> done_;
 };
 

@@ -10,8 +10,30 @@
 
 namespace stepmill::test {
 
-/// Stock as heights over square cells, lowered by flat cutters: a simulation of whole setups that shares
-/// no geometry with the planner but points along its curves.
+/// How high a cutter's edge is over its tip, by the distance from its axis: flat, rounded or a cone.
+struct CutterProfile {
+    double radius_mm = 0;
+    double flat_mm = 0;     ///< radius of the flat at the tip
+    double corner_mm = 0;   ///< radius of the rounded corner; 0: none
+    double cone_slope = 0;  ///< height over distance of a cone's flank; 0: none
+
+    double heightAt(double from_axis_mm) const {
+        const double out = from_axis_mm - flat_mm;
+        if (out <= 0) return 0;
+        if (cone_slope > 0) return out * cone_slope;
+        return corner_mm - std::sqrt(std::max(0.0, corner_mm * corner_mm - out * out));
+    }
+};
+inline CutterProfile profileOf(const ToolAssembly& tool) {
+    const double radius = tool.diameter_mm / 2;
+    if (tool.type != ToolType::Chamfer)
+        return {radius, radius - tool.corner_radius_mm, tool.corner_radius_mm, 0};
+    const double half_rad = tool.included_angle_deg / 360 * 3.14159265358979323846;
+    return {radius, tool.tip_diameter_mm / 2, 0, 1 / std::tan(half_rad)};
+}
+
+/// Stock as heights over square cells, lowered by cutters of any form: a simulation of whole setups that
+/// shares no geometry with the planner but points along its curves.
 ///
 /// A cell stands for its centre. Rims and walls are therefore uncertain by half a cell's diagonal; what is
 /// compared with the part keeps `margin` away from both.
@@ -87,15 +109,21 @@ class HeightMap {
 
     /// Lowers the cells under a flat cutter that goes along the path.
     Cut run(const Toolpath& path, double radius_mm, double slack_mm) {
+        return run(path, CutterProfile{radius_mm, radius_mm, 0, 0}, slack_mm);
+    }
+
+    /// The same of a cutter of another form.
+    Cut run(const Toolpath& path, const CutterProfile& cutter, double slack_mm) {
+        const double radius_mm = cutter.radius_mm;
         Cut cut;
         Vec3 from = path.start;
         double air_run = 0;
         for (const Move& move : path.moves) {
             if (move.kind == MoveKind::Rapid) {
-                rapid(from, move, radius_mm - slack_mm, cut);
+                rapid(from, move, cutter, radius_mm - slack_mm, cut);
                 air_run = 0;
             } else {
-                feed(from, move, radius_mm, air_run, cut);
+                feed(from, move, cutter, air_run, cut);
             }
             from = move.to;
         }
@@ -120,27 +148,29 @@ class HeightMap {
         return {at.x(), at.y(), from.z() + share * (move.to.z() - from.z())};
     }
 
-    void rapid(const Vec3& from, const Move& move, double radius_mm, Cut& cut) const {
+    void rapid(const Vec3& from, const Move& move, const CutterProfile& cutter, double radius_mm,
+               Cut& cut) const {
         // Nothing is lowered, so steps may be as long as the disc is wide in cells.
         const int steps = stepsOf(from, move, std::max(0.5 * radius_mm, raster_.cellMm())).first;
         for (int i = 0; i <= steps; ++i) {
             const Vec3 at = along(from, move, static_cast<double>(i) / steps);
             bool hit = false;
             raster_.forDisc(at.head<2>(), radius_mm, [&](std::size_t c) {
-                hit = hit || (heights_[c] > empty_z_mm_ && heights_[c] > at.z() + kFlushMm);
+                const double z_mm = at.z() + cutter.heightAt((raster_.centre(c) - at.head<2>()).norm());
+                hit = hit || (heights_[c] > empty_z_mm_ && heights_[c] > z_mm + kFlushMm);
             });
             if (hit && cut.rapid_hits++ == 0) cut.first_hit = at;
         }
     }
 
-    void feed(const Vec3& from, const Move& move, double radius_mm, double& air_run, Cut& cut) {
-        const auto [steps, length_mm] = stepsOf(from, move, stepMm(radius_mm));
+    void feed(const Vec3& from, const Move& move, const CutterProfile& cutter, double& air_run, Cut& cut) {
+        const auto [steps, length_mm] = stepsOf(from, move, stepMm(cutter.radius_mm));
         const bool level = from.z() == move.to.z();
         cut.feed_mm += length_mm;
         if (level) cut.level_mm += length_mm;
         for (int i = 0; i <= steps; ++i) {
             const Vec3 at = along(from, move, static_cast<double>(i) / steps);
-            const double taken = lower(at, radius_mm);
+            const double taken = lower(at, cutter);
             cut.removed_mm3 += taken;
             if (i == 0) continue;
             const double step_mm = length_mm / steps;
@@ -156,12 +186,14 @@ class HeightMap {
         }
     }
 
-    double lower(const Vec3& at, double radius_mm) {
+    double lower(const Vec3& at, const CutterProfile& cutter) {
         double taken = 0;
-        raster_.forDisc(at.head<2>(), radius_mm, [&](std::size_t c) {
-            if (heights_[c] <= at.z()) return;
-            taken += heights_[c] - std::max(at.z(), empty_z_mm_);
-            heights_[c] = std::max(at.z(), empty_z_mm_);
+        raster_.forDisc(at.head<2>(), cutter.radius_mm, [&](std::size_t c) {
+            const double off_axis_mm = (raster_.centre(c) - at.head<2>()).norm();
+            const double z_mm = at.z() + cutter.heightAt(std::min(off_axis_mm, cutter.radius_mm));
+            if (heights_[c] <= z_mm) return;
+            taken += heights_[c] - std::max(z_mm, empty_z_mm_);
+            heights_[c] = std::max(z_mm, empty_z_mm_);
         });
         return taken * cellMm2();
     }

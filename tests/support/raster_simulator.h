@@ -29,6 +29,11 @@ class Raster {
     }
     Vec2 centre(int column, int row) const { return box_.min() + cell_mm_ * Vec2(column + 0.5, row + 0.5); }
 
+    Vec2 centre(std::size_t cell) const {
+        const auto columns = static_cast<std::size_t>(columns_);
+        return centre(static_cast<int>(cell % columns), static_cast<int>(cell / columns));
+    }
+
     /// Cells inside the region, by the even-odd rule along each row.
     std::vector<char> cellsOf(const Region& region) const {
         std::vector<std::vector<double>> crossings(static_cast<std::size_t>(rows_));

@@ -82,6 +82,30 @@ inline ToolAssembly makeDrill(double diameter_mm) {
                     0);
 }
 
+inline ToolAssembly bullNoseMill(double diameter_mm, double corner_radius_mm, double feed = 1200,
+                                 double step_down = 4) {
+    ToolAssembly tool = makeTool("BN" + std::to_string(static_cast<int>(diameter_mm)), ToolType::Bull,
+                                 diameter_mm, feed, step_down);
+    tool.corner_radius_mm = corner_radius_mm;
+    return tool;
+}
+
+inline ToolAssembly ballMill(double diameter_mm, double feed = 1200, double step_down = 2) {
+    ToolAssembly tool = bullNoseMill(diameter_mm, diameter_mm / 2, feed, step_down);
+    tool.id = "BM" + std::to_string(static_cast<int>(diameter_mm));
+    tool.type = ToolType::Ball;
+    return tool;
+}
+
+inline ToolAssembly chamferMill(double diameter_mm, double tip_diameter_mm, double included_angle_deg,
+                                double feed = 800) {
+    ToolAssembly tool = makeTool("CM" + std::to_string(static_cast<int>(diameter_mm)), ToolType::Chamfer,
+                                 diameter_mm, feed, 2);
+    tool.tip_diameter_mm = tip_diameter_mm;
+    tool.included_angle_deg = included_angle_deg;
+    return tool;
+}
+
 /// The tool in a holder of one cylinder, `height_mm` high, which begins where the tool sticks out.
 inline ToolAssembly inHolder(ToolAssembly tool, double stick_out_mm, double holder_diameter_mm,
                              double height_mm = 40) {

@@ -7,7 +7,7 @@
 
 namespace stepmill {
 
-enum class ToolType { Flat, Ball, Bull, Drill, Face };
+enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer };
 
 /// A cylinder of shank or holder over the cutter: anything as wide as `diameter_mm` between two heights
 /// over the tool tip.
@@ -48,7 +48,9 @@ struct ToolAssembly {
     int number = 0;  ///< T word and tool-table number
     ToolType type = ToolType::Flat;
     double diameter_mm = 0;
-    double corner_radius_mm = 0;  ///< diameter / 2 for a ball, 0 for a flat end mill
+    double corner_radius_mm = 0;    ///< diameter / 2 for a ball, 0 for a flat end mill
+    double tip_diameter_mm = 0;     ///< of a chamfer mill: where its cone ends below
+    double included_angle_deg = 0;  ///< of a chamfer mill: between its flanks, 90 for chamfers of 45 degrees
     double flute_length_mm = 0;
     int flutes = 0;
     bool centre_cutting = false;  ///< may plunge straight down
@@ -66,6 +68,10 @@ struct ToolAssembly {
 
     double radius_mm() const { return diameter_mm / 2; }
     bool isDrill() const { return type == ToolType::Drill; }
+    /// Does it cut forms that flat layers leave: walls that lean, fillets, chamfers?
+    bool isForm() const {
+        return type == ToolType::Ball || type == ToolType::Bull || type == ToolType::Chamfer;
+    }
     /// Cutting data for a material, or nothing when the library has none for it.
     const CuttingData* cuttingFor(const std::string& material_name) const;
 };

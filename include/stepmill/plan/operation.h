@@ -13,13 +13,15 @@ namespace stepmill {
 struct OperationData {
     std::string id;  ///< "S1.O3", numbered in machining order
     std::string setup_id;
-    std::string feature_id;
+    std::string feature_id;  ///< of a form operation: of the setup's FormGround
     Role role = Role::Rough;
     double z_floor_mm = 0;   ///< of this operation: with an allowance on the floor, as much over it
     FinishAllowance leaves;  ///< for a finishing operation of the same feature
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
+    /// Of a form operation: what it takes of the volumes that leaning walls hide from flat layers.
+    std::vector<ReasonVolume> takes;
 };
 
 /// How many operations of another feature, from its first on, must be done before.

@@ -11,6 +11,7 @@
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
+#include "stepmill/feature/form_ground.h"
 #include "stepmill/part/part.h"
 #include "stepmill/plan/operation.h"
 #include "stepmill/plan/operation_order.h"
@@ -79,6 +80,8 @@ struct PlannedSetup {
     std::vector<Unplanned> unplanned;
     std::vector<Operation> operations;  ///< in machining order
     std::vector<WeighedOrder> orders;   ///< that were weighed for these, the one taken first
+    /// Where its form operations work, which come after all others; nothing without any.
+    std::optional<FormGround> form;
     VolumeBalance balance;
     double time_s = 0;    ///< tool changes included
     double motion_s = 0;  ///< the same with the machine's acceleration where that is given
@@ -96,11 +99,19 @@ struct FeatureCaution {
 /// By feature id.
 using Cautions = std::map<std::string, FeatureCaution>;
 
+/// Ridges between the passes of a form cutter, unless something else is asked for, and the limits of what may
+/// be asked for [mm].
+inline constexpr double kDefaultScallopMm = 0.02;
+inline constexpr double kLeastScallopMm = 0.002;
+inline constexpr double kMostScallopMm = 0.5;
+
 struct PlanRequest {
     std::string unit;  ///< ReadOptions::unit, by which the part was read
     SetupRequest setup;
     SliceOptions slicing;
     SequenceOptions sequence;
+    /// Height of the ridges that form cutters leave between their passes [mm]; 0: no pass of theirs.
+    double scallop_mm = kDefaultScallopMm;
     FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;

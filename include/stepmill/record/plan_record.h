@@ -65,6 +65,7 @@ struct PlanRecord {
     Machine machine;
     std::vector<RecordedSetup> setups;
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
+    std::map<std::string, FormGround> forms;          ///< by id, one a setup at most
     std::map<std::string, RecordedOperation> operations;
     VolumeBalance books;  ///< of the part; without the reasons
     /// What stays of stock minus part at the end, by reason, and how much of it is rounding [mm3].

@@ -88,7 +88,7 @@ struct Residual {
     std::string advice;  ///< what would machine it ("an end mill of 2.4 mm or less")
 };
 
-enum class Role { Face, Rough, Rest, Surrogate, Drill, Finish };
+enum class Role { Face, Rough, Rest, Surrogate, Drill, Finish, Form };
 std::string toString(Role role);
 /// The reverse; nothing for another word.
 std::optional<Role> roleFrom(std::string_view word);

@@ -16,6 +16,12 @@ Anchor bandAnchor(const std::string& band_id);
 Anchor featureAnchor(const WholeFeature<PlannedFeature>& feature);
 Anchor operationAnchor(const std::string& operation_id);
 
+/// The section of what an operation works on: its feature, or its setup's leaning walls.
+Anchor workAnchor(const Operation& operation);
+
+/// What form cutters take off leaning walls, and their passes. \pre setup.form
+Element formSection(const PlannedSetup& setup);
+
 /// Views, the setup sheet with its features, tools and operations, then each feature.
 Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialect);
 

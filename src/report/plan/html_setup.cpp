@@ -114,8 +114,8 @@ Element operationsTable(const PlannedSetup& setup) {
         const Toolpath& path = operation.path;
         const PathTotals& totals = path.totals;
         table
-            .row(operation.id, linkTo(bandAnchor(operation.feature_id), operation.feature_id),
-                 operation.tool_id, toString(operation.role) + leavesWords(operation.leaves), path.pattern,
+            .row(operation.id, linkTo(workAnchor(operation), operation.feature_id), operation.tool_id,
+                 toString(operation.role) + leavesWords(operation.leaves), path.pattern,
                  std::to_string(path.depths), fixed(path.step_down_mm, 2), fixed(path.step_over_mm, 2),
                  fixed(path.feed_mm_per_min, 0), fixed(path.plunge_feed_mm_per_min, 0),
                  fixed(operation.speed_rpm, 0), toString(operation.coolant), metres(operation.even_length_mm),
@@ -158,6 +158,7 @@ Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialec
                 operationsTable(setup), Element("h2", "Feature by feature"), keys());
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
         section.add(featureSection(setup, feature));
+    if (setup.form) section.add(formSection(setup));
     return section;
 }
 

@@ -32,6 +32,22 @@ std::string featureLine(const WholeFeature<PlannedFeature>& feature, const Machi
                        stays_mm3 / 1000);
 }
 
+/// What form cutters do in each setup; empty where there are none.
+std::string formLines(const Plan& plan) {
+    std::string text;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations) {
+            if (operation.role != Role::Form) continue;
+            double taken_mm3 = 0;
+            for (const ReasonVolume& taken : operation.takes)
+                taken_mm3 += taken.volume_mm3;
+            text += fmt::format("{}: {} takes {:.3f} cm3 off leaning walls in {}, {} levels\n", operation.id,
+                                plainLine(operation.tool_id), taken_mm3 / 1000,
+                                clockTime(operation.path.totals.time_s()), operation.path.depths);
+        }
+    return text;
+}
+
 }  // namespace
 
 std::string summaryText(const Plan& plan) {
@@ -48,6 +64,7 @@ std::string summaryText(const Plan& plan) {
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
             text += featureLine(feature, plan.machine);
     }
+    text += formLines(plan);
     const PlanTotals& totals = plan.totals;
     text += fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",
                         clockTime(totals.time_s), clockTime(totals.cutting_s), clockTime(totals.air_s),

@@ -91,7 +91,7 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
         stock.raise(makeRectangle(box.min(), box.max()), setup.setup.stock_bbox_mm.max().z());
         for (const Operation& operation : setup.operations) {
             const ToolAssembly& tool = planned.library.tool(operation.tool_id);
-            const HeightMap::Cut cut = stock.run(operation.path, tool.radius_mm(), kRimMm);
+            const HeightMap::Cut cut = stock.run(operation.path, profileOf(tool), kRimMm);
             removed += cut.removed_mm3;
             fmt::print(
                 "{:<18} {:<7} {:<7} {:<6} {:<10} {:>8.0f} mm3 {:>8.0f} mm fed {:>5.1f} % air, level {:>5.1f} "
@@ -104,10 +104,11 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
                 operation.path.totals.time_s());
             EXPECT_EQ(cut.rapid_hits, 0) << operation.id << " first at " << cut.first_hit.transpose();
             EXPECT_GT(cut.removed_mm3, 0) << operation.id;
-            // Leads and overlaps of a finishing pass run over ground that is down.
-            const double air_share = operation.role == Role::Finish ? 1
-                                     : operation.leaves.any()       ? kAirShareWithAllowance
-                                                                    : kAirShare;
+            // Leads and overlaps of a finishing pass run over ground that is down; a form cutter's tip does
+            // where it cuts with its side.
+            const double air_share = operation.role == Role::Finish || operation.role == Role::Form ? 1
+                                     : operation.leaves.any() ? kAirShareWithAllowance
+                                                              : kAirShare;
             EXPECT_LE(cut.level_air_mm, air_share * cut.level_mm) << operation.id;
         }
         EXPECT_EQ(gouged(stock, part), 0) << setup.setup.id;

@@ -62,10 +62,30 @@ TEST(ToolErrors, TellAWrongType) {
 TEST(ToolErrors, TellTheAllowedWords) {
     EXPECT_EQ(messageWith("/unit", "cm"), "tools.json#/unit: expected one of \"mm\", \"inch\", found \"cm\"");
     EXPECT_EQ(messageWith("/format", 2), "tools.json#/format: expected 1, found 2");
-    EXPECT_EQ(
-        messageWith("/tools/1/type", "reamer"),
-        "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", found "
-        "\"reamer\"");
+    EXPECT_EQ(messageWith("/tools/1/type", "reamer"),
+              "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", "
+              "\"chamfer\", found "
+              "\"reamer\"");
+}
+
+TEST(ToolErrors, TellWhatAChamferMillMustSay) {
+    json library = goodLibrary();
+    json& mill = library["tools"][0];
+    mill["type"] = "chamfer";
+    mill.erase("corner_radius");
+    const auto message = [&] { return messageOfText(library.dump()); };
+    EXPECT_NE(message().find("expected the field \"tip_diameter\" of a chamfer mill"), std::string::npos)
+        << message();
+    mill["tip_diameter"] = mill["diameter"];
+    mill["included_angle_deg"] = 90;
+    EXPECT_NE(message().find("/tip_diameter: expected less than the diameter"), std::string::npos)
+        << message();
+    mill["tip_diameter"] = 0;
+    const ToolAssembly read = toolLibraryFromText(library.dump(), "tools.json").tools[0];
+    EXPECT_EQ(read.type, ToolType::Chamfer);
+    EXPECT_EQ(read.included_angle_deg, 90);
+    mill["type"] = "flat";
+    EXPECT_NE(message().find("expected on a chamfer mill alone"), std::string::npos) << message();
 }
 
 TEST(ToolErrors, TellALibraryWithoutTools) {

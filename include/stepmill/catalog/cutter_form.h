@@ -1,0 +1,31 @@
+#pragma once
+
+#include "stepmill/catalog/tool.h"
+
+namespace stepmill {
+
+/// What a cutter is turned to: its radius over the height from its tip. The radius never gets less upwards.
+class CutterForm {
+  public:
+    explicit CutterForm(const ToolAssembly& tool);
+
+    /// At that height over the tip: 0 below it, the full radius from heightMm() on [mm].
+    double radiusAt(double height_mm) const;
+    /// The height from which the radius is the full one; 0 for a flat end mill [mm].
+    double heightMm() const { return height_mm_; }
+    double fullRadiusMm() const { return full_mm_; }
+    /// Of the flat or the point at the tip [mm].
+    double tipRadiusMm() const { return tip_mm_; }
+
+  private:
+    double full_mm_;
+    double tip_mm_;
+    double corner_mm_;  ///< 0 for a cone
+    double height_mm_;
+};
+
+/// Sine of the lean from upright of the face that a chamfer mill's flank makes: 0.707 for 90 degrees between
+/// flanks. \pre tool.type == ToolType::Chamfer
+double flankLean(const ToolAssembly& tool);
+
+}  // namespace stepmill

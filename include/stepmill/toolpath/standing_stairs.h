@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/catalog/cutter_form.h"
+#include "stepmill/core/tolerances.h"
+#include "stepmill/feature/form_ground.h"
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill {
+
+/// Ways of a tip at one height.
+struct LevelWays {
+    double tip_z_mm = 0;
+    std::vector<Path> ways;
+};
+
+/// The stairs of a form ground while form cutters take them off.
+///
+/// They are known at heights a tenth of a millimetre apart or as far as the bands are high. What the bands
+/// cover of the part beyond its true walls does not count as stairs, so no volume is more than there is.
+class StandingStairs {
+  public:
+    StandingStairs(const FormGround& ground, const Tolerances& tol);
+
+    /// What stands at one height in one component of the window, and what height it stands for.
+    struct Slice {
+        double z_mm = 0;
+        double bottom_mm = 0;
+        double top_mm = 0;
+        Region region;
+
+        double height_mm() const { return top_mm - bottom_mm; }
+    };
+    const std::vector<Slice>& slices() const { return slices_; }
+    double volumeMm3() const;
+
+    /// Takes off what a cutter sweeps along the ways. Ways far below a slice are left out of its account:
+    /// what they reach there is no more than what others above them did.
+    void cut(const LevelWays& level, const CutterForm& form);
+
+  private:
+    Tolerances tol_;
+    std::vector<Slice> slices_;  ///< from below to above
+};
+
+/// The ways of a path's feeds that go level, by height from above; plunges and rapids cut nothing here.
+std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& moves);
+
+}  // namespace stepmill

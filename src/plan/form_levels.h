@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "plan/form_site.h"
+#include "stepmill/catalog/tool.h"
+
+namespace stepmill {
+
+/// Heights of the tip at which a form cutter goes along the walls, from above: so far apart that the ridges
+/// between its passes are no higher than the scallop, and no more than its step-down.
+///
+/// A corner of radius r leaves on a wall that leans by a ridges of height s where passes are
+/// 2 sqrt(2 r s - s^2) apart along the wall, and cos(a) of that in height. It touches the wall r (1 - sin a)
+/// over its tip. A chamfer mill has one height for each chamfer of its own angle, with the chamfer in the
+/// middle of its flank where there is room; on other walls it has none.
+std::vector<double> formLevels(const FormSite& site, const ToolAssembly& tool, double step_down_mm,
+                               double scallop_mm);
+
+}  // namespace stepmill

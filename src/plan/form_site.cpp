@@ -1,0 +1,279 @@
+// Where form cutters have work in a setup, and what they must keep clear of.
+
+#include "plan/form_site.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "stepmill/feature/region_compare.h"
+#include "stepmill/layers/section_cutter.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/toolpath/swept_region.h"
+
+namespace stepmill {
+namespace {
+
+/// A layer whose leaning walls hide less from flat cutters has no work for form cutters [mm3].
+constexpr double kLeastHiddenMm3 = 0.05;
+/// Bands are no thinner, whatever the lean, and no thicker on walls that lean at all [mm].
+constexpr double kThinnestBandMm = 0.01;
+constexpr double kThickestBandMm = 0.25;
+/// Where other setups cut the stock at a slant or across, it is looked at in parts of this height [mm].
+constexpr double kStockPartMm = 0.5;
+/// Heights of bands are numbers that programs can say [mm].
+constexpr double kHeightStepMm = 1e-4;
+/// A setup has no more bands than this; where it would, they are cut coarser.
+constexpr std::size_t kMostBands = 500;
+/// ... but never coarser than for a skin of that thickness [mm].
+constexpr double kThickestSkinMm = 0.5;
+/// Room around the stairs beyond the cutter's own width [mm].
+constexpr double kRoomMm = 2.0;
+
+Region joined(const std::vector<Region>& pieces) {
+    Region all;
+    for (const Region& piece : pieces)
+        all.loops.insert(all.loops.end(), piece.loops.begin(), piece.loops.end());
+    return all;
+}
+
+/// Volume of a layer that tools from above see and flat ones leave.
+double seenFromAboveMm3(const Layer& layer) {
+    double sum = 0;
+    for (const HiddenVolume& hidden : layer.hidden)
+        if (hidden.cause != SlopeCause::Overhang && hidden.cause != SlopeCause::AcrossAxis)
+            sum += hidden.volume_mm3;
+    return sum;
+}
+
+double onStep(double z_mm) {
+    return std::round(z_mm / kHeightStepMm) * kHeightStepMm;
+}
+
+struct Heights {
+    double bottom_mm = 0;
+    double top_mm = 0;
+};
+
+/// Halves what is too high for its lean.
+void addBands(const SectionCutter& part, const Heights& heights, double skin_mm, std::vector<Heights>& into) {
+    const double height_mm = heights.top_mm - heights.bottom_mm;
+    const double lean = part.greatestLean(heights.bottom_mm, heights.top_mm);
+    const bool fine = height_mm * lean <= skin_mm || height_mm <= 2 * kThinnestBandMm;
+    if (lean <= 0 || (fine && height_mm <= std::max(kThickestBandMm, skin_mm))) {
+        into.push_back(heights);
+        return;
+    }
+    const double middle_mm = onStep((heights.bottom_mm + heights.top_mm) / 2);
+    addBands(part, {heights.bottom_mm, middle_mm}, skin_mm, into);
+    addBands(part, {middle_mm, heights.top_mm}, skin_mm, into);
+}
+
+/// A layer with what of the stock stands beside its part.
+struct StandingLayer {
+    const Layer* layer = nullptr;
+    bool leans = false;
+    Region beside;  ///< stock beyond the layer's part, and fixtures
+};
+
+class SiteMaker {
+  public:
+    SiteMaker(const FormSources& from, double skin_mm, double widest_mm, const Tolerances& tol)
+        : from_(from), skin_mm_(skin_mm), widest_mm_(widest_mm), tol_(tol), part_(from.setup, tol) {}
+
+    std::optional<FormSite> make() {
+        addStairs();
+        if (site_.ground.stairs.empty()) return std::nullopt;
+        site_.ground.id = formGroundId(from_.setup.id);
+        site_.ground.setup_id = from_.setup.id;
+        findWindow();
+        findStanding();
+        cutBands();
+        castShadows();
+        return std::move(site_);
+    }
+
+  private:
+    void addStairs() {
+        const StockSections at_end(from_.setup, from_.at_end, tol_);
+        const std::vector<Layer>& layers = from_.layers.layers;
+        for (std::size_t i = layers.size(); i-- > 0;) {
+            const Layer& layer = layers[i];
+            if (seenFromAboveMm3(layer) < kLeastHiddenMm3) continue;
+            const std::size_t before = site_.ground.stairs.size();
+            const double thin_mm = std::min(kThinnestBandMm, layer.height_mm() / 2);
+            const Region ground =
+                subtract(layer.part, part_.partBetween(layer.top_z_mm - thin_mm, layer.top_z_mm), tol_);
+            for (const Heights& heights : heightsOfStock(at_end, layer))
+                addStair(at_end, ground, heights);
+            if (site_.ground.stairs.size() > before) site_.feet_mm.push_back(layer.bottom_z_mm);
+        }
+    }
+
+    void addStair(const StockSections& at_end, const Region& ground, const Heights& heights) {
+        const Region standing = intersect(ground, at_end.at((heights.top_mm + heights.bottom_mm) / 2), tol_);
+        Region stairs = joined(toolpath::piecesBeyondSkins(standing, tol_));
+        if (!stairs.empty())
+            site_.ground.stairs.push_back({heights.bottom_mm, heights.top_mm, std::move(stairs)});
+    }
+
+    /// The layer in parts over which the stock hardly changes; the whole layer where it does not at all.
+    std::vector<Heights> heightsOfStock(const StockSections& at_end, const Layer& layer) const {
+        const double height_mm = layer.height_mm();
+        const Region low = at_end.at(layer.bottom_z_mm + 0.05 * height_mm);
+        const bool same = feature::sameRegion(low, at_end.at(layer.bottom_z_mm + 0.5 * height_mm), tol_) &&
+                          feature::sameRegion(low, at_end.at(layer.bottom_z_mm + 0.95 * height_mm), tol_);
+        const int parts = same ? 1 : std::max(1, static_cast<int>(std::ceil(height_mm / kStockPartMm)));
+        std::vector<Heights> all;
+        double bottom_mm = layer.bottom_z_mm;
+        for (int i = 1; i <= parts; ++i) {
+            const double top_mm =
+                i == parts ? layer.top_z_mm : onStep(layer.bottom_z_mm + height_mm * i / parts);
+            all.push_back({bottom_mm, top_mm});
+            bottom_mm = top_mm;
+        }
+        return all;
+    }
+
+    bool leans(const Layer& layer) const {
+        return std::find(site_.feet_mm.begin(), site_.feet_mm.end(), layer.bottom_z_mm) !=
+               site_.feet_mm.end();
+    }
+
+    void findWindow() {
+        const double by_mm = 2 * widest_mm_ + kRoomMm;
+        std::vector<Region> boxes;
+        for (const Obstacle& stair : site_.ground.stairs)
+            for (const Region& piece : components(stair.section)) {
+                const Box2 box = grown(boundingBox(piece), by_mm);
+                boxes.push_back(makeRectangle(box.min(), box.max()));
+            }
+        site_.ground.window = unite(boxes, tol_);
+    }
+
+    Region fixturesBetween(double bottom_mm, double top_mm) const {
+        std::vector<Region> sections;
+        for (const Fixture& fixture : from_.setup.fixtures)
+            if (fixture.bottom_z_mm < top_mm && fixture.top_z_mm > bottom_mm)
+                sections.push_back(fixture.section);
+        return sections.empty() ? Region{} : unite(sections, tol_);
+    }
+
+    /// From below.
+    void findStanding() {
+        const StockSections after(from_.setup, from_.after, tol_);
+        const std::vector<Layer>& layers = from_.layers.layers;
+        for (std::size_t i = layers.size(); i-- > 0;) {
+            const Layer& layer = layers[i];
+            const Region stock = after.between(layer.bottom_z_mm, layer.top_z_mm);
+            const Region left = joined(toolpath::piecesBeyondSkins(subtract(stock, layer.part, tol_), tol_));
+            standing_.push_back({&layer, leans(layer),
+                                 unite(left, fixturesBetween(layer.bottom_z_mm, layer.top_z_mm), tol_)});
+        }
+    }
+
+    std::vector<Heights> bandsOf(const StandingLayer& standing, double skin_mm) const {
+        const Layer& layer = *standing.layer;
+        if (!standing.leans) return {{layer.bottom_z_mm, layer.top_z_mm}};
+        std::vector<Heights> bands;
+        double bottom_mm = layer.bottom_z_mm;
+        std::vector<double> tops = part_.levelsBetween(layer.bottom_z_mm, layer.top_z_mm);
+        tops.push_back(layer.top_z_mm);
+        for (const double top_mm : tops) {
+            addBands(part_, {bottom_mm, top_mm}, skin_mm, bands);
+            bottom_mm = top_mm;
+        }
+        return bands;
+    }
+
+    struct LayerBand {
+        const StandingLayer* standing;
+        Heights heights;
+    };
+
+    std::vector<LayerBand> allBands(double skin_mm) const {
+        std::vector<LayerBand> all;
+        for (const StandingLayer& standing : standing_)
+            for (const Heights& heights : bandsOf(standing, skin_mm))
+                all.push_back({&standing, heights});
+        return all;
+    }
+
+    void cutBands() {
+        double skin_mm = skin_mm_;
+        std::vector<LayerBand> bands = allBands(skin_mm);
+        while (bands.size() > kMostBands && skin_mm < kThickestSkinMm) {
+            skin_mm *= 2;
+            bands = allBands(skin_mm);
+        }
+        site_.ground.must_stand.resize(bands.size());
+        site_.leans.resize(bands.size());
+        tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) { cutBand(bands[i], i); });
+        addFixturesOver();
+    }
+
+    void cutBand(const LayerBand& band, std::size_t i) {
+        const auto& [bottom_mm, top_mm] = band.heights;
+        const Layer& layer = *band.standing->layer;
+        const Region part = band.standing->leans ? part_.partBetween(bottom_mm, top_mm) : layer.part;
+        site_.ground.must_stand[i] = {
+            bottom_mm, top_mm,
+            intersect(unite(part, band.standing->beside, tol_), site_.ground.window, tol_)};
+        if (band.standing->leans) site_.leans[i] = part_.leansBetween(bottom_mm, top_mm);
+    }
+
+    /// What holds the part may stand over the stock.
+    void addFixturesOver() {
+        double top_mm = from_.layers.stock_top_z_mm;
+        for (const Fixture& fixture : from_.setup.fixtures)
+            top_mm = std::max(top_mm, fixture.top_z_mm);
+        if (top_mm <= from_.layers.stock_top_z_mm) return;
+        const Region over = fixturesBetween(from_.layers.stock_top_z_mm, top_mm);
+        site_.ground.must_stand.push_back(
+            {from_.layers.stock_top_z_mm, top_mm, intersect(over, site_.ground.window, tol_)});
+        site_.leans.emplace_back();
+        fixtures_over_ = {from_.layers.stock_top_z_mm, top_mm, over};
+    }
+
+    void castShadows() {
+        std::vector<Obstacle> from_above;
+        Region shadow;
+        if (!fixtures_over_.section.empty()) {
+            from_above.push_back(fixtures_over_);
+            shadow = fixtures_over_.section;
+        }
+        for (std::size_t i = standing_.size(); i-- > 0;) {
+            const StandingLayer& standing = standing_[i];
+            const Region here = unite(standing.layer->part, standing.beside, tol_);
+            Region with = unite(here, shadow, tol_);
+            const bool same = !from_above.empty() && feature::sameRegion(with, shadow, tol_);
+            shadow = std::move(with);
+            if (same) {
+                from_above.back().bottom_z_mm = standing.layer->bottom_z_mm;
+                from_above.back().section = shadow;
+                continue;
+            }
+            from_above.push_back({standing.layer->bottom_z_mm, standing.layer->top_z_mm, shadow});
+        }
+        site_.ground.obstacles.assign(from_above.rbegin(), from_above.rend());
+    }
+
+    const FormSources& from_;
+    double skin_mm_;
+    double widest_mm_;
+    const Tolerances& tol_;
+    SectionCutter part_;
+    std::vector<StandingLayer> standing_;  ///< from below
+    Obstacle fixtures_over_;
+    FormSite site_;
+};
+
+}  // namespace
+
+std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
+                                 const Tolerances& tol) {
+    return SiteMaker(sources, skin_mm, widest_mm, tol).make();
+}
+
+}  // namespace stepmill

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stepmill/feature/form_ground.h"
+#include "stepmill/layers/layer_stack.h"
+#include "stepmill/setup/setup.h"
+
+namespace stepmill {
+
+/// What a setup's form ground is made of.
+struct FormSources {
+    const Setup& setup;  ///< with its fixtures
+    const LayerStack& layers;
+    const Stock& after;   ///< as the setup's flat operations leave it
+    const Stock& at_end;  ///< as those of all setups leave it
+};
+
+/// A form ground, and how its walls lean.
+struct FormSite {
+    FormGround ground;
+    /// Of each band that must stand the leans of its faces that look up, as sines from upright, ascending.
+    std::vector<std::vector<double>> leans;
+    std::vector<double> feet_mm;  ///< where layers with stairs end below, ascending
+};
+
+/// The stairs that flat layers leave in a setup, with what must stand beside them, cut so fine that a band's
+/// height times the sine of its wall's lean is no more than `skin_mm`.
+/// \param widest_mm  radius of the widest cutter that may come
+/// \return nothing where no leaning wall keeps material
+std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
+                                 const Tolerances& tol);
+
+}  // namespace stepmill

@@ -1,0 +1,73 @@
+// One form cutter over the stairs of a setup.
+
+#include "plan/form_work.h"
+
+#include "plan/form_levels.h"
+#include "stepmill/core/error.h"
+#include "stepmill/sequence/machine_limits.h"
+#include "stepmill/toolpath/form_passes.h"
+#include "stepmill/toolpath/path_frame.h"
+
+namespace stepmill {
+namespace {
+
+/// What is thinner than so many scallops is the surface of an earlier pass.
+constexpr double kSkinScallops = 3;
+
+/// Setup coordinates have their zero on the stock's top.
+double retractZ(const FormGround& ground, const FormShop& shop) {
+    const double highest_mm = ground.obstacles.empty() ? 0 : ground.obstacles.back().top_z_mm;
+    const double retract_mm = shop.retract_mm > 0 ? shop.retract_mm : shop.machine.safe_height_mm;
+    return std::max(0.0, highest_mm) + retract_mm;
+}
+
+}  // namespace
+
+FormWork::FormWork(const FormSite& site, const FormShop& shop)
+    : site_(site), shop_(shop), bands_(site.ground, shop.tol) {}
+
+std::vector<const ToolAssembly*> FormWork::cutters() const {
+    std::vector<const ToolAssembly*> found;
+    for (const ToolAssembly& tool : shop_.library.tools)
+        if (tool.isForm() && tool.cuttingFor(shop_.material) != nullptr &&
+            shop_.caution.without_tools.count(tool.id) == 0)
+            found.push_back(&tool);
+    return found;
+}
+
+/// Nothing where the cutter has no pass, or where no sure region of free centres is found: what other levels
+/// leave there stays.
+std::optional<toolpath::FormLevel> FormWork::levelAt(const FormCentres& centres, const StandingStairs& stairs,
+                                                     const CutterForm& form, const CuttingData& cutting,
+                                                     double z_mm) const {
+    try {
+        toolpath::FormLevel level = toolpath::formLevel(centres, stairs, form, z_mm,
+                                                        toolpath::usedStepOver(cutting, form.fullRadiusMm()),
+                                                        kSkinScallops * shop_.scallop_mm, shop_.tol);
+        if (!level.passes.empty()) return level;
+    } catch (const Error&) {
+    }
+    return std::nullopt;
+}
+
+FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) {
+    const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
+    const CutterForm form(tool);
+    std::unique_ptr<FormCentres>& centres = centres_[tool.id];
+    if (!centres) centres = std::make_unique<FormCentres>(bands_, tool);
+    FormStep step{&tool, {}, 0, 0, stairs};
+    std::vector<toolpath::FormLevel> levels;
+    for (const double z_mm : formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm)) {
+        std::optional<toolpath::FormLevel> level = levelAt(*centres, step.left, form, cutting, z_mm);
+        if (!level) continue;
+        step.left.cut({z_mm, level->passes}, form);
+        levels.push_back(std::move(*level));
+    }
+    step.path = toolpath::formPath({site_.ground, retractZ(site_.ground, shop_), shop_.caution.plain_ways},
+                                   levels, tool, cutting, shop_.machine, shop_.tol);
+    step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();
+    step.time_s = step.path.totals.motion_time_s + shop_.machine.tool_change_s;
+    return step;
+}
+
+}  // namespace stepmill

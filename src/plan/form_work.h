@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plan/form_finishing.h"
+#include "stepmill/access/form_centres.h"
+#include "stepmill/toolpath/form_passes.h"
+#include "stepmill/toolpath/standing_stairs.h"
+
+namespace stepmill {
+
+/// What one cutter does on a form ground.
+struct FormStep {
+    const ToolAssembly* tool = nullptr;
+    Toolpath path;  ///< without moves where the cutter meets nothing
+    double taken_mm3 = 0;
+    double time_s = 0;    ///< with its tool change
+    StandingStairs left;  ///< after it
+};
+
+/// Tries cutters on one form ground. Free centres are made once for each cutter and height.
+class FormWork {
+  public:
+    /// Keeps both.
+    FormWork(const FormSite& site, const FormShop& shop);
+
+    /// The cutter's passes over those stairs.
+    FormStep step(const ToolAssembly& tool, const StandingStairs& stairs);
+    /// Cutters that may come: with cutting data, flutes and a form.
+    std::vector<const ToolAssembly*> cutters() const;
+
+  private:
+    std::optional<toolpath::FormLevel> levelAt(const FormCentres& centres, const StandingStairs& stairs,
+                                               const CutterForm& form, const CuttingData& cutting,
+                                               double z_mm) const;
+
+    const FormSite& site_;
+    const FormShop& shop_;
+    FormBands bands_;
+    std::map<std::string, std::unique_ptr<FormCentres>> centres_;
+};
+
+}  // namespace stepmill

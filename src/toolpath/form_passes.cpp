@@ -1,0 +1,129 @@
+// Passes of form cutters at one height.
+
+#include "stepmill/toolpath/form_passes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge_index.h"
+
+namespace stepmill::toolpath {
+namespace {
+
+/// So many passes lie beside each other at most.
+constexpr int kMostRings = 100;
+/// Stretches without material that are shorter than this many radii are gone along rather than lifted over.
+constexpr double kBridgeRadii = 1;
+/// Whether a pass is needed is asked for stretches no longer than so many radii.
+constexpr double kLongestEdgeRadii = 0.5;
+/// Stairs farther over the tip than the cutter's form is high, and this much, ask for no pass [mm].
+constexpr double kAboveFormMm = 1.0;
+
+/// Tells where a cutter with its tip at one height meets stairs that are thicker than that.
+class Meeting {
+  public:
+    Meeting(const StandingStairs& stairs, const CutterForm& form, double tip_z_mm, double least_mm) {
+        for (const StandingStairs::Slice& slice : stairs.slices()) {
+            const double over_mm = slice.z_mm - tip_z_mm;
+            const double radius_mm = form.radiusAt(over_mm) - least_mm;
+            if (over_mm > form.heightMm() + kAboveFormMm || radius_mm <= 0 || slice.region.empty()) continue;
+            near_.push_back({&slice.region, EdgeIndex(slice.region), radius_mm});
+        }
+    }
+
+    bool nothing() const { return near_.empty(); }
+
+    bool at(const Edge& way) const {
+        return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
+            return near.edges.anyNearer(way, near.radius_mm) || isInside(near, way.from);
+        });
+    }
+
+  private:
+    struct Near {
+        const Region* region;
+        EdgeIndex edges;
+        double radius_mm;
+    };
+
+    static bool isInside(const Near& near, const Vec2& p) {
+        return near.edges.box().contains(p) && contains(*near.region, p);
+    }
+
+    std::vector<Near> near_;
+};
+
+/// The loop's edges, none longer than that.
+std::vector<Edge> shortEdges(const Loop& loop, double longest_mm) {
+    std::vector<Edge> edges;
+    for (const auto& [from, segment] : eachEdge(loop)) {
+        const Edge edge = makeEdge(from, segment);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length(edge) / longest_mm)));
+        for (int i = 0; i < pieces; ++i)
+            if (const auto piece =
+                    cutOut(edge, static_cast<double>(i) / pieces, static_cast<double>(i + 1) / pieces))
+                edges.push_back(*piece);
+    }
+    return edges;
+}
+
+/// Fills gaps that are no longer than that.
+void bridge(const std::vector<Edge>& edges, double longest_mm, std::vector<char>& needed) {
+    const std::size_t count = edges.size();
+    const std::vector<char> before = needed;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (before[i] == 0 || before[(i + 1) % count] != 0) continue;
+        double gap_mm = 0;
+        std::size_t gap = 0;
+        for (; before[(i + 1 + gap) % count] == 0; ++gap)
+            gap_mm += length(edges[(i + 1 + gap) % count]);
+        for (std::size_t k = 0; gap_mm <= longest_mm && k < gap; ++k)
+            needed[(i + 1 + k) % count] = 1;
+    }
+}
+
+/// Pieces of a loop where the cutter meets stairs; the loop itself where it does all round.
+std::vector<Path> piecesOf(const Loop& loop, const Meeting& meeting, double radius_mm) {
+    const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
+    std::vector<char> needed;
+    for (const Edge& edge : edges)
+        needed.push_back(static_cast<char>(meeting.at(edge)));
+    if (std::find(needed.begin(), needed.end(), 1) == needed.end()) return {};
+    bridge(edges, kBridgeRadii * radius_mm, needed);
+    const auto gap = std::find(needed.begin(), needed.end(), 0);
+    if (gap == needed.end()) return {loop};
+    std::vector<Path> pieces;
+    const auto first = static_cast<std::size_t>(gap - needed.begin());
+    for (std::size_t k = 1; k <= edges.size(); ++k) {
+        const std::size_t i = (first + k) % edges.size();
+        if (needed[i] == 0) continue;
+        if (needed[(first + k - 1) % edges.size()] == 0) pieces.push_back({edges[i].from, {}});
+        pieces.back().segments.push_back(edges[i].segment);
+    }
+    return pieces;
+}
+
+}  // namespace
+
+FormLevel formLevel(const FormCentres& centres, const StandingStairs& stairs, const CutterForm& form,
+                    double tip_z_mm, double step_over_mm, double least_mm, const Tolerances& tol) {
+    FormLevel level{tip_z_mm, {}, {}};
+    const Meeting meeting(stairs, form, tip_z_mm, least_mm);
+    if (meeting.nothing()) return level;
+    level.free_centres = centres.at(tip_z_mm);
+    const ClearanceDiagram diagram(level.free_centres, tol);
+    for (int ring = 0; ring < kMostRings; ++ring) {
+        const Region centres_of = ring == 0 ? level.free_centres : diagram.offset(-ring * step_over_mm);
+        if (centres_of.empty()) break;
+        std::vector<Path> passes;
+        for (const Loop& loop : centres_of.loops)
+            for (Path& piece : piecesOf(loop, meeting, form.fullRadiusMm()))
+                passes.push_back(std::move(piece));
+        if (passes.empty() && ring > 0) break;
+        level.passes.insert(level.passes.begin(), passes.begin(), passes.end());
+    }
+    return level;
+}
+
+}  // namespace stepmill::toolpath

@@ -1,0 +1,235 @@
+// What flat layers left over leaning walls, while form cutters take it off.
+
+#include "stepmill/toolpath/standing_stairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge_index.h"
+#include "stepmill/toolpath/swept_region.h"
+
+namespace stepmill {
+namespace {
+
+/// Heights at which the stairs are known are at least this far apart, but for the bands' own ends [mm].
+constexpr double kSliceMm = 0.1;
+/// Ways farther below a slice than the cutter's form is high, and this much, add nothing to it [mm].
+constexpr double kBelowFormMm = 0.5;
+/// Cuts thinner than this do not count [mm].
+constexpr double kSkinMm = 2e-3;
+/// Heights closer than this are one [mm].
+constexpr double kSameHeightMm = 1e-6;
+
+const Obstacle* at(const std::vector<Obstacle>& bands, double z_mm) {
+    const auto found = std::find_if(bands.begin(), bands.end(), [&](const Obstacle& band) {
+        return band.bottom_z_mm < z_mm && z_mm < band.top_z_mm;
+    });
+    return found == bands.end() ? nullptr : &*found;
+}
+
+Region joined(const std::vector<Region>& pieces) {
+    Region all;
+    for (const Region& piece : pieces)
+        all.loops.insert(all.loops.end(), piece.loops.begin(), piece.loops.end());
+    return all;
+}
+
+/// Bands from `first` on that one slice stands for: those of one stair, up to kSliceMm.
+std::size_t endOfSlice(const std::vector<Obstacle>& bands, std::size_t first, double stair_top_mm) {
+    std::size_t end = first + 1;
+    while (end < bands.size() && bands[end].top_z_mm <= stair_top_mm + kSameHeightMm &&
+           bands[end].top_z_mm - bands[first].bottom_z_mm <= kSliceMm + kSameHeightMm)
+        ++end;
+    return end;
+}
+
+/// What of a region lies in each of several places apart from each other; places with nothing are left out.
+std::vector<Region> inPlaces(const Region& region, const std::vector<Region>& places) {
+    std::vector<Region> parts;
+    for (const Region& place : places) {
+        Region part;
+        for (const Loop& loop : region.loops)
+            if (contains(place, loop.start)) part.loops.push_back(loop);
+        if (!part.empty()) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+/// What stands in a slice, ready to be asked what comes near it.
+struct Standing {
+    const Region& region;
+    EdgeIndex edges;
+
+    /// Does a disc on its way cut more than a skin?
+    bool meets(const Edge& way, double radius_mm) const {
+        return edges.anyNearer(way, radius_mm - kSkinMm) ||
+               (edges.box().contains(way.from) && contains(region, way.from));
+    }
+};
+
+/// What a disc sweeps along one way, for several radii.
+class SweptWay {
+  public:
+    SweptWay(const Path& way, const Tolerances& tol) : way_(way), edges_(edgesOf(way)), tol_(tol) {
+        box_ = boundingBox(way);
+        box_.extend(way.start);
+    }
+
+    /// False where the disc cuts nothing of the region.
+    bool takeFrom(Region& region, double radius_mm) const {
+        if (region.empty() || !grown(box_, radius_mm).intersects(boundingBox(region))) return false;
+        const Standing standing{region, EdgeIndex(region)};
+        std::size_t count = 0;
+        const std::vector<Path> near = stretchesNear(standing, radius_mm, count);
+        if (near.empty()) return false;
+        const bool around = way_.closed() && 2 * count > edges_.size() && takeAround(region, radius_mm);
+        if (!around) region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
+        return true;
+    }
+
+  private:
+    /// The stretches of the way on which the disc cuts, and how many edges they have.
+    std::vector<Path> stretchesNear(const Standing& standing, double radius_mm, std::size_t& count) const {
+        std::vector<Path> near;
+        bool goes_on = false;
+        for (const Edge& edge : edges_) {
+            const bool meets = standing.meets(edge, radius_mm);
+            if (meets && !goes_on) near.push_back({edge.from, {}});
+            if (meets) near.back().segments.push_back(edge.segment);
+            if (meets) ++count;
+            goes_on = meets;
+        }
+        return near;
+    }
+
+    /// Round a closed way the disc sweeps what lies within its radius on both sides. False where the offsets
+    /// of a way that was rounded in a program are not sure.
+    bool takeAround(Region& region, double radius_mm) const {
+        try {
+            if (!around_) around_.emplace(Region{{signedArea(way_) > 0 ? way_ : reversed(way_)}}, tol_);
+            const Region inner = intersect(region, around_->region(), tol_);
+            const Region kept_inside =
+                inner.empty() ? Region{} : intersect(inner, around_->offset(-radius_mm), tol_);
+            region = unite(subtract(region, around_->offset(radius_mm), tol_), kept_inside, tol_);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+
+    const Path& way_;
+    std::vector<Edge> edges_;
+    const Tolerances& tol_;
+    Box2 box_;
+    mutable std::optional<ClearanceDiagram> around_;  ///< of the ground that a closed way encloses
+};
+
+/// Joins moves to ways, and parts a way where it comes back to a point it has been at.
+class WayBuilder {
+  public:
+    explicit WayBuilder(std::vector<Path>& into) : into_(into) {}
+
+    void begin(const Vec2& at) {
+        end();
+        way_ = {at, {}};
+        seen_ = {{{at.x(), at.y()}, 0}};
+    }
+
+    void add(const Segment& segment) {
+        way_.segments.push_back(segment);
+        const auto [found, is_new] =
+            seen_.try_emplace({segment.to.x(), segment.to.y()}, way_.segments.size());
+        if (is_new) return;
+        const auto loop_begin = way_.segments.begin() + static_cast<std::ptrdiff_t>(found->second);
+        into_.push_back({segment.to, {loop_begin, way_.segments.end()}});
+        way_.segments.erase(loop_begin, way_.segments.end());
+        const std::size_t left = way_.segments.size();
+        std::erase_if(seen_, [&](const auto& entry) { return entry.second > left; });
+    }
+
+    void end() {
+        if (!way_.segments.empty()) into_.push_back(std::move(way_));
+        way_ = {};
+    }
+
+  private:
+    std::vector<Path>& into_;
+    Path way_;
+    std::map<std::pair<double, double>, std::size_t> seen_;  ///< points by the number of segments before them
+};
+
+}  // namespace
+
+StandingStairs::StandingStairs(const FormGround& ground, const Tolerances& tol) : tol_(tol) {
+    const std::vector<Obstacle>& bands = ground.must_stand;
+    const std::vector<Region> places = components(ground.window);
+    for (std::size_t i = 0; i < bands.size();) {
+        const double low_mm = bands[i].bottom_z_mm;
+        const Obstacle* stair = at(ground.stairs, (low_mm + bands[i].top_z_mm) / 2);
+        if (stair == nullptr) {
+            ++i;
+            continue;
+        }
+        const std::size_t end = endOfSlice(bands, i, stair->top_z_mm);
+        const double high_mm = bands[end - 1].top_z_mm;
+        const Obstacle& middle = bands[i + (end - i) / 2];
+        Region left = joined(toolpath::piecesBeyondSkins(subtract(stair->section, middle.section, tol), tol));
+        for (Region& place : inPlaces(left, places))
+            slices_.push_back(
+                {(middle.bottom_z_mm + middle.top_z_mm) / 2, low_mm, high_mm, std::move(place)});
+        i = end;
+    }
+}
+
+double StandingStairs::volumeMm3() const {
+    double sum = 0;
+    for (const Slice& slice : slices_)
+        sum += area(slice.region) * slice.height_mm();
+    return sum;
+}
+
+void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
+    std::vector<SweptWay> ways;
+    for (const Path& way : level.ways)
+        ways.emplace_back(way, tol_);
+    for (Slice& slice : slices_) {
+        const double over_mm = slice.z_mm - level.tip_z_mm;
+        const double radius_mm = form.radiusAt(over_mm);
+        if (slice.region.empty() || radius_mm <= 0 || over_mm > form.heightMm() + kBelowFormMm) continue;
+        bool changed = false;
+        for (const SweptWay& way : ways)
+            changed = way.takeFrom(slice.region, radius_mm) || changed;
+        if (changed) slice.region = joined(toolpath::piecesBeyondSkins(slice.region, tol_));
+    }
+}
+
+std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& moves) {
+    std::map<double, std::vector<Path>, std::greater<>> by_height;
+    std::optional<WayBuilder> way;
+    Vec3 from = start;
+    for (const Move& move : moves) {
+        const bool level = move.kind != MoveKind::Rapid && std::abs(from.z() - move.to.z()) < kSameHeightMm;
+        if (!level && way) {
+            way->end();
+            way.reset();
+        }
+        if (level && !way) {
+            way.emplace(by_height[move.to.z()]);
+            way->begin(from.head<2>());
+        }
+        if (level) way->add({Vec2(move.to.head<2>()), move.arc});
+        from = move.to;
+    }
+    if (way) way->end();
+    std::vector<LevelWays> levels;
+    for (auto& [z_mm, ways] : by_height)
+        levels.push_back({z_mm, std::move(ways)});
+    return levels;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/feature/form_ground.h"
+#include "stepmill/setup/setup.h"
+#include "stepmill/verify/verify.h"
+
+namespace stepmill::verify {
+
+/// A failure for every band of the ground that does not cover the part, or a fixture, as the part's file and
+/// the fixtures have them. \param setup  derived, with its fixtures
+void compareForm(const FormGround& ground, const Setup& setup, const Tolerances& tol,
+                 std::vector<ProofFailure>& failures);
+
+}  // namespace stepmill::verify
