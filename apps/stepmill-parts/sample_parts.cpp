@@ -235,7 +235,7 @@ SamplePart dieCavity() {
     return {
         "die_cavity",
         "block 100 x 70 x 25 with a free-form cavity about 60 x 40, 8 deep, one B-spline face: roughed in "
-        "planes, the rest is left to 3D finishing",
+        "planes, the rest is for bull nose and ball",
         assemble(box(0, 0, 0, 100, 70, 25), {}, {cavity})};
 }
 

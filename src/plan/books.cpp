@@ -193,10 +193,17 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
 
 }  // namespace
 
+double VolumeBalance::gapMm3() const {
+    return stock_minus_part_mm3 - planned_mm3 - residual_mm3 - unreachable_mm3;
+}
+
+bool closes(const VolumeBalance& setup, double stock_minus_part_mm3, const Tolerances& tol) {
+    return std::abs(setup.gapMm3()) <= std::max(kVolumeRoundingMm3, tol.volume_share * stock_minus_part_mm3);
+}
+
 double VolumeBalance::gapShare() const {
     if (stock_minus_part_mm3 <= kVolumeRoundingMm3) return 0;
-    const double gap = stock_minus_part_mm3 - planned_mm3 - residual_mm3 - unreachable_mm3;
-    return std::abs(gap) / stock_minus_part_mm3;
+    return std::abs(gapMm3()) / stock_minus_part_mm3;
 }
 
 PlanBooks booksOf(const std::vector<SetupAccount>& accounts, double stock_minus_part_mm3,

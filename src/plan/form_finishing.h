@@ -14,7 +14,7 @@ struct FormShop {
     const ToolLibrary& library;
     const Machine& machine;
     const std::string& material;
-    double scallop_mm = kDefaultScallopMm;
+    double scallop_mm = 0;
     double retract_mm = 0;  ///< over the stock's top
     FeatureCaution caution;
     const Tolerances& tol;

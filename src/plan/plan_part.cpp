@@ -223,6 +223,33 @@ PlanBooks booksOf(const std::vector<PlannedSetup>& setups, const std::vector<Pla
     return booksOf(accounts, stock_minus_part_mm3, tol);
 }
 
+bool booksClose(const PlanBooks& books, const Tolerances& tol) {
+    return books.part.gapShare() <= tol.volume_share &&
+           std::all_of(books.setups.begin(), books.setups.end(), [&](const VolumeBalance& setup) {
+               return closes(setup, books.part.stock_minus_part_mm3, tol);
+           });
+}
+
+/// Form operations that take what the books do not have, such as stairs that a later setup cuts at a slant,
+/// are not believed: without them all is as flat layers leave it.
+std::vector<PlannedSetup> withFormsOfTheBooks(std::vector<PlannedSetup> setups,
+                                              const std::vector<PlannedStage>& stages,
+                                              double stock_minus_part_mm3, const PlanningShop& shop,
+                                              Warnings& warnings) {
+    if (booksClose(booksOf(setups, stages, stock_minus_part_mm3, shop.tol), shop.tol)) return setups;
+    for (PlannedSetup& setup : setups) {
+        if (!setup.form) continue;
+        warnings.push_back(
+            {"planning-failed", setup.form->id,
+             "leaning walls stay as flat layers leave them: what form cutters would take there "
+             "is not all in the volume books"});
+        setup.form.reset();
+        std::erase_if(setup.operations, [](const Operation& one) { return one.role == Role::Form; });
+        linkOperations(setup.operations, shop.machine);
+    }
+    return setups;
+}
+
 /// The plan of these setups and no operation yet.
 Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine, const Stock& stock) {
     Plan plan;
@@ -256,14 +283,16 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
         withOperations(std::move(shared.setups),
                        {usable.library, machine, request.sequence.material, request.cautions, tol});
     Warnings form_warnings;
+    const double stock_minus_part_mm3 = setups.front().stock.volume_mm3 - part.volume_mm3;
     operating = withForms(std::move(operating), stages, shop, progress, form_warnings);
+    operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.library = withStickOuts(usable.library, operating);
     TimedSetups timed = withTimes(std::move(operating), plan.library, machine);
     plan.setups = std::move(timed.setups);
     plan.totals = timed.totals;
-    const PlanBooks books = booksOf(plan.setups, stages, plan.stock.volume_mm3 - part.volume_mm3, tol);
+    const PlanBooks books = booksOf(plan.setups, stages, stock_minus_part_mm3, tol);
     for (std::size_t i = 0; i < plan.setups.size(); ++i)
         plan.setups[i].balance = books.setups[i];
     plan.balance = books.part;

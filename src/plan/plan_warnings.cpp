@@ -97,14 +97,10 @@ void warnOfBooks(const Plan& plan, const std::string& largest_gap, const Toleran
                         fmt::format("the volume books miss {:.3g} % of stock minus part; {}",
                                     100 * plan.balance.gapShare(), largest_gap)});
     for (const PlannedSetup& setup : plan.setups) {
-        const VolumeBalance& books = setup.balance;
-        const double gap_mm3 =
-            books.stock_minus_part_mm3 - books.planned_mm3 - books.residual_mm3 - books.unreachable_mm3;
-        if (std::abs(gap_mm3) <= tol.volume_share * plan.balance.stock_minus_part_mm3 ||
-            std::abs(gap_mm3) <= kVolumeRoundingMm3)
-            continue;
-        into.push_back({"books", setup.setup.id,
-                        fmt::format("the volume books of the setup miss {:+.4g} mm3", gap_mm3)});
+        if (closes(setup.balance, plan.balance.stock_minus_part_mm3, tol)) continue;
+        into.push_back(
+            {"books", setup.setup.id,
+             fmt::format("the volume books of the setup miss {:+.4g} mm3", setup.balance.gapMm3())});
     }
 }
 

@@ -59,9 +59,15 @@ struct VolumeBalance {
     std::vector<ReasonVolume> residual_by_reason;     ///< in the order of the reasons' names
     std::vector<ReasonVolume> unreachable_by_reason;  ///< the same
 
-    /// What no entry accounts for, as a share of stock minus part; 0 where that is no more than rounding.
+    /// What no entry accounts for; negative where entries account for more than there is.
+    double gapMm3() const;
+    /// The same without its sign, as a share of stock minus part; 0 where that is no more than rounding.
     double gapShare() const;
 };
+
+/// Do the books of a setup close, to rounding and to the share of the part's stock minus part that tolerances
+/// allow?
+bool closes(const VolumeBalance& setup, double stock_minus_part_mm3, const Tolerances& tol);
 
 /// What came of choosing the features' sequences together.
 struct ToolSharing {
@@ -99,9 +105,6 @@ struct FeatureCaution {
 /// By feature id.
 using Cautions = std::map<std::string, FeatureCaution>;
 
-/// Ridges between the passes of a form cutter, unless something else is asked for, and the limits of what may
-/// be asked for [mm].
-inline constexpr double kDefaultScallopMm = 0.02;
 inline constexpr double kLeastScallopMm = 0.002;
 inline constexpr double kMostScallopMm = 0.5;
 
@@ -111,7 +114,7 @@ struct PlanRequest {
     SliceOptions slicing;
     SequenceOptions sequence;
     /// Height of the ridges that form cutters leave between their passes [mm]; 0: no pass of theirs.
-    double scallop_mm = kDefaultScallopMm;
+    double scallop_mm = 0;
     FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;

@@ -122,13 +122,15 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
 
 class SimulatePlan : public testing::TestWithParam<const char*> {
   protected:
-    static Plan plan(const FinishAllowance& finish, const std::optional<FinishAllowance>& roughing = {}) {
+    static Plan plan(const FinishAllowance& finish, const std::optional<FinishAllowance>& roughing = {},
+                     double scallop_mm = 0) {
         const Part part =
             readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + GetParam() + ".step").front();
         PlanRequest request;
         request.sequence.material = "aluminium";
         request.sequence.finish = finish;
         request.roughing = roughing;
+        request.scallop_mm = scallop_mm;
         return planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
     }
 };
@@ -157,6 +159,17 @@ TEST_P(SimulateRoughing, CutsWhatItSaysAndNothingElse) {
 
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateRoughing,
                          testing::Values("die_cavity", "mold_core", "nested_pockets", "open_slots"),
+                         [](const auto& parameter) { return std::string(parameter.param); });
+
+class SimulateForms : public SimulatePlan {};
+
+TEST_P(SimulateForms, CutWhatTheySayAndNothingElse) {
+    const Plan planned = plan({}, {}, 0.02);
+    ASSERT_TRUE(planned.setups.front().form) << "a leaning wall that no form cutter finishes";
+    expectCutsWhatItSays(planned, GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateForms, testing::Values("die_cavity"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 }  // namespace
