@@ -69,6 +69,7 @@ void replaceParent(std::vector<std::string>& parents, const std::string& gone,
 }  // namespace
 
 bool isCommonGround(const std::vector<Feature>& features, const CommonGround& ground, const Tolerances& tol) {
+    if (feature::isSliver(ground.region, tol)) return false;
     std::string above;
     for (const std::string& id : ground.levels) {
         const auto level = find(features, id);

@@ -9,6 +9,7 @@
 #include "stepmill/access/collision.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/core/units.h"
+#include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/toolpath/step_over.h"
 
@@ -174,11 +175,14 @@ std::vector<CommonGround> proposeGround(const std::vector<PlannedFeature>& nest,
     GroundSearch search(nest, library, material, tol);
     std::vector<CommonGround> grounds;
     for (Proposal& proposal : search.run()) {
+        Region region = within(std::move(proposal.region), search, proposal.from, proposal.to, tol);
+        // Levels that each have a part of it need not have one in common.
+        if (feature::isSliver(region, tol)) continue;
         CommonGround ground;
         ground.id = fmt::format("{}.{}", ids, known + static_cast<std::ptrdiff_t>(grounds.size()) + 1);
         for (std::size_t i = proposal.from; i <= proposal.to; ++i)
             ground.levels.push_back(search.level(i).id);
-        ground.region = within(std::move(proposal.region), search, proposal.from, proposal.to, tol);
+        ground.region = std::move(region);
         grounds.push_back(std::move(ground));
     }
     return grounds;

@@ -25,8 +25,8 @@ struct CommonGround {
 std::vector<Feature> withCommonGround(std::vector<Feature> features, const CommonGround& ground,
                                       const Tolerances& tol);
 
-/// Is the region within the targets of all levels, which follow one another from above? Only then the
-/// features with this ground are as good as those without.
+/// Is the region more than a sliver, and within the targets of all levels, which follow one another from
+/// above? Only then the features with this ground are as good as those without.
 bool isCommonGround(const std::vector<Feature>& features, const CommonGround& ground, const Tolerances& tol);
 
 }  // namespace stepmill

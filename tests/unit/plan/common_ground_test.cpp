@@ -99,6 +99,12 @@ TEST(CommonGround, TakesALevelWhole) {
     EXPECT_NEAR(volumeMm3(after), volumeMm3(before), 1e-6);
 }
 
+TEST(CommonGround, IsNoneWhereNothingIsLeftOfIt) {
+    const Region sliver = makeRectangle({10, 10}, {10 + kTol.sliver_mm / 2, 30});
+    for (const Region& region : {Region{}, sliver})
+        EXPECT_FALSE(isCommonGround(threeLevels(), groundOf({"S1.F1", "S1.F2"}, region), kTol));
+}
+
 TEST(CommonGround, IsNoneWhereALevelDoesNotHaveIt) {
     const std::vector<Feature> features = threeLevels();
     const Region wide = makeRectangle({0, 0}, {50, 40});
