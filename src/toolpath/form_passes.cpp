@@ -87,6 +87,7 @@ void bridge(const std::vector<Edge>& edges, double longest_mm, std::vector<char>
 std::vector<Path> piecesOf(const Loop& loop, const Meeting& meeting, double radius_mm) {
     const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
     std::vector<char> needed;
+    needed.reserve(edges.size());
     for (const Edge& edge : edges)
         needed.push_back(static_cast<char>(meeting.at(edge)));
     if (std::find(needed.begin(), needed.end(), 1) == needed.end()) return {};

@@ -227,6 +227,7 @@ std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& mov
     }
     if (way) way->end();
     std::vector<LevelWays> levels;
+    levels.reserve(by_height.size());
     for (auto& [z_mm, ways] : by_height)
         levels.push_back({z_mm, std::move(ways)});
     return levels;

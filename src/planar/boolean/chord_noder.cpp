@@ -55,6 +55,7 @@ class ChordNoder {
         geos::noding::snapround::SnapRoundingNoder noder(&grid);
         std::vector<std::unique_ptr<NodedSegmentString>> strings = chords();
         std::vector<SegmentString*> borrowed;
+        borrowed.reserve(strings.size());
         for (const auto& string : strings)
             borrowed.push_back(string.get());
         noder.computeNodes(&borrowed);
