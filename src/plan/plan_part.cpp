@@ -165,6 +165,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
 /// The setups move out of the stages.
 std::vector<PlannedSetup> setupsOf(std::vector<PlannedStage>& stages) {
     std::vector<PlannedSetup> setups;
+    setups.reserve(stages.size());
     for (PlannedStage& stage : stages)
         setups.push_back(std::move(stage.setup));
     return setups;

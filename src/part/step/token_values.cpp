@@ -55,7 +55,7 @@ double finiteNumber(const StepLexer& lexer, const StepToken& token, std::string_
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     const bool underflow = error == std::errc::result_out_of_range &&
                            token.text.find_first_of("eE") != std::string_view::npos &&
-                           token.text.find("-", 1) != std::string_view::npos;
+                           token.text.find('-', 1) != std::string_view::npos;
     if (underflow) return 0;
     const bool overflow = error == std::errc::result_out_of_range;
     if (!overflow && (error != std::errc{} || stop != digits.data() + digits.size())) {
