@@ -39,23 +39,16 @@ constexpr int kExitBug = 3;
 }
 
 /// The board in anonymous memory that parent and child both see.
-class SharedMemory {
-  public:
-    SharedMemory() {
-        void* memory =
-            ::mmap(nullptr, sizeof(SharedBoard), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-        if (memory == MAP_FAILED) refuse("memory to share with a child");
-        board_ = new (memory) SharedBoard;
-    }
-    SharedMemory(const SharedMemory&) = delete;
-    SharedMemory& operator=(const SharedMemory&) = delete;
-    ~SharedMemory() { ::munmap(board_, sizeof(SharedBoard)); }
+SharedBoard* newBoard() {
+    void* memory =
+        ::mmap(nullptr, sizeof(SharedBoard), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) refuse("memory to share with a child");
+    return new (memory) SharedBoard;
+}
 
-    SharedBoard* board() { return board_; }
-
-  private:
-    SharedBoard* board_ = nullptr;
-};
+void unmapBoard(SharedBoard* board) {
+    ::munmap(board, sizeof(SharedBoard));
+}
 
 /// A new-handler has no arguments: this is where it finds its process' board.
 SharedBoard* board_of_this_child = nullptr;
@@ -122,23 +115,6 @@ bool hasEnded(pid_t child) {
     const int result = ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT);
     if (result != 0) return errno != EINTR;
     return info.si_pid == child;
-}
-
-enum class Wait { Ended, TimeOver, Signal };
-
-/// Waits for the child's end, the end of time or a signal, which it stores.
-Wait waitUntil(pid_t child, double timeout_s, const StopSignals& stop, int& signal) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    auto pause = std::chrono::microseconds(200);
-    while (!hasEnded(child)) {
-        const std::chrono::duration<double> elapsed = Clock::now() - start;
-        if (elapsed.count() >= timeout_s) return Wait::TimeOver;
-        signal = stop.waitFor(pause);
-        if (signal != 0) return Wait::Signal;
-        pause = std::min(pause * 2, std::chrono::microseconds(5000));
-    }
-    return Wait::Ended;
 }
 
 int reap(pid_t child) {
@@ -208,39 +184,73 @@ int StopSignals::waitFor(std::chrono::nanoseconds time) const {
     return std::max(signal, 0);
 }
 
-Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
-                         std::uint64_t memory_bytes) {
-    STEPMILL_CHECK(timeout_s > 0, "a time limit is a number");
-    SharedMemory shared;
-    const StopSignals stop;
+SupervisedChild::SupervisedChild(const std::function<int(StageBoard&)>& work, const SupervisedLimits& limits,
+                                 const StopSignals& stop)
+    : board_(newBoard(), unmapBoard), timeout_s_(limits.timeout_s), start_(std::chrono::steady_clock::now()) {
+    STEPMILL_CHECK(timeout_s_ > 0, "a time limit is a number");
     flushStreams();  // else the child would write the parent's unwritten output again
     const pid_t parent = ::getpid();
-    const pid_t child = ::fork();
-    if (child < 0) refuse("further process");
-    if (child == 0) {
+    child_ = ::fork();
+    if (child_ < 0) refuse("further process");
+    if (child_ == 0) {
         stop.letThrough();
         std::signal(SIGXFSZ, SIG_IGN);
-        limitMemory(memory_bytes);
-        StageBoard stage = SupervisedProcess::stageOn(shared.board());
-        childMain(work, stage, shared.board(), parent);
+        limitMemory(limits.memory_bytes);
+        StageBoard stage = SupervisedProcess::stageOn(board_.get());
+        childMain(work, stage, board_.get(), parent);
     }
-    ::setpgid(child, child);  // both sides set it, so that it holds whoever runs first
+    ::setpgid(child_, child_);  // both sides set it, so that it holds whoever runs first
+}
 
+SupervisedChild::~SupervisedChild() {
+    if (child_ > 0) finish();
+}
+
+double SupervisedChild::elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+/// Ends what still runs, and tells what the child's own end was.
+Supervised SupervisedChild::finish() {
+    ::kill(-child_, SIGKILL);  // also what the child may have started and left behind
+    const int status = reap(child_);
+    child_ = 0;
     Supervised result;
-    const Wait wait = waitUntil(child, timeout_s, stop, result.signal);
-    ::kill(-child, SIGKILL);  // also what the child may have started and left behind
-    const int status = reap(child);
-    result.last_stage = shared.board()->text();
-    result.reads = shared.board()->reads;
-    if (wait == Wait::TimeOver)
-        result.end = Supervised::End::TimedOut;
-    else if (wait == Wait::Signal)
-        result.end = Supervised::End::Stopped;
-    else if (shared.board()->out_of_memory)
+    result.last_stage = board_->text();
+    result.reads = board_->reads;
+    if (board_->out_of_memory)
         result.end = Supervised::End::OutOfMemory;
     else
         describeEnd(status, result);
     return result;
+}
+
+std::optional<Supervised> SupervisedChild::ended() {
+    if (hasEnded(child_)) return finish();
+    if (elapsed_s() < timeout_s_) return std::nullopt;
+    Supervised result = finish();
+    result.end = Supervised::End::TimedOut;
+    return result;
+}
+
+Supervised SupervisedChild::endFor(int signal) {
+    Supervised result = finish();
+    result.end = Supervised::End::Stopped;
+    result.signal = signal;
+    return result;
+}
+
+Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
+                         std::uint64_t memory_bytes) {
+    const StopSignals stop;
+    SupervisedChild child(work, {timeout_s, memory_bytes}, stop);
+    auto pause = std::chrono::microseconds(200);
+    while (true) {
+        if (const std::optional<Supervised> end = child.ended()) return *end;
+        const int signal = stop.waitFor(pause);
+        if (signal != 0) return child.endFor(signal);
+        pause = std::min(pause * 2, std::chrono::microseconds(5000));
+    }
 }
 
 }  // namespace stepmill

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "stepmill/core/enum_words.h"
 #include "stepmill/feature/feature.h"
 
@@ -24,6 +26,13 @@ std::string toString(FeatureClass feature_class) {
 
 bool isHole(FeatureClass feature_class) {
     return feature_class == FeatureClass::HoleBlind || feature_class == FeatureClass::HoleThrough;
+}
+
+double highestMm(const Feature& feature) {
+    double highest_mm = feature.top_z_mm;
+    for (const Obstacle& obstacle : feature.obstacles)
+        if (!obstacle.section.empty()) highest_mm = std::max(highest_mm, obstacle.top_z_mm);
+    return highest_mm;
 }
 
 bool hasFloor(FeatureClass feature_class) {

@@ -24,6 +24,8 @@ using layers::SolidMesh;
 
 namespace {
 
+/// Sections at the ends of a slab are made this share of its height within: level faces lie on them.
+constexpr double kFromEndsShare = 0.01;
 /// Leans closer than this are one.
 constexpr double kLeanStep = 0.02;
 
@@ -93,6 +95,16 @@ struct StockSections::Impl {
         if (!raw.mesh()) return raw.box();
         return layers::cutSlab(*raw.mesh(), top_mm, bottom_mm, {}, tol).region;
     }
+    Region rawAt(double z_mm) const {
+        if (!raw.mesh()) return raw.box();
+        return layers::exactSection(*raw.mesh(), z_mm, tol).value_or(Region{});
+    }
+    Region rawThroughout(double bottom_mm, double top_mm) const {
+        if (!raw.mesh()) return raw.box();
+        const double in_mm = kFromEndsShare * (top_mm - bottom_mm);
+        const Region ends = intersect(rawAt(bottom_mm + in_mm), rawAt(top_mm - in_mm), tol);
+        return intersect(ends, rawAt((bottom_mm + top_mm) / 2), tol);
+    }
 };
 
 StockSections::StockSections(const Setup& setup, const Stock& stock, const Tolerances& tol)
@@ -105,11 +117,13 @@ Region StockSections::between(double bottom_mm, double top_mm) const {
     return subtract(impl_->rawBetween(bottom_mm, top_mm), impl_->air.between(bottom_mm, top_mm), impl_->tol);
 }
 
+Region StockSections::throughout(double bottom_mm, double top_mm) const {
+    return subtract(impl_->rawThroughout(bottom_mm, top_mm), impl_->air.somewhere(bottom_mm, top_mm),
+                    impl_->tol);
+}
+
 Region StockSections::at(double z_mm) const {
-    Region raw = impl_->raw.box();
-    if (impl_->raw.mesh())
-        raw = layers::exactSection(*impl_->raw.mesh(), z_mm, impl_->tol).value_or(Region{});
-    return subtract(raw, impl_->air.at(z_mm), impl_->tol);
+    return subtract(impl_->rawAt(z_mm), impl_->air.at(z_mm), impl_->tol);
 }
 
 }  // namespace stepmill

@@ -15,6 +15,7 @@
 #include "layers/stock/stock_air.h"
 #include "stepmill/core/error.h"
 #include "stepmill/layers/layer_stack.h"
+#include "stepmill/part/face_graph.h"
 #include "stepmill/part/part_shape.h"
 #include "stepmill/planar/boolean.h"
 
@@ -302,7 +303,7 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     if (solids.part.openSides() > 0)
         stack.remarks.push_back(fmt::format("the part's facets leave {} gaps", solids.part.openSides()));
     guardOcct(ErrorCode::GeometryKernel, "faces of the part",
-              [&] { stack.traces = layers::traceFaces(solids.part, tol); });
+              [&] { stack.traces = layers::traceFaces(solids.part, faceEdges(setup.part, tol), tol); });
     const StockSlabs stock_slabs = cutStockSlabs(solids, levels, options, tol);
     std::vector<CutLayer> cuts = cutAll({solids, stock_slabs, stack.traces, options, tol}, levels);
     layers::closeBooks(cuts, setup, tol, stack.remarks);

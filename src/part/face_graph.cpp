@@ -199,8 +199,9 @@ std::optional<FaceEdge> edgeBetween(const TopoDS_Face& a, const TopoDS_Face& b, 
     return met;
 }
 
-void addEdges(FaceGraph& graph, const TopoDS_Shape& solid, const std::vector<TopoDS_Face>& faces,
-              const Tolerances& tol) {
+std::vector<FaceEdge> edgesOf(const TopoDS_Shape& solid, const std::vector<TopoDS_Face>& faces,
+                              const Tolerances& tol) {
+    std::vector<FaceEdge> edges;
     TopTools_IndexedMapOfShape number;
     for (const TopoDS_Face& face : faces)
         number.Add(face);
@@ -216,23 +217,37 @@ void addEdges(FaceGraph& graph, const TopoDS_Shape& solid, const std::vector<Top
         if (!met) continue;
         met->first = first;
         met->second = second;
-        graph.edges.push_back(*met);
+        edges.push_back(*met);
     }
+    return edges;
+}
+
+/// The part's faces in the order of its list.
+std::vector<TopoDS_Face> listedFaces(const Part& part) {
+    STEPMILL_CHECK(part.shape, "a part to describe has a shape");
+    std::vector<TopoDS_Face> faces = facesOf(part.shape->solid);
+    STEPMILL_CHECK(faces.size() == part.faces.size(), "a part lists its faces");
+    return faces;
 }
 
 }  // namespace
 
 FaceGraph faceGraph(const Part& part, const Tolerances& tol) {
-    STEPMILL_CHECK(part.shape, "a part to describe has a shape");
     FaceGraph graph;
     guardOcct(ErrorCode::GeometryKernel, "faces of " + part.name, [&] {
-        const std::vector<TopoDS_Face> faces = facesOf(part.shape->solid);
-        STEPMILL_CHECK(faces.size() == part.faces.size(), "a part lists its faces");
+        const std::vector<TopoDS_Face> faces = listedFaces(part);
         for (std::size_t i = 0; i < faces.size(); ++i)
             graph.faces.push_back(shapeOf(faces[i], part.faces[i]));
-        addEdges(graph, part.shape->solid, faces, tol);
+        graph.edges = edgesOf(part.shape->solid, faces, tol);
     });
     return graph;
+}
+
+std::vector<FaceEdge> faceEdges(const Part& part, const Tolerances& tol) {
+    std::vector<FaceEdge> edges;
+    guardOcct(ErrorCode::GeometryKernel, "edges of " + part.name,
+              [&] { edges = edgesOf(part.shape->solid, listedFaces(part), tol); });
+    return edges;
 }
 
 }  // namespace stepmill

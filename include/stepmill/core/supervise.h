@@ -4,7 +4,11 @@
 #include <csignal>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+
+#include <sys/types.h>
 
 namespace stepmill {
 
@@ -43,19 +47,6 @@ struct Supervised {
     StageBoard::Reads reads = StageBoard::Reads::Own;  ///< during that stage
 };
 
-/// Runs `work` in a child process and really ends it after `timeout_s` (SIGKILL to its process group), so
-/// that neither an endless loop nor a crash inside a geometry kernel can take the program with it.
-/// Standard streams are shared with the child. `work`'s return value becomes the exit code. SIGINT, SIGTERM
-/// and SIGHUP to the caller end the child and are told in the result: the caller may then tidy up, and is to
-/// end by that signal. Writing beyond a file size limit fails in the child and does not end it.
-/// \param timeout_s     infinite: no limit
-/// \param memory_bytes  private memory the child may have (RLIMIT_DATA: heap and stacks, not what is merely
-///                      mapped); 0: no limit but the caller's own
-/// \throws Error(SystemLimit) where the system grants no further process or memory
-/// \pre no other thread runs in the calling process (fork); timeout_s is a number above 0
-Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
-                         std::uint64_t memory_bytes = 0);
-
 /// Holds SIGINT, SIGTERM and SIGHUP back while it lives, so that what must be tidied up is tidied up before
 /// one of them ends the process. Those that are ignored stay ignored.
 class StopSignals {
@@ -75,5 +66,49 @@ class StopSignals {
     sigset_t held_;
     sigset_t before_;
 };
+
+/// What a supervised child may take.
+struct SupervisedLimits {
+    double timeout_s = 0;            ///< infinite: no limit
+    std::uint64_t memory_bytes = 0;  ///< private memory (RLIMIT_DATA: heap and stacks, not what is merely
+                                     ///< mapped); 0: no limit but the caller's own
+};
+
+/// A child process that works under supervision, beside others where a caller has several. It is really ended
+/// at its limit of time (SIGKILL to its process group), when the caller dies, and with this object.
+/// Standard streams are shared with the child. `work`'s return value becomes the exit code. Writing beyond a
+/// file size limit fails in the child and does not end it.
+class SupervisedChild {
+  public:
+    /// \param stop  held by the caller; its signals take effect again in the child
+    /// 	hrows Error(SystemLimit) where the system grants no further process or memory
+    /// \pre no other thread runs in the calling process (fork); the time limit is a number above 0
+    SupervisedChild(const std::function<int(StageBoard&)>& work, const SupervisedLimits& limits,
+                    const StopSignals& stop);
+    ~SupervisedChild();
+    SupervisedChild(const SupervisedChild&) = delete;
+    SupervisedChild& operator=(const SupervisedChild&) = delete;
+
+    /// How it ended; nothing while it works. Ends it where its time is over.
+    std::optional<Supervised> ended();
+    /// Ends it now, for a signal that the caller got.
+    Supervised endFor(int signal);
+    /// Since its start [s].
+    double elapsed_s() const;
+
+  private:
+    Supervised finish();
+
+    std::unique_ptr<SharedBoard, void (*)(SharedBoard*)> board_;
+    pid_t child_ = 0;  ///< 0: reaped
+    double timeout_s_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+/// Runs `work` in a supervised child and waits for its end. SIGINT, SIGTERM and SIGHUP to the caller end the
+/// child and are told in the result: the caller may then tidy up, and is to end by that signal.
+/// \throws, \pre as SupervisedChild
+Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
+                         std::uint64_t memory_bytes = 0);
 
 }  // namespace stepmill

@@ -71,9 +71,12 @@ struct Feature {
     std::vector<std::string> parents;  ///< ids that must be machined before this one
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    bool through = false;                 ///< nothing of part or stock lies below the floor
-    Region target;                        ///< T: the ground to clear down to the floor
-    Region obstruction;                   ///< O: what the cutter must not touch while it clears T
+    bool through = false;  ///< nothing of part or stock lies below the floor
+    Region target;         ///< T: the ground to clear down to the floor
+    Region obstruction;    ///< O: what the cutter must not touch while it clears T
+    /// What the stock may have too much of beside the obstruction: cutters may cut it, rapids and holders
+    /// stay off it. Empty unless onGrownStock() (plan/grown_feature.h) made it.
+    Region skirt;
     std::vector<BoundaryPiece> boundary;  ///< the target's boundary, open and closed pieces in loop order
     double open_length_mm = 0;
     double closed_length_mm = 0;
@@ -88,6 +91,9 @@ struct Feature {
 
     double depth_mm() const { return top_z_mm - floor_z_mm; }
 };
+
+/// Over this height nothing stands beside the feature and in it [mm].
+double highestMm(const Feature& feature);
 
 /// A part of stock - part that no feature of the setup owns.
 struct Unplanned {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/part/face_graph.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
@@ -61,13 +62,10 @@ inline std::string toString(SlopeCause cause) {
     return {};
 }
 
-enum class EdgeSense { Convex, Concave, Tangent };
-
 /// A face on the other side of one or several of a face's edges.
 struct FaceNeighbour {
     int face = -1;
-    EdgeSense sense = EdgeSense::Tangent;  ///< of the longest common edge; tangent: within 1 degree
-    double length_mm = 0;                  ///< of all common edges
+    Bend bend = Bend::Smooth;  ///< of the longest common edge; smooth: within 1 degree
 };
 
 /// One face of the part as a setup sees it, from the B-rep, in setup coordinates.

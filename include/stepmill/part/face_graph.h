@@ -60,4 +60,8 @@ struct FaceGraph {
 /// \note  O(faces + edges) evaluations of the surfaces.
 FaceGraph faceGraph(const Part& part, const Tolerances& tol);
 
+/// The graph's edges alone, which cost no samples of the faces.
+/// \throws Error(GeometryKernel)
+std::vector<FaceEdge> faceEdges(const Part& part, const Tolerances& tol);
+
 }  // namespace stepmill

@@ -53,7 +53,7 @@ class Namer {
         return std::any_of(
             trace.neighbours.begin(), trace.neighbours.end(), [&](const FaceNeighbour& neighbour) {
                 const FaceTrace& other = traces_[neighbour.face];
-                return neighbour.sense == EdgeSense::Tangent && isAcross(other) &&
+                return neighbour.bend == Bend::Smooth && isAcross(other) &&
                        std::abs(other.radius_mm - trace.radius_mm) < kSameHeightMm &&
                        (trace.stand == FaceStand::Overhang) != (other.stand == FaceStand::Overhang);
             });
@@ -67,9 +67,9 @@ class Namer {
         if (closesToPoint(trace)) return SlopeCause::DrillPoint;
         if (trace.greatest_normal_z <= kDraftNormal) return SlopeCause::Draft;
         if (isFlank(trace)) return isChamfer(trace) ? SlopeCause::Chamfer : SlopeCause::SlantedFace;
-        if (meets(trace, EdgeSense::Tangent, FaceStand::Floor, trace.bottom_z_mm) && flattensBelow(trace))
+        if (meets(trace, Bend::Smooth, FaceStand::Floor, trace.bottom_z_mm) && flattensBelow(trace))
             return SlopeCause::FloorFillet;
-        if (meets(trace, EdgeSense::Tangent, FaceStand::Floor, trace.top_z_mm) && !flattensBelow(trace))
+        if (meets(trace, Bend::Smooth, FaceStand::Floor, trace.top_z_mm) && !flattensBelow(trace))
             return SlopeCause::EdgeFillet;
         return SlopeCause::FreeForm;
     }
@@ -85,17 +85,17 @@ class Namer {
         bool wall = false;
         for (const FaceNeighbour& neighbour : trace.neighbours) {
             const FaceTrace& other = traces_[neighbour.face];
-            wall = wall || (other.stand == FaceStand::Wall && neighbour.sense == EdgeSense::Convex &&
+            wall = wall || (other.stand == FaceStand::Wall && neighbour.bend == Bend::Convex &&
                             other.top_z_mm < trace.top_z_mm - kSameHeightMm / 2);
         }
-        return wall && meets(trace, EdgeSense::Convex, FaceStand::Floor, trace.top_z_mm);
+        return wall && meets(trace, Bend::Convex, FaceStand::Floor, trace.top_z_mm);
     }
 
-    bool meets(const FaceTrace& trace, EdgeSense sense, FaceStand stand, double z_mm) const {
+    bool meets(const FaceTrace& trace, Bend bend, FaceStand stand, double z_mm) const {
         return std::any_of(trace.neighbours.begin(), trace.neighbours.end(),
                            [&](const FaceNeighbour& neighbour) {
                                const FaceTrace& other = traces_[neighbour.face];
-                               return neighbour.sense == sense && other.stand == stand &&
+                               return neighbour.bend == bend && other.stand == stand &&
                                       std::abs(other.top_z_mm - z_mm) < kSameHeightMm;
                            });
     }
@@ -122,7 +122,7 @@ class Namer {
     bool joinsFillet(FaceTrace& trace) const {
         for (const FaceNeighbour& neighbour : trace.neighbours) {
             const FaceTrace& other = traces_[neighbour.face];
-            if (neighbour.sense != EdgeSense::Tangent || !other.cause) continue;
+            if (neighbour.bend != Bend::Smooth || !other.cause) continue;
             const bool floor = *other.cause == SlopeCause::FloorFillet && flattensBelow(trace) &&
                                std::abs(other.bottom_z_mm - trace.bottom_z_mm) < kSameHeightMm;
             const bool edge = *other.cause == SlopeCause::EdgeFillet && !flattensBelow(trace) &&

@@ -95,11 +95,12 @@ FaceTrace traceFace(const SolidMesh& mesh, int index, const Tolerances& tol) {
 
 }  // namespace
 
-std::vector<FaceTrace> traceFaces(const SolidMesh& mesh, const Tolerances& tol) {
+std::vector<FaceTrace> traceFaces(const SolidMesh& mesh, const std::vector<FaceEdge>& edges,
+                                  const Tolerances& tol) {
     std::vector<FaceTrace> traces(mesh.faces().size());
     tbb::parallel_for(std::size_t{0}, traces.size(),
                       [&](std::size_t i) { traces[i] = traceFace(mesh, static_cast<int>(i), tol); });
-    std::vector<std::vector<FaceNeighbour>> neighbours = findNeighbours(mesh);
+    std::vector<std::vector<FaceNeighbour>> neighbours = neighboursOf(edges, traces.size());
     for (std::size_t i = 0; i < traces.size(); ++i)
         traces[i].neighbours = std::move(neighbours[i]);
     nameCauses(mesh, traces);

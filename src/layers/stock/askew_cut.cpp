@@ -2,6 +2,10 @@
 
 #include "layers/stock/askew_cut.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
@@ -54,9 +58,13 @@ Region insidePolygon(const Region& region) {
     return inside;
 }
 
-/// What meets the walls of a loop on its way out: the ground between each run of edges that the way leaves
-/// the region over and the run moved back. Where the way comes in it was outside before.
-void addSwept(const Loop& loop, const Vec2& travel, const Box2& reached, std::vector<Region>& into) {
+/// How a way crosses the boundary of a region.
+enum class Crossing { Leaves, Enters };
+
+/// What meets the walls of a loop on its way: the ground between each run of edges that the way crosses like
+/// that and the run moved back.
+void addSwept(const Loop& loop, const Vec2& travel, Crossing how, const Box2& reached,
+              std::vector<Region>& into) {
     std::vector<Vec2> run;
     const auto finish = [&] {
         Box2 wall;
@@ -65,15 +73,18 @@ void addSwept(const Loop& loop, const Vec2& travel, const Box2& reached, std::ve
         if (run.size() > 1 && wall.intersects(reached)) {
             for (std::size_t i = run.size(); i > 0; --i)
                 run.push_back(run[i - 1] - travel);
+            // Edges that are entered run against those that are left.
+            if (how == Crossing::Enters) std::reverse(run.begin(), run.end());
             into.push_back(makePolygon(run));
         }
         run.clear();
     };
     for (const auto& [from, segment] : eachEdge(loop)) {
-        const bool leaves = cross(travel, segment.to - from) > kGridMm;
-        if (!leaves) finish();
-        if (leaves && run.empty()) run.push_back(from);
-        if (leaves) run.push_back(segment.to);
+        const double turn = cross(travel, segment.to - from);
+        const bool crosses = how == Crossing::Leaves ? turn > kGridMm : turn < -kGridMm;
+        if (!crosses) finish();
+        if (crosses && run.empty()) run.push_back(from);
+        if (crosses) run.push_back(segment.to);
     }
     finish();
 }
@@ -84,8 +95,17 @@ Region staysInside(const Region& from_where, const Region& outline, const Vec2& 
     const Box2 reached = grown(boundingBox(from_where), travel.norm());
     std::vector<Region> meets_wall;
     for (const Loop& loop : outline.loops)
-        addSwept(loop, travel, reached, meets_wall);
+        addSwept(loop, travel, Crossing::Leaves, reached, meets_wall);
     return meets_wall.empty() ? from_where : subtract(from_where, unite(meets_wall, tol), tol);
+}
+
+/// Points inside the outline, and those that come in on the way.
+Region comesInside(const Region& outline, const Vec2& travel, const Tolerances& tol) {
+    const Box2 everywhere = grown(boundingBox(outline), travel.norm());
+    std::vector<Region> inside{outline};
+    for (const Loop& loop : outline.loops)
+        addSwept(loop, travel, Crossing::Enters, everywhere, inside);
+    return unite(inside, tol);
 }
 
 }  // namespace
@@ -96,6 +116,15 @@ AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup)
       bottom_mm_(prism.bottom_z_mm),
       to_setup_(to_setup),
       up_(to_setup.linear().transpose() * Vec3::UnitZ()) {
+    for (Region& piece : components(outline_)) {
+        Piece found{std::move(piece)};
+        for (const Segment& segment : found.region.loops.front().segments) {
+            const double at = across().dot(segment.to);
+            found.from_mm = std::min(found.from_mm, at);
+            found.to_mm = std::max(found.to_mm, at);
+        }
+        pieces_.push_back(std::move(found));
+    }
     for (const Loop& loop : outline_.loops) {
         for (const Segment& segment : loop.segments) {
             for (const double reach : {top_mm_, bottom_mm_}) {
@@ -110,11 +139,24 @@ AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup)
 Region AskewCut::between(double low_mm, double high_mm, const Tolerances& tol) const {
     if (outline_.empty() || high_mm <= low_mm_ || low_mm >= high_mm_) return {};
     const double rise_mm = high_mm - low_mm;
-    const Region in_reach = strip(low_mm, rise_mm);
-    if (in_reach.empty()) return {};
-    Region inside = intersect(outline_, in_reach, tol);
+    const double along_mm = rise_mm * up_.z();
+    const std::optional<Strip> in_reach =
+        strip(low_mm, std::max(bottom_mm_, bottom_mm_ - along_mm), std::min(top_mm_, top_mm_ - along_mm));
+    if (!in_reach) return {};
+    Region inside = within(*in_reach, tol);
     if (rise_mm > 0 && !inside.empty()) inside = staysInside(inside, outline_, up_.head<2>() * rise_mm, tol);
     return toSetup(inside, low_mm);
+}
+
+Region AskewCut::somewhere(double low_mm, double high_mm, const Tolerances& tol) const {
+    if (outline_.empty() || high_mm <= low_mm_ || low_mm >= high_mm_) return {};
+    const double rise_mm = high_mm - low_mm;
+    const double along_mm = rise_mm * up_.z();
+    const std::optional<Strip> in_reach =
+        strip(low_mm, std::min(bottom_mm_, bottom_mm_ - along_mm), std::max(top_mm_, top_mm_ - along_mm));
+    if (!in_reach) return {};
+    const Region inside = rise_mm > 0 ? comesInside(outline_, up_.head<2>() * rise_mm, tol) : outline_;
+    return toSetup(intersect(inside, polygonOf(*in_reach), tol), low_mm);
 }
 
 BandedPolygon AskewCut::at(double z_mm) const {
@@ -141,25 +183,39 @@ BandedPolygon AskewCut::at(double z_mm) const {
     return section;
 }
 
-/// Where a point of the setup's plane at z lies between the prism's ends, and is still there after the rise.
-Region AskewCut::strip(double z_mm, double rise_mm) const {
+/// Where a point of the setup's plane at z lies between two places along the prism's axis.
+std::optional<AskewCut::Strip> AskewCut::strip(double z_mm, double lowest_mm, double highest_mm) const {
+    if (lowest_mm >= highest_mm) return std::nullopt;
     const double along = up_.z();
-    const double lowest = std::max(bottom_mm_, bottom_mm_ - rise_mm * along);
-    const double highest = std::min(top_mm_, top_mm_ - rise_mm * along);
-    if (lowest >= highest) return {};
     const double aslant = up_.head<2>().norm();
-    const Vec2 across = up_.head<2>() / aslant;
-    const Vec2 level(-across.y(), across.x());
     const double base = z_mm - to_setup_.translation().z();
-    const double one = (base - along * lowest) / aslant;
-    const double other = (base - along * highest) / aslant;
+    const double one = (base - along * lowest_mm) / aslant;
+    const double other = (base - along * highest_mm) / aslant;
+    return Strip{std::min(one, other), std::max(one, other)};
+}
+
+/// The outline's part in the strip. Most pieces lie in it or beside it as a whole.
+Region AskewCut::within(const Strip& strip, const Tolerances& tol) const {
+    Region inside;
+    for (const Piece& piece : pieces_) {
+        if (piece.to_mm <= strip.from_mm || piece.from_mm >= strip.to_mm) continue;
+        const bool whole = strip.from_mm <= piece.from_mm && piece.to_mm <= strip.to_mm;
+        Region part = whole ? piece.region : intersect(piece.region, polygonOf(strip), tol);
+        std::move(part.loops.begin(), part.loops.end(), std::back_inserter(inside.loops));
+    }
+    return inside;
+}
+
+/// The strip as far as the outline may reach; empty where it does not.
+Region AskewCut::polygonOf(const Strip& strip) const {
+    const Vec2 level(-across().y(), across().x());
     const Box2 box = boundingBox(outline_);
     const double beyond = (box.min().norm() + box.max().norm()) * 2 + 1;
-    const double near_mm = std::max(std::min(one, other), -beyond);
-    const double far_mm = std::min(std::max(one, other), beyond);
+    const double near_mm = std::max(strip.from_mm, -beyond);
+    const double far_mm = std::min(strip.to_mm, beyond);
     if (near_mm >= far_mm) return {};
-    return makePolygon({near_mm * across + beyond * level, near_mm * across - beyond * level,
-                        far_mm * across - beyond * level, far_mm * across + beyond * level});
+    return makePolygon({near_mm * across() + beyond * level, near_mm * across() - beyond * level,
+                        far_mm * across() - beyond * level, far_mm * across() + beyond * level});
 }
 
 Region AskewCut::toSetup(const Region& region, double z_mm) const {

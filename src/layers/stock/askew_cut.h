@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include <Eigen/Geometry>
 
 #include "layers/stock/scanned_area.h"
@@ -26,14 +29,33 @@ class AskewCut {
     /// Points over and under which the prism goes on at all heights between, in the setup's plane. The same
     /// height twice gives the section there. O(n log n) in the outline's edges.
     Region between(double low_mm, double high_mm, const Tolerances& tol) const;
+    /// Points over or under which the prism is at some height between, in the setup's plane. O(n log n).
+    Region somewhere(double low_mm, double high_mm, const Tolerances& tol) const;
     /// The section at a height as its sides seen in the setup. O(edges).
     BandedPolygon at(double z_mm) const;
 
   private:
-    Region strip(double z_mm, double rise_mm) const;
+    /// A connected part of the outline and how far it reaches across().
+    struct Piece {
+        Region region;
+        double from_mm = 1e300;
+        double to_mm = -1e300;
+    };
+    /// Ground between two lines across the way up.
+    struct Strip {
+        double from_mm = 0;
+        double to_mm = 0;
+    };
+
+    /// Direction over the prism's ground in which the setup's axis leans.
+    Vec2 across() const { return up_.head<2>().normalized(); }
+    std::optional<Strip> strip(double z_mm, double lowest_mm, double highest_mm) const;
+    Region within(const Strip& strip, const Tolerances& tol) const;
+    Region polygonOf(const Strip& strip) const;
     Region toSetup(const Region& region, double z_mm) const;
 
     Region outline_;
+    std::vector<Piece> pieces_;
     double top_mm_;
     double bottom_mm_;
     Eigen::Isometry3d to_setup_;

@@ -107,14 +107,27 @@ struct Slab {
     bool isSpannedBy(const Prism& prism) const {
         return prism.bottom_z_mm <= low_mm + margin_mm && high_mm - margin_mm <= prism.top_z_mm;
     }
-    bool holdsEndOf(const Prism& prism) const {
-        const bool meets = prism.bottom_z_mm < high_mm - margin_mm && prism.top_z_mm > low_mm + margin_mm;
-        return meets && !isSpannedBy(prism);
+    bool isMetBy(const Prism& prism) const {
+        return prism.bottom_z_mm < high_mm - margin_mm && prism.top_z_mm > low_mm + margin_mm;
     }
+    bool holdsEndOf(const Prism& prism) const { return isMetBy(prism) && !isSpannedBy(prism); }
 };
 
-/// Where the vertical line through x lies inside the outline all the way between the heights.
-std::vector<Interval> clearIntervals(const LyingCut& cut, const Slab& slab) {
+/// The intervals as one sequence that do not overlap. \pre sorted by where they begin
+std::vector<Interval> merged(const std::vector<Interval>& intervals) {
+    std::vector<Interval> all;
+    for (const Interval& interval : intervals) {
+        if (all.empty() || interval.from > all.back().to)
+            all.push_back(interval);
+        else
+            all.back().to = std::max(all.back().to, interval.to);
+    }
+    return all;
+}
+
+/// Where the vertical line through x lies inside the outline: all the way between the heights, or, not less
+/// than that, somewhere on it. Who is inside elsewhere than half-way up has a wall of the slab between.
+std::vector<Interval> intervalsIn(const LyingCut& cut, const Slab& slab, AtHeights which) {
     const double low = slab.low_mm;
     const double high = slab.high_mm;
     if (cut.low_mm >= high || cut.high_mm <= low) return {};
@@ -130,8 +143,12 @@ std::vector<Interval> clearIntervals(const LyingCut& cut, const Slab& slab) {
         if (one != other) walls.push_back({std::min(one, other), std::max(one, other)});
     }
     std::sort(crossings.begin(), crossings.end());
+    if (which == AtHeights::Some)
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            walls.push_back({crossings[i], crossings[i + 1]});
     std::sort(walls.begin(), walls.end(),
               [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    if (which == AtHeights::Some) return merged(walls);
     std::vector<Interval> clear;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
         double from = crossings[i];
@@ -252,12 +269,15 @@ double StockAir::bendNearMiddle(double bottom_mm, double top_mm) const {
     return best;
 }
 
-AirParts StockAir::partsBetween(double bottom_mm, double top_mm) const {
+AirParts StockAir::partsBetween(double bottom_mm, double top_mm, AtHeights which) const {
     const Slab slab(bottom_mm, top_mm);
     AirParts air;
-    for (std::size_t i = 0; i < upright_.size(); ++i)
-        if (slab.isSpannedBy(upright_[i])) air.upright.push_back(static_cast<int>(i));
-    addLyingBoxes(bottom_mm, top_mm, air);
+    for (std::size_t i = 0; i < upright_.size(); ++i) {
+        const bool there =
+            which == AtHeights::All ? slab.isSpannedBy(upright_[i]) : slab.isMetBy(upright_[i]);
+        if (there) air.upright.push_back(static_cast<int>(i));
+    }
+    addLyingBoxes(bottom_mm, top_mm, which, air);
     return air;
 }
 
@@ -277,17 +297,25 @@ Region StockAir::uprightUnion(const std::vector<int>& numbers) const {
 }
 
 Region StockAir::between(double bottom_mm, double top_mm) const {
+    return joined(partsBetween(bottom_mm, top_mm), bottom_mm, top_mm, AtHeights::All);
+}
+
+Region StockAir::somewhere(double bottom_mm, double top_mm) const {
+    return joined(partsBetween(bottom_mm, top_mm, AtHeights::Some), bottom_mm, top_mm, AtHeights::Some);
+}
+
+Region StockAir::joined(AirParts parts, double bottom_mm, double top_mm, AtHeights which) const {
     const Slab slab(bottom_mm, top_mm);
-    AirParts parts = partsBetween(bottom_mm, top_mm);
     std::vector<Region> air = std::move(parts.turned);
     air.push_back(uprightUnion(parts.upright));
     air.push_back(RectangleUnion(parts.boxes, tol_.linear_mm).outline());
     for (const AskewCut& cut : askew_)
-        air.push_back(cut.between(slab.low_mm, slab.high_mm, tol_));
+        air.push_back(which == AtHeights::All ? cut.between(slab.low_mm, slab.high_mm, tol_)
+                                              : cut.somewhere(slab.low_mm, slab.high_mm, tol_));
     return unite(air, tol_);
 }
 
-void StockAir::addLyingBoxes(double bottom_mm, double top_mm, AirParts& air) const {
+void StockAir::addLyingBoxes(double bottom_mm, double top_mm, AtHeights which, AirParts& air) const {
     /// A box that may go on through the next cut.
     struct Run {
         const LyingCut* lying = nullptr;
@@ -307,7 +335,7 @@ void StockAir::addLyingBoxes(double bottom_mm, double top_mm, AirParts& air) con
     const Slab slab(bottom_mm, top_mm);
     for (const LyingCut& lying : lying_) {
         std::vector<Run> going_on;
-        for (const Interval& place : clearIntervals(lying, slab)) {
+        for (const Interval& place : intervalsIn(lying, slab, which)) {
             if (place.to - place.from <= tol_.linear_mm) continue;
             const auto same = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
                 return run.lying->cut == lying.cut && run.place == place &&

@@ -32,9 +32,12 @@ struct LyingCut {
     bool alongAxes() const;
 };
 
-/// What is air at all heights between two, as what it comes from.
+/// At which of the heights between two something is asked for.
+enum class AtHeights { All, Some };
+
+/// What is air at all or some of the heights between two, as what it comes from.
 struct AirParts {
-    std::vector<int> upright;    ///< numbers of the upright prisms that span the heights
+    std::vector<int> upright;    ///< numbers of the upright prisms there
     std::vector<Box2> boxes;     ///< of lying prisms along x or y
     std::vector<Region> turned;  ///< rectangles of other lying prisms
 };
@@ -62,6 +65,8 @@ class StockAir {
     /// What is air at every height of the slab. O(edges of the cuts) and a union. The union of the upright
     /// prisms is made once for all slabs they span.
     Region between(double bottom_mm, double top_mm) const;
+    /// What may be air at some height of the slab: no less than that.
+    Region somewhere(double bottom_mm, double top_mm) const;
     /// What is air at that height.
     Region at(double z_mm) const { return between(z_mm, z_mm); }
     /// Is `between` all the air there is in the slab?
@@ -75,8 +80,9 @@ class StockAir {
     class Meter;
 
     void add(const CutPrisms& cut, const Setup& setup);
-    AirParts partsBetween(double bottom_mm, double top_mm) const;
-    void addLyingBoxes(double bottom_mm, double top_mm, AirParts& air) const;
+    AirParts partsBetween(double bottom_mm, double top_mm, AtHeights which = AtHeights::All) const;
+    void addLyingBoxes(double bottom_mm, double top_mm, AtHeights which, AirParts& air) const;
+    Region joined(AirParts parts, double bottom_mm, double top_mm, AtHeights which) const;
     Region uprightUnion(const std::vector<int>& numbers) const;
     void addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup);
     void addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying);

@@ -9,6 +9,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
+#include "stepmill/planar/unsure_offset.h"
 
 namespace stepmill {
 
@@ -139,8 +140,7 @@ struct ClearanceDiagram::Impl {
             const Region rings = combine(clearance::bandAround(region, distance + more, tol));
             if (keepsDistance(profile, rings, distance)) return rings;
         }
-        throw Error(ErrorCode::Internal, "clearance diagram",
-                    "an offset comes closer to the boundary than it should");
+        throw UnsureOffset();
     }
     /// Without a level: the shrunk region grown again.
     Region openedByBooleans(double radius) const {
