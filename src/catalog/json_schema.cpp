@@ -78,7 +78,8 @@ constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kT
                                     {SchemaName::Rank, "rank", 1, embedded::kRankSchema},
                                     {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
                                     {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
-                                    {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema}};
+                                    {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema},
+                                    {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema}};
 
 const NamedSchema& schemaOf(SchemaName name) {
     for (const NamedSchema& schema : kSchemas)

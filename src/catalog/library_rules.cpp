@@ -58,6 +58,7 @@ class ToolRules {
         checkLimits();
         checkCornerRadius();
         checkCone();
+        checkPlunge();
         checkLengths();
         checkShank();
         checkHolder();
@@ -148,6 +149,16 @@ class ToolRules {
     }
 
     /// A chamfer mill is a cone from its tip to its diameter, as high as its flutes at most.
+    void checkPlunge() {
+        if (tool_.value("max_plunge", 0.0) <= 0) return;
+        const bool drill = tool_["type"] == "drill";
+        expect(tool_.value("centre_cutting", drill), childPointer(pointer_, "max_plunge"),
+               "0 for a tool that does not cut at its centre", tool_["max_plunge"]);
+        const double flutes = tool_["flute_length"];
+        expect(tool_["max_plunge"] <= flutes, childPointer(pointer_, "max_plunge"),
+               "no more than the flute length, " + lengthText(flutes), tool_["max_plunge"]);
+    }
+
     void checkCone() {
         const bool cone = tool_["type"] == "chamfer";
         for (const char* field : {"tip_diameter", "included_angle_deg"}) {

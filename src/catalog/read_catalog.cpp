@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "catalog/embedded.h"
@@ -39,6 +40,7 @@ class ToolReader {
         tool.flute_length_mm = length(from, "flute_length");
         tool.flutes = from.value("flutes", 0);
         tool.centre_cutting = from.value("centre_cutting", tool.isDrill());
+        tool.max_plunge_mm = from.contains("max_plunge") ? length(from, "max_plunge") : usualPlungeMm(tool);
         readStickOut(from["stick_out"], tool);
         tool.shank = shank(from, tool);
         for (const json& cylinder : from.value("holder", json::array()))
@@ -152,6 +154,40 @@ ToolLibrary readToolLibrary(const std::filesystem::path& path, std::uintmax_t ma
     return toolLibraryFromText(readFile(path, max_bytes), path.filename().string());
 }
 
+namespace {
+
+/// Cylinders from below to above. \throws Error(InvalidCatalog) with the pointer of one that is not
+std::vector<HolderCylinder> spindleNose(const json& machine, const std::string& file_name) {
+    std::vector<HolderCylinder> nose;
+    if (!machine.contains("spindle_nose")) return nose;
+    for (std::size_t i = 0; i < machine["spindle_nose"].size(); ++i) {
+        const json& from = machine["spindle_nose"][i];
+        const HolderCylinder cylinder{from["diameter_mm"], from["bottom_mm"], from["top_mm"]};
+        const std::string pointer = fmt::format("{}#/spindle_nose/{}", file_name, i);
+        if (cylinder.top_mm <= cylinder.bottom_mm)
+            throw Error(ErrorCode::InvalidCatalog, pointer + "/top_mm",
+                        fmt::format("expected more than the bottom, {:g}, found {:g}", cylinder.bottom_mm,
+                                    cylinder.top_mm));
+        const double above_mm = nose.empty() ? 0 : nose.back().top_mm;
+        if (cylinder.bottom_mm < above_mm)
+            throw Error(ErrorCode::InvalidCatalog, pointer + "/bottom_mm",
+                        fmt::format("expected at least the top of the cylinder below, {:g}, found {:g}",
+                                    above_mm, cylinder.bottom_mm));
+        nose.push_back(cylinder);
+    }
+    return nose;
+}
+
+std::array<double, 2> gaugeOverTable(const json& range, const std::string& file_name) {
+    const std::array<double, 2> found = range.get<std::array<double, 2>>();
+    if (found[1] <= found[0])
+        throw Error(ErrorCode::InvalidCatalog, file_name + "#/gauge_over_table_mm/1",
+                    fmt::format("expected more than the lowest, {:g}, found {:g}", found[0], found[1]));
+    return found;
+}
+
+}  // namespace
+
 Machine machineFromText(std::string_view text, const std::string& file_name) {
     const ParsedJson parsed = checkedJson(text, schemaJson(SchemaName::Machine));
     throwFirstError(parsed.findings, file_name);
@@ -169,7 +205,23 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     machine.acceleration_mm_per_s2 = from.value("acceleration_mm_per_s2", 0.0);
     machine.junction_deviation_mm = from.value("junction_deviation_mm", machine.junction_deviation_mm);
     machine.safe_height_mm = from["safe_height_mm"];
+    const auto lengthOr = [&](const char* field, double otherwise_mm) {
+        if (from.contains(field)) return from[field].get<double>();
+        machine.by_default.push_back(fmt::format("{} {:g}", field, otherwise_mm));
+        return otherwise_mm;
+    };
+    machine.side_clearance_mm = lengthOr("side_clearance_mm", kSideClearanceMm);
+    machine.top_clearance_mm = lengthOr("top_clearance_mm", kTopClearanceMm);
+    machine.inside_clearance_mm = lengthOr("inside_clearance_mm", kInsideClearanceMm);
+    machine.spindle_nose = spindleNose(from, file_name);
+    if (machine.spindle_nose.empty())
+        machine.by_default.push_back("no spindle_nose: nothing over the holders is kept clear");
+    if (from.contains("gauge_over_table_mm"))
+        machine.gauge_over_table_mm = gaugeOverTable(from["gauge_over_table_mm"], file_name);
     machine.dialect = from["dialect"];
+    machine.home_by = homeByFrom(from.value("home_by", ""));
+    if (from.contains("part_change_mm"))
+        machine.part_change_mm = from["part_change_mm"].get<std::array<double, 2>>();
     return machine;
 }
 

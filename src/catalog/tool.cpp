@@ -49,6 +49,13 @@ std::vector<std::string> ToolLibrary::materials() const {
     return {names.begin(), names.end()};
 }
 
+double usualPlungeMm(const ToolAssembly& tool) {
+    constexpr double kWidestPlungerMm = 6;
+    constexpr double kPlungeShare = 0.5;
+    if (!tool.centre_cutting || tool.diameter_mm > kWidestPlungerMm) return 0;
+    return kPlungeShare * tool.diameter_mm;
+}
+
 std::string toString(ToolType type) {
     return wordOf(kToolTypes, type);
 }

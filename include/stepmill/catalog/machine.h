@@ -1,9 +1,29 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "stepmill/catalog/tool.h"
 
 namespace stepmill {
+
+/// Clearances of machine files that do not name them [mm].
+inline constexpr double kSideClearanceMm = 2;
+inline constexpr double kTopClearanceMm = 2;
+inline constexpr double kInsideClearanceMm = 0.5;
+
+/// How a program takes the spindle up to the top of its travel.
+enum class HomeBy {
+    G53,     ///< G53 G0 Z0: to the machine's own zero
+    G28,     ///< G91 G28 Z0: to the place that G28 is set to
+    Nothing  ///< not at all: the machine has no such place
+};
+std::string toString(HomeBy way);
+/// The reverse; nothing for another word.
+std::optional<HomeBy> homeByFrom(std::string_view word);
 
 /// What a milling machine can do and what its hour costs. Zero means "not given"; the comments say what then
 /// holds.
@@ -21,8 +41,21 @@ struct Machine {
     /// How far the axes may cut a corner short to go round it without a stop; also without acceleration
     /// given.
     double junction_deviation_mm = 0.01;
-    double safe_height_mm = 0;  ///< retract this far over the stock's top between features
-    std::string dialect;        ///< post processor: "linuxcnc", "fanuc", "grbl"
+    /// The spindle over the tool: cylinders from the gauge line up, heights over that line; empty: not given.
+    std::vector<HolderCylinder> spindle_nose;
+    /// How near to the table and how far over it the gauge line may be; 0, 0: not checked.
+    std::array<double, 2> gauge_over_table_mm{};
+    double safe_height_mm = 0;       ///< retract this far over the stock's top between features
+    double side_clearance_mm = 0;    ///< rapids down beside the stock keep this off it, as large as it may be
+    double top_clearance_mm = 0;     ///< rapids over a raw top keep this off it, as high as it may be
+    double inside_clearance_mm = 0;  ///< rapids down inside the part keep this off what stands there
+    /// Fields the file does not name and what then holds, for people: "side_clearance_mm 2".
+    std::vector<std::string> by_default;
+    std::string dialect;            ///< post processor: "linuxcnc", "fanuc", "grbl"
+    std::optional<HomeBy> home_by;  ///< empty: as is usual for the dialect
+    /// Where the table goes at the end of a program, x and y in the machine's own coordinates; empty: it
+    /// stays.
+    std::optional<std::array<double, 2>> part_change_mm;
 };
 
 }  // namespace stepmill

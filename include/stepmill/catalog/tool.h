@@ -53,9 +53,11 @@ struct ToolAssembly {
     double included_angle_deg = 0;  ///< of a chamfer mill: between its flanks, 90 for chamfers of 45 degrees
     double flute_length_mm = 0;
     int flutes = 0;
-    bool centre_cutting = false;  ///< may plunge straight down
-    double stick_out_mm = 0;      ///< tip to the lowest holder face; of a range the longest until a
-                                  ///< plan sets it shorter
+    bool centre_cutting = false;  ///< has edges down to its axis
+    double max_plunge_mm =
+        0;                    ///< it may go straight down into solid material by so much at a time; of a mill
+    double stick_out_mm = 0;  ///< tip to the lowest holder face; of a range the longest until a
+                              ///< plan sets it shorter
     std::optional<StickOutRange> stick_out_range;
     HolderCylinder shank;                ///< from the end of the flutes to the stick-out
     std::vector<HolderCylinder> holder;  ///< from below to above
@@ -75,6 +77,10 @@ struct ToolAssembly {
     /// Cutting data for a material, or nothing when the library has none for it.
     const CuttingData* cuttingFor(const std::string& material_name) const;
 };
+
+/// How deep a mill may plunge where its library does not say: half its diameter up to 6 mm, wider ones and
+/// those without edges at the axis not at all.
+double usualPlungeMm(const ToolAssembly& tool);
 
 /// The tool with its cutter set out that far: the holder moves with it, flutes and the shank's start stay.
 ToolAssembly setTo(ToolAssembly tool, double stick_out_mm);
