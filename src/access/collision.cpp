@@ -6,23 +6,22 @@
 
 #include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill::access {
 namespace {
 
-/// A holder this little below the top of an obstacle only rests on rounding [mm].
-constexpr double kHeightRoundingMm = 1e-6;
-
 /// A cylinder that comes into standing material by less than this share of the gouge budget touches it.
 constexpr double kTouchShare = 0.5;
 
 }  // namespace
 
-std::optional<std::size_t> obstacleAbove(const Feature& feature, double z_mm, double rounding_mm) {
-    for (std::size_t i = 0; i < feature.obstacles.size(); ++i)
-        if (z_mm < feature.obstacles[i].top_z_mm - rounding_mm) return i;
+std::optional<std::size_t> obstacleAbove(const std::vector<Obstacle>& obstacles, double z_mm,
+                                         double rounding_mm) {
+    for (std::size_t i = 0; i < obstacles.size(); ++i)
+        if (z_mm < obstacles[i].top_z_mm - rounding_mm) return i;
     return std::nullopt;
 }
 
@@ -47,7 +46,7 @@ std::vector<Blocker> blockers(const Feature& feature, const ToolAssembly& tool) 
     std::vector<Blocker> found;
     for (const HolderCylinder& cylinder : cylindersOf(tool)) {
         const double bottom_z_mm = feature.floor_z_mm + cylinder.bottom_mm;
-        if (const auto obstacle = obstacleAbove(feature, bottom_z_mm, kHeightRoundingMm))
+        if (const auto obstacle = obstacleAbove(feature.obstacles, bottom_z_mm, kSameHeightMm))
             found.push_back({*obstacle, cylinder.diameter_mm / 2, cylinder.bottom_mm});
     }
     return found;
@@ -81,7 +80,7 @@ bool meetsOwnMaterial(const FeatureGround& ground, const ToolAssembly& tool, con
     const Tolerances& tol = ground.tolerances();
     double reach_mm = 0;
     for (const HolderCylinder& cylinder : cylindersOf(tool))
-        if (cylinder.bottom_mm < ground.feature().depth_mm() - kHeightRoundingMm)
+        if (cylinder.bottom_mm < ground.feature().depth_mm() - kSameHeightMm)
             reach_mm = std::max(reach_mm, cylinder.diameter_mm / 2);
     if (reach_mm <= 0) return false;
     for (const Region& component : components(centres)) {

@@ -20,12 +20,16 @@ constexpr std::array<double, 7> kAlongEdge{0.5, 0.25, 0.75, 0.125, 0.875, 0.02, 
 
 /// A helix whose radius is a larger share of the cutter's radius leaves a post in its middle.
 constexpr double kWidestHelixShare = 0.9;
-/// A helix whose radius is a smaller share of the cutter's diameter makes the tool cut with its centre.
-constexpr double kNarrowestHelixShare = 0.15;
-
-/// A ramp shorter than this share of the cutter's diameter leaves a core under a cutter that has no teeth at
-/// its centre.
-constexpr double kShortestRampShare = 1.0;
+/// How small a way down may be, in cutter diameters: narrower helices and shorter ramps make the tool cut
+/// with its centre, or leave a core under one that has no edges there.
+struct LeastWays {
+    double helix_radius;
+    double ramp;
+};
+constexpr LeastWays kWithCore{0.15, 1.0};
+/// With edges at the centre ways may be as small as still makes sense, for the cutter turns round at each
+/// end.
+constexpr LeastWays kCentreCutting{0.05, 0.1};
 /// A ramp is tried along this many straight edges, the longest first,
 constexpr std::size_t kRampEdges = 8;
 /// and along this many evenly spaced directions, for components that have curved edges only.
@@ -109,7 +113,7 @@ Vec2 middleBeside(const Region& component, const Edge& edge, const Tolerances& t
     return across ? Vec2((across->start + across->end()) / 2) : foot;
 }
 
-std::optional<Entry> ramp(const FeatureGround& ground, const ToolAssembly& tool, const Region& component,
+std::optional<Entry> ramp(const FeatureGround& ground, double shortest_mm, const Region& component,
                           const std::vector<Edge>& edges, const Vec2& middle) {
     const Tolerances& tol = ground.tolerances();
     std::optional<Path> longest;
@@ -135,7 +139,7 @@ std::optional<Entry> ramp(const FeatureGround& ground, const ToolAssembly& tool,
     const Vec2 along = (longest->end() - longest->start).normalized() * tol.sliver_mm;
     const Vec2 start = snapToGrid(Vec2(longest->start + along));
     const Vec2 end = snapToGrid(Vec2(longest->end() - along));
-    if ((end - start).norm() < kShortestRampShare * tool.diameter_mm) return std::nullopt;
+    if ((end - start).norm() < shortest_mm) return std::nullopt;
     return Entry{EntryKind::Ramp, start, 0, end};
 }
 
@@ -152,10 +156,12 @@ std::optional<Entry> findEntry(const FeatureGround& ground, const ToolAssembly& 
     if (!disc) return std::nullopt;
     const double helix_mm =
         std::min(disc->radius_mm - ground.tolerances().sliver_mm, kWidestHelixShare * radius_mm);
-    if (helix_mm >= kNarrowestHelixShare * tool.diameter_mm)
+    const LeastWays& least = tool.centre_cutting ? kCentreCutting : kWithCore;
+    if (helix_mm >= least.helix_radius * tool.diameter_mm)
         return Entry{EntryKind::Helix, disc->centre, helix_mm, Vec2::Zero()};
-    if (const auto entry = ramp(ground, tool, component, edges, disc->centre)) return entry;
-    if (tool.centre_cutting) return Entry{EntryKind::Plunge, disc->centre, 0, Vec2::Zero()};
+    const double shortest_mm = least.ramp * tool.diameter_mm;
+    if (const auto entry = ramp(ground, shortest_mm, component, edges, disc->centre)) return entry;
+    if (tool.max_plunge_mm > 0) return Entry{EntryKind::Plunge, disc->centre, 0, Vec2::Zero()};
     return std::nullopt;
 }
 

@@ -7,7 +7,8 @@
 namespace stepmill::access {
 
 /// The entry of the tool into one component of its free centres: over an open edge if it has one, else by a
-/// helix, a ramp, or straight down. Nothing where the tool can do none of these.
+/// helix, a ramp, or straight down where the tool may plunge. Nothing where it can do none of these. Which
+/// way down is quickest is for the path to say; this one is possible.
 std::optional<Entry> findEntry(const FeatureGround& ground, const ToolAssembly& tool,
                                const Region& component);
 

@@ -6,14 +6,13 @@
 
 #include "stepmill/access/collision.h"
 #include "stepmill/catalog/cutter_form.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
 
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
 /// Stairs farther over the tip than the cutter's form is high, and this much, are no work for it [mm].
 constexpr double kAboveFormMm = 1.0;
 
@@ -88,13 +87,6 @@ const Region& FormBands::obstacleGrown(std::size_t index, double by_mm, std::siz
     return found->second;
 }
 
-std::size_t obstacleOver(const std::vector<Obstacle>& obstacles, double z_mm) {
-    const auto found = std::find_if(obstacles.begin(), obstacles.end(), [&](const Obstacle& obstacle) {
-        return z_mm < obstacle.top_z_mm - kSameHeightMm;
-    });
-    return static_cast<std::size_t>(found - obstacles.begin());
-}
-
 FormCentres::FormCentres(const FormBands& bands, const ToolAssembly& tool) : bands_(bands), tool_(tool) {
     for (const FormRoom& room : bands.rooms())
         within_.push_back(
@@ -141,10 +133,10 @@ Region FormCentres::keptOff(std::size_t room, double tip_z_mm) const {
 void FormCentres::addHolder(std::size_t room, double tip_z_mm, std::vector<Region>& kept_off) const {
     const std::vector<Obstacle>& obstacles = bands_.ground().obstacles;
     for (const HolderCylinder& cylinder : access::cylindersOf(tool_)) {
-        const std::size_t over = obstacleOver(obstacles, tip_z_mm + cylinder.bottom_mm);
-        if (over >= obstacles.size()) continue;
+        const auto over = access::obstacleAbove(obstacles, tip_z_mm + cylinder.bottom_mm, kSameHeightMm);
+        if (!over) continue;
         kept_off.push_back(
-            bands_.obstacleGrown(over, cylinder.diameter_mm / 2 + bands_.tolerances().guard_mm, room));
+            bands_.obstacleGrown(*over, cylinder.diameter_mm / 2 + bands_.tolerances().guard_mm, room));
     }
 }
 

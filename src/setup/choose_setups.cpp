@@ -101,9 +101,10 @@ class SetupMaker {
     }
 
     Stock stockFor(const Vec3& axis) const {
-        if (request_.stock_part) return setup::stepStock(*request_.stock_part);
-        Stock stock = setup::boxStock(part_, request_.margin, setup::cleanAxis(axis));
-        setup::addBoxShape(stock);
+        Stock stock = request_.stock_part ? setup::stepStock(*request_.stock_part)
+                                          : setup::boxStock(part_, request_.margin, setup::cleanAxis(axis));
+        if (!request_.stock_part) setup::addBoxShape(stock);
+        stock.tolerance_mm = request_.stock_tolerance_mm;
         return stock;
     }
 

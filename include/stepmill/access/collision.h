@@ -21,10 +21,11 @@ std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool);
 /// the top of what it cuts [mm].
 double freeReachMm(const ToolAssembly& tool);
 
-/// What a cylinder meets whose bottom is at that height: the lowest of the feature's obstacles that reaches
+/// What a cylinder meets whose bottom is at that height: the lowest of a feature's obstacles that reaches
 /// higher by more than rounding. It holds those above it, and it may begin over the bottom: heights that
 /// should be equal differ by rounding. Nothing where all end below.
-std::optional<std::size_t> obstacleAbove(const Feature& feature, double z_mm, double rounding_mm);
+std::optional<std::size_t> obstacleAbove(const std::vector<Obstacle>& obstacles, double z_mm,
+                                         double rounding_mm);
 
 /// Those of cylindersOf() with standing material at their bottom's height. The obstacles are shadows, so what
 /// stands at the bottom's height counts for the whole cylinder.

@@ -90,8 +90,4 @@ class FormCentres {
     mutable std::map<double, Region> known_;
 };
 
-/// The lowest of the obstacles that stands higher than z, by more than rounding; their number where none
-/// does.
-std::size_t obstacleOver(const std::vector<Obstacle>& obstacles, double z_mm);
-
 }  // namespace stepmill

@@ -22,6 +22,7 @@ struct Stock {
     double volume_mm3 = 0;                   ///< of what is left
     std::shared_ptr<const PartShape> shape;  ///< the raw solid
     Box3 raw_bbox_mm;
+    double tolerance_mm = 0;      ///< the raw solid may be this much larger on every side
     std::vector<CutPrisms> cuts;  ///< by setup, in the order they were made; empty: raw
 
     bool isRaw() const { return cuts.empty(); }
@@ -35,6 +36,11 @@ struct StockMargin {
     double bottom_mm = 0;
 };
 
+/// Tolerance of a box that nothing more is said of: sawn to length [mm].
+inline constexpr double kSawnToleranceMm = 0.5;
+/// A blank that may be larger by more is another blank [mm].
+inline constexpr double kMostStockToleranceMm = 20;
+
 /// What to plan on and from where.
 struct SetupRequest {
     /// Tool axes asked for, unit vectors in part coordinates, in machining order; empty: choose.
@@ -42,6 +48,8 @@ struct SetupRequest {
     /// Tool axes never to be chosen, unit vectors in part coordinates.
     std::vector<Vec3> forbidden;
     StockMargin margin;
+    /// How much larger on every side the blank may be than it is said to be [mm].
+    double stock_tolerance_mm = 0;
     /// A solid to start from instead of a box, in the part's coordinates.
     std::optional<Part> stock_part;
 };
