@@ -13,6 +13,16 @@ namespace stepmill {
 
 namespace {
 
+/// Where the cutter can go down no way but straight, no depth of cut is more than it may plunge.
+CuttingData withinPlunges(const ClearingTask& task, const ToolAssembly& tool, CuttingData cutting) {
+    const bool plunges = std::any_of(task.entries.begin(), task.entries.end(),
+                                     [](const Entry& entry) { return entry.kind == EntryKind::Plunge; });
+    if (plunges && tool.max_plunge_mm > 0 &&
+        (cutting.step_down_mm <= 0 || cutting.step_down_mm > tool.max_plunge_mm))
+        cutting.step_down_mm = tool.max_plunge_mm;
+    return cutting;
+}
+
 Toolpath emptyPath(const ClearingTask& task, double radius_mm, const CuttingData& cutting,
                    const Machine& machine) {
     const int depths = toolpath::depthsFor(task.top_z_mm - task.floor_z_mm, cutting.step_down_mm);
@@ -81,23 +91,11 @@ void writeRegions(const ClearingTask& task, const RingFamily& family, const tool
     path.pattern = patternWords(path.regions);
 }
 
-}  // namespace
-
-Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
-                   const Machine& machine, const Tolerances& tol) {
-    STEPMILL_CHECK(tool.radius_mm() > 0, "a cutter has a diameter");
-    STEPMILL_CHECK(cutting.feed_mm_per_min > 0 && machine.rapid_mm_per_min > 0, "feeds are positive");
-    STEPMILL_CHECK(task.retract_z_mm >= task.top_z_mm, "retract height below the material");
-    Toolpath path = emptyPath(task, tool.radius_mm(), cutting, machine);
-    if (task.centres.empty() || task.free_centres.empty() || task.top_z_mm <= task.floor_z_mm) return path;
-
+/// Clears the task in depths of cut of no more than the cutting data's step-down.
+Toolpath inDepths(const ClearingTask& task, const RingFamily& rings, const ToolAssembly& tool,
+                  const CuttingData& cutting, const Machine& machine, const Tolerances& tol) {
     using namespace toolpath;
-    const std::shared_ptr<const RingFamily> rings =
-        task.rings ? task.rings : makeRings(task, tool, cutting, tol);
-    STEPMILL_CHECK(rings->radiusMm() == tool.radius_mm() && rings->stepOverMm() == path.step_over_mm,
-                   "rings of another tool or step-over");
-    STEPMILL_CHECK(task.entries.size() == rings->components().size(),
-                   "a clearing task has one entry per component of its free centres");
+    Toolpath path = emptyPath(task, tool.radius_mm(), cutting, machine);
     const double angle = rampAngle(cutting);
     const LinkRates rates{(path.step_down_mm + kDescentStartMm) / std::tan(angle),
                           path.feed_mm_per_min,
@@ -105,12 +103,59 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
                           machine.rapid_mm_per_min,
                           path.step_down_mm + kApproachMm,
                           kApproachMm,
-                          deepApproachMm(path)};
+                          deepApproachMm(path),
+                          path.ramp_feed_mm_per_min,
+                          path.step_down_mm + kDescentStartMm,
+                          path.step_down_mm <= tool.max_plunge_mm + kGridMm,
+                          dips(task) ? 1 : path.depths};
     const Standing standing(task, tool.radius_mm(), tol);
     const DepthTask depth{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};
-    writeRegions(task, *rings, depth, angle, machine, path);
+    writeRegions(task, rings, depth, angle, machine, path);
     path.totals = measure(path, machine);
-    return path;
+    return withClearRapids(path, task, tool.radius_mm(), machine);
+}
+
+/// Could depths of cut that the tool may plunge take less time? Only where its ramps take longer than the
+/// depths that would come in addition.
+bool mayPlungeInstead(const Toolpath& path, const ToolAssembly& tool) {
+    if (tool.max_plunge_mm <= 0 || path.step_down_mm <= tool.max_plunge_mm) return false;
+    double ramps_mm = 0;
+    double level_mm = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const double flat_mm = length(Vec2(from.head<2>()), {Vec2(move.to.head<2>()), move.arc});
+        if (move.kind == MoveKind::Ramp) ramps_mm += flat_mm;
+        if (move.kind == MoveKind::Feed || move.kind == MoveKind::Slot) level_mm += flat_mm;
+        from = move.to;
+    }
+    const double more_depths = path.step_down_mm / tool.max_plunge_mm - 1;
+    return ramps_mm / path.ramp_feed_mm_per_min > more_depths * level_mm / path.feed_mm_per_min;
+}
+
+}  // namespace
+
+Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
+                   const Machine& machine, const Tolerances& tol) {
+    STEPMILL_CHECK(tool.radius_mm() > 0, "a cutter has a diameter");
+    STEPMILL_CHECK(cutting.feed_mm_per_min > 0 && machine.rapid_mm_per_min > 0, "feeds are positive");
+    STEPMILL_CHECK(task.retract_z_mm >= task.top_z_mm, "retract height below the material");
+    if (task.centres.empty() || task.free_centres.empty() || task.top_z_mm <= task.floor_z_mm)
+        return emptyPath(task, tool.radius_mm(), cutting, machine);
+
+    const std::shared_ptr<const RingFamily> rings =
+        task.rings ? task.rings : makeRings(task, tool, cutting, tol);
+    STEPMILL_CHECK(rings->radiusMm() == tool.radius_mm() &&
+                       rings->stepOverMm() == toolpath::usedStepOver(cutting, tool.radius_mm()),
+                   "rings of another tool or step-over");
+    STEPMILL_CHECK(task.entries.size() == rings->components().size(),
+                   "a clearing task has one entry per component of its free centres");
+    const CuttingData usual = withinPlunges(task, tool, cutting);
+    Toolpath path = inDepths(task, *rings, tool, usual, machine, tol);
+    if (!mayPlungeInstead(path, tool)) return path;
+    CuttingData shallow = usual;
+    shallow.step_down_mm = tool.max_plunge_mm;
+    Toolpath plunged = inDepths(task, *rings, tool, shallow, machine, tol);
+    return plunged.totals.time_s() < path.totals.time_s() ? plunged : path;
 }
 
 }  // namespace stepmill

@@ -38,7 +38,8 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double re
     path.feed_mm_per_min = std::min(cutting.feed_mm_per_min, limit);
     path.plunge_feed_mm_per_min = std::min(plunge_feed, limit);
 
-    const double over_z = std::min(top_z_mm + kOverTopMm, retract_z_mm);
+    const double over_top_mm = toolpath::isRawTop(top_z_mm) ? machine.top_clearance_mm : 0;
+    const double over_z = std::min(top_z_mm + std::max(kOverTopMm, over_top_mm), retract_z_mm);
     double at_z = retract_z_mm;
     const auto go = [&](MoveKind kind, double z) {
         if (z == at_z) return;

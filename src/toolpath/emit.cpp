@@ -40,10 +40,10 @@ void MoveWriter::writeDepth(const std::vector<ScriptStep>& script, Over first_ov
 }
 
 void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vector<DepthHeights>& depths) {
-    const Path ramp = firstPart(ring, descent_mm);
-    const Path rest = reversed(firstPart(reversed(ring), length(ring) - descent_mm));
+    const Path rest = firstPart(ring, length(ring) - descent_mm);
+    const Path ramp = reversed(firstPart(reversed(ring), descent_mm));
     heights_ = depths.front();
-    descendTo(ring.start, Over::Retract);
+    descendTo(ramp.start, Over::Retract);
     for (const DepthHeights& heights : depths) {
         heights_ = heights;
         along(ramp, MoveKind::Ramp, heights.floor_mm);
@@ -53,6 +53,9 @@ void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vecto
 }
 
 void MoveWriter::write(const ComeDown& step) {
+    // From a deeper place that was just cleared: straight up.
+    if (at_.head<2>() == step.at && at_.z() < heights_.floor_mm && !path_.moves.empty())
+        return add(MoveKind::Rapid, at3(step.at, heights_.floor_mm));
     const double ground_mm = step.deep ? heights_.last_floor_mm : heights_.floor_mm;
     approach(step.at, std::max(heights_.floor_mm, ground_mm + kApproachMm), step.over);
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm), std::nullopt, true);
@@ -133,8 +136,17 @@ void MoveWriter::approach(const Vec2& at, double clear_z_mm, Over over) {
     add(MoveKind::Rapid, at3(at, std::min(clear_z_mm, at_.z())));
 }
 
+/// Is the way along the floor of the depth before quicker than the last of the way down from over it?
+bool MoveWriter::staysDown(const Vec2& at) const {
+    if (path_.moves.empty() || at_.z() != heights_.above_mm) return false;
+    const double fed_down_mm = kApproachMm - kDescentStartMm;
+    return (at - at_.head<2>()).norm() / path_.feed_mm_per_min <= fed_down_mm / path_.plunge_feed_mm_per_min;
+}
+
 /// To the place where a descent through the material of this depth begins.
 void MoveWriter::descendTo(const Vec2& at, Over over) {
+    if (over == Over::LastFloor && staysDown(at))
+        return add(MoveKind::Feed, at3(at, at_.z()), std::nullopt, true);
     approach(at, heights_.above_mm + kApproachMm, over);
     const double from_z = std::min(heights_.above_mm + kDescentStartMm, at_.z());
     add(MoveKind::Plunge, at3(at, from_z), std::nullopt, true);

@@ -29,8 +29,9 @@ class MoveWriter {
 
     /// Ends at depth, where the last pass ends.
     void writeDepth(const std::vector<ScriptStep>& script, Over first_over, const DepthHeights& heights);
-    /// A closed ring over several depths of cut without leaving it: down along its first `descent_mm`, round
-    /// to there, down again, and at last level along the ramp. \pre descent_mm < length(ring)
+    /// A closed ring over several depths of cut without leaving it: down along its last `descent_mm`, round
+    /// to there, down again, and at last level along the ramp; ends where the ring starts.
+    /// \pre descent_mm < length(ring)
     void writeRing(const Path& ring, double descent_mm, const std::vector<DepthHeights>& depths);
     /// Up to the retract height.
     void retract();
@@ -48,6 +49,7 @@ class MoveWriter {
     /// Up, over, and down to a height that is known to be clear.
     void approach(const Vec2& at, double clear_z_mm, Over over);
     void descendTo(const Vec2& at, Over over);
+    bool staysDown(const Vec2& at) const;
     double crossingZ(Over over) const;
     void along(const Path& path, MoveKind kind, double to_z_mm);
     /// The level leg after a ramp cuts the full width of the slope.

@@ -165,7 +165,7 @@ Toolpath finishWalls(const WallTask& task, const ToolAssembly& tool, const Cutti
     if (passes.empty()) return path;
     writePasses(clearing, passes, tool.radius_mm(), rampAngle(cutting), tol, path);
     path.totals = measure(path, machine);
-    return path;
+    return withClearRapids(path, clearing, tool.radius_mm(), machine);
 }
 
 Region leftBy(const Toolpath& path, const Region& region, double floor_z_mm, double radius_mm,

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "stepmill/planar/clearance_diagram.h"
-#include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/walk_inside.h"
 
 namespace stepmill::toolpath {
 namespace {
@@ -28,28 +29,26 @@ class Meeting {
             const double over_mm = slice.z_mm - tip_z_mm;
             const double radius_mm = form.radiusAt(over_mm) - least_mm;
             if (over_mm > form.heightMm() + kAboveFormMm || radius_mm <= 0 || slice.region.empty()) continue;
-            near_.push_back({&slice.region, EdgeIndex(slice.region), radius_mm});
+            auto edges = std::make_unique<EdgeIndex>(slice.region);
+            const WalkInside walk(slice.region, *edges);
+            near_.push_back({std::move(edges), walk, radius_mm});
         }
     }
 
     bool nothing() const { return near_.empty(); }
 
-    bool at(const Edge& way) const {
-        return std::any_of(near_.begin(), near_.end(), [&](const Near& near) {
-            return near.edges.anyNearer(way, near.radius_mm) || isInside(near, way.from);
-        });
+    /// Edge by edge along a way.
+    bool at(const Edge& way) {
+        return std::any_of(near_.begin(), near_.end(),
+                           [&](Near& near) { return near.walk.meets(way, near.radius_mm); });
     }
 
   private:
     struct Near {
-        const Region* region;
-        EdgeIndex edges;
+        std::unique_ptr<EdgeIndex> edges;  ///< at one place, for the walk
+        WalkInside walk;
         double radius_mm;
     };
-
-    static bool isInside(const Near& near, const Vec2& p) {
-        return near.edges.box().contains(p) && contains(*near.region, p);
-    }
 
     std::vector<Near> near_;
 };
@@ -84,7 +83,7 @@ void bridge(const std::vector<Edge>& edges, double longest_mm, std::vector<char>
 }
 
 /// Pieces of a loop where the cutter meets stairs; the loop itself where it does all round.
-std::vector<Path> piecesOf(const Loop& loop, const Meeting& meeting, double radius_mm) {
+std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, double radius_mm) {
     const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
     std::vector<char> needed;
     needed.reserve(edges.size());
@@ -110,7 +109,7 @@ std::vector<Path> piecesOf(const Loop& loop, const Meeting& meeting, double radi
 FormLevel formLevel(const FormCentres& centres, const StandingStairs& stairs, const CutterForm& form,
                     double tip_z_mm, double step_over_mm, double least_mm, const Tolerances& tol) {
     FormLevel level{tip_z_mm, {}, {}};
-    const Meeting meeting(stairs, form, tip_z_mm, least_mm);
+    Meeting meeting(stairs, form, tip_z_mm, least_mm);
     if (meeting.nothing()) return level;
     level.free_centres = centres.at(tip_z_mm);
     const ClearanceDiagram diagram(level.free_centres, tol);

@@ -28,8 +28,14 @@ double wayTo(const Path& pass, const Vec2& from) {
 
 class FormPathWriter {
   public:
-    FormPathWriter(const FormTask& task, double radius_mm, const Tolerances& tol, Toolpath& path)
-        : task_(task), radius_mm_(radius_mm), tol_(tol), path_(path) {}
+    FormPathWriter(const FormTask& task, double radius_mm, const Machine& machine, const Tolerances& tol,
+                   Toolpath& path)
+        : task_(task),
+          radius_mm_(radius_mm),
+          beside_mm_(std::max(tol.guard_mm, machine.inside_clearance_mm)),
+          over_top_mm_(std::max(kApproachMm, machine.top_clearance_mm)),
+          tol_(tol),
+          path_(path) {}
 
     void write(const FormLevel& level) {
         std::vector<const Path*> left;
@@ -95,10 +101,11 @@ class FormPathWriter {
         double clear_mm = task_.ground.obstacles.empty() ? z_mm : task_.ground.obstacles.back().top_z_mm;
         for (std::size_t i = task_.ground.obstacles.size(); i-- > 0;) {
             const Obstacle& obstacle = task_.ground.obstacles[i];
-            if (distanceToRegion(obstacle.section, at) <= radius_mm_ + tol_.guard_mm) break;
+            if (distanceToRegion(obstacle.section, at) <= radius_mm_ + beside_mm_) break;
             clear_mm = obstacle.bottom_z_mm;
         }
-        const double rapid_to_mm = std::max(clear_mm, z_mm) + kApproachMm;
+        const double over_mm = isRawTop(clear_mm) ? over_top_mm_ : kApproachMm;
+        const double rapid_to_mm = std::max(clear_mm, z_mm) + over_mm;
         if (rapid_to_mm < at_.z()) add(MoveKind::Rapid, {at.x(), at.y(), rapid_to_mm});
         add(MoveKind::Plunge, {at.x(), at.y(), z_mm});
     }
@@ -110,6 +117,8 @@ class FormPathWriter {
 
     const FormTask& task_;
     double radius_mm_;
+    double beside_mm_;    ///< rapids down keep this off what stands
+    double over_top_mm_;  ///< they end so far over a raw top
     const Tolerances& tol_;
     Toolpath& path_;
     const FormLevel* before_ = nullptr;  ///< whose free centres the tool is in
@@ -131,7 +140,7 @@ Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     // Levels without stairs fall out: between others it is farther than any cut is deep.
     if (cutting.step_down_mm > 0) path.step_down_mm = std::min(path.step_down_mm, cutting.step_down_mm);
     path.pattern = tool.type == ToolType::Chamfer ? "chamfer pass" : "z-levels";
-    FormPathWriter writer(task, tool.radius_mm(), tol, path);
+    FormPathWriter writer(task, tool.radius_mm(), machine, tol, path);
     for (const FormLevel* level : cut)
         writer.write(*level);
     writer.end();

@@ -15,11 +15,17 @@ namespace {
 constexpr double kDefaultRampAngleDeg = 3;
 /// A depth that exceeds whole steps by no more than this share of a step takes no further one.
 constexpr double kDepthExcess = 1e-9;
+/// A top no lower than this under the stock's own is that: heights in plan.json are rounded [mm].
+constexpr double kSameTopMm = 1e-4;
 
 }  // namespace
 
+double rampAngleDeg(const CuttingData& cutting) {
+    return cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg;
+}
+
 double rampAngle(const CuttingData& cutting) {
-    return degToRad(cutting.ramp_angle_deg > 0 ? cutting.ramp_angle_deg : kDefaultRampAngleDeg);
+    return degToRad(rampAngleDeg(cutting));
 }
 
 double usedStepOver(const CuttingData& cutting, double radius_mm) {
@@ -56,6 +62,10 @@ Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const
         path.ramp_feed_mm_per_min = std::min(path.ramp_feed_mm_per_min, path.slot_feed_mm_per_min);
     }
     return path;
+}
+
+bool isRawTop(double z_mm) {
+    return z_mm > -kSameTopMm;
 }
 
 double floorOf(const ClearingTask& task, const Toolpath& frame, int depth) {

@@ -1,5 +1,7 @@
 // Rapids that rest on nothing the planner believes of what stands.
 
+#include <algorithm>
+
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/emit.h"
 
@@ -53,7 +55,8 @@ class PlainRapids {
 }  // namespace
 
 Toolpath withPlainRapids(const Toolpath& path, double stock_top_z_mm, const Machine& machine) {
-    Toolpath made = PlainRapids(path, stock_top_z_mm + toolpath::kApproachMm).make();
+    const double over_top_mm = std::max(toolpath::kApproachMm, machine.top_clearance_mm);
+    Toolpath made = PlainRapids(path, stock_top_z_mm + over_top_mm).make();
     made.totals = measure(made, machine);
     return made;
 }

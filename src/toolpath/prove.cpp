@@ -21,7 +21,7 @@ constexpr double kSlackGuards = 8;
 class Prover {
   public:
     Prover(const ClearingTask& task, double radius_mm, const Tolerances& tol)
-        : task_(task), radius_mm_(radius_mm), tol_(tol), walls_(task.obstruction) {}
+        : task_(task), radius_mm_(radius_mm), tol_(tol), walls_(task.obstruction), skirt_(task.skirt) {}
 
     PathProof run(const Toolpath& path) {
         PathProof proof;
@@ -88,6 +88,8 @@ class Prover {
         if (low >= task_.retract_z_mm) return true;
         const Vec2 at = from.head<2>();
         const Vec2 to = move.to.head<2>();
+        const bool beside = low < task_.stands_to_mm && move.to.z() <= from.z();
+        if (beside && meetsSkirt(at, to)) return false;
         if (at != to) {
             // Material higher than the top belongs to the obstruction, which clearance() looks at.
             if (move.arc || from.z() != move.to.z()) return false;
@@ -105,6 +107,13 @@ class Prover {
         return on_cut || isClear(at, at, low);
     }
 
+    /// Does a level or falling rapid enter what the stock may have too much of beside what must stay?
+    bool meetsSkirt(const Vec2& a, const Vec2& b) const {
+        if (task_.skirt.empty()) return false;
+        return skirt_.anyNearer(makeLine(a, b), radius_mm_ - kSlackGuards * tol_.guard_mm) ||
+               contains(task_.skirt, b);
+    }
+
     /// Has everything under a straight way been cut down to z by the moves before?
     bool isClear(const Vec2& a, const Vec2& b, double z) const {
         toolpath::SweptGround ground(task_, radius_mm_);
@@ -117,6 +126,7 @@ class Prover {
     double radius_mm_;
     const Tolerances& tol_;
     EdgeIndex walls_;
+    EdgeIndex skirt_;
     bool outside_ = false;  ///< where the cutter is, is known to be outside the obstruction
     std::vector<Level> cut_;
     std::set<std::array<double, 7>> known_;

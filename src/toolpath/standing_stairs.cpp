@@ -7,10 +7,12 @@
 #include <map>
 #include <optional>
 
-#include "stepmill/core/error.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/unsure_offset.h"
+#include "stepmill/planar/walk_inside.h"
 #include "stepmill/toolpath/swept_region.h"
 
 namespace stepmill {
@@ -22,12 +24,10 @@ constexpr double kSliceMm = 0.1;
 constexpr double kBelowFormMm = 0.5;
 /// Cuts thinner than this do not count [mm].
 constexpr double kSkinMm = 2e-3;
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
-
-const Obstacle* at(const std::vector<Obstacle>& bands, double z_mm) {
+/// The band over that height, the upper one where two meet.
+const Obstacle* bandAt(const std::vector<Obstacle>& bands, double z_mm) {
     const auto found = std::find_if(bands.begin(), bands.end(), [&](const Obstacle& band) {
-        return band.bottom_z_mm < z_mm && z_mm < band.top_z_mm;
+        return band.bottom_z_mm <= z_mm + kSameHeightMm && z_mm + kSameHeightMm < band.top_z_mm;
     });
     return found == bands.end() ? nullptr : &*found;
 }
@@ -39,13 +39,23 @@ Region joined(const std::vector<Region>& pieces) {
     return all;
 }
 
-/// Bands from `first` on that one slice stands for: those of one stair, up to kSliceMm.
-std::size_t endOfSlice(const std::vector<Obstacle>& bands, std::size_t first, double stair_top_mm) {
-    std::size_t end = first + 1;
-    while (end < bands.size() && bands[end].top_z_mm <= stair_top_mm + kSameHeightMm &&
-           bands[end].top_z_mm - bands[first].bottom_z_mm <= kSliceMm + kSameHeightMm)
-        ++end;
-    return end;
+/// Where slices end: at the ends of every stair, and at those of bands between that are kSliceMm apart or
+/// more.
+std::vector<double> endsOfSlices(const Obstacle& stair, const std::vector<Obstacle>& bands) {
+    std::vector<double> ends{stair.bottom_z_mm};
+    double last_mm = stair.bottom_z_mm;  // of a band
+    const auto end = [&](double z_mm) {
+        if (z_mm - ends.back() > kSliceMm + kSameHeightMm && last_mm > ends.back() + kSameHeightMm)
+            ends.push_back(last_mm);
+        last_mm = z_mm;
+    };
+    for (const Obstacle& band : bands)
+        if (band.top_z_mm > stair.bottom_z_mm + kSameHeightMm &&
+            band.top_z_mm < stair.top_z_mm - kSameHeightMm)
+            end(band.top_z_mm);
+    end(stair.top_z_mm);
+    ends.push_back(stair.top_z_mm);
+    return ends;
 }
 
 /// What of a region lies in each of several places apart from each other; places with nothing are left out.
@@ -60,18 +70,6 @@ std::vector<Region> inPlaces(const Region& region, const std::vector<Region>& pl
     return parts;
 }
 
-/// What stands in a slice, ready to be asked what comes near it.
-struct Standing {
-    const Region& region;
-    EdgeIndex edges;
-
-    /// Does a disc on its way cut more than a skin?
-    bool meets(const Edge& way, double radius_mm) const {
-        return edges.anyNearer(way, radius_mm - kSkinMm) ||
-               (edges.box().contains(way.from) && contains(region, way.from));
-    }
-};
-
 /// What a disc sweeps along one way, for several radii.
 class SweptWay {
   public:
@@ -83,9 +81,9 @@ class SweptWay {
     /// False where the disc cuts nothing of the region.
     bool takeFrom(Region& region, double radius_mm) const {
         if (region.empty() || !grown(box_, radius_mm).intersects(boundingBox(region))) return false;
-        const Standing standing{region, EdgeIndex(region)};
+        const EdgeIndex edges(region);
         std::size_t count = 0;
-        const std::vector<Path> near = stretchesNear(standing, radius_mm, count);
+        const std::vector<Path> near = stretchesNear(WalkInside(region, edges), radius_mm, count);
         if (near.empty()) return false;
         const bool around = way_.closed() && 2 * count > edges_.size() && takeAround(region, radius_mm);
         if (!around) region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
@@ -94,11 +92,11 @@ class SweptWay {
 
   private:
     /// The stretches of the way on which the disc cuts, and how many edges they have.
-    std::vector<Path> stretchesNear(const Standing& standing, double radius_mm, std::size_t& count) const {
+    std::vector<Path> stretchesNear(WalkInside walk, double radius_mm, std::size_t& count) const {
         std::vector<Path> near;
         bool goes_on = false;
         for (const Edge& edge : edges_) {
-            const bool meets = standing.meets(edge, radius_mm);
+            const bool meets = walk.meets(edge, radius_mm - kSkinMm);
             if (meets && !goes_on) near.push_back({edge.from, {}});
             if (meets) near.back().segments.push_back(edge.segment);
             if (meets) ++count;
@@ -113,13 +111,19 @@ class SweptWay {
         try {
             if (!around_) around_.emplace(Region{{signedArea(way_) > 0 ? way_ : reversed(way_)}}, tol_);
             const Region inner = intersect(region, around_->region(), tol_);
-            const Region kept_inside =
-                inner.empty() ? Region{} : intersect(inner, around_->offset(-radius_mm), tol_);
-            region = unite(subtract(region, around_->offset(radius_mm), tol_), kept_inside, tol_);
+            const Region kept_inside = inner.empty() ? Region{} : intersect(inner, offset(-radius_mm), tol_);
+            region = unite(subtract(region, offset(radius_mm), tol_), kept_inside, tol_);
             return true;
-        } catch (const Error&) {
+        } catch (const UnsureOffset&) {
             return false;
         }
+    }
+
+    /// Of the ground that the way encloses; slices over the cutter's form share its full radius.
+    const Region& offset(double distance_mm) const {
+        const auto found = offsets_.find(distance_mm);
+        if (found != offsets_.end()) return found->second;
+        return offsets_.try_emplace(distance_mm, around_->offset(distance_mm)).first->second;
     }
 
     const Path& way_;
@@ -127,6 +131,7 @@ class SweptWay {
     const Tolerances& tol_;
     Box2 box_;
     mutable std::optional<ClearanceDiagram> around_;  ///< of the ground that a closed way encloses
+    mutable std::map<double, Region> offsets_;
 };
 
 /// Joins moves to ways, and parts a way where it comes back to a point it has been at.
@@ -166,24 +171,24 @@ class WayBuilder {
 }  // namespace
 
 StandingStairs::StandingStairs(const FormGround& ground, const Tolerances& tol) : tol_(tol) {
-    const std::vector<Obstacle>& bands = ground.must_stand;
     const std::vector<Region> places = components(ground.window);
-    for (std::size_t i = 0; i < bands.size();) {
-        const double low_mm = bands[i].bottom_z_mm;
-        const Obstacle* stair = at(ground.stairs, (low_mm + bands[i].top_z_mm) / 2);
-        if (stair == nullptr) {
-            ++i;
-            continue;
-        }
-        const std::size_t end = endOfSlice(bands, i, stair->top_z_mm);
-        const double high_mm = bands[end - 1].top_z_mm;
-        const Obstacle& middle = bands[i + (end - i) / 2];
-        Region left = joined(toolpath::piecesBeyondSkins(subtract(stair->section, middle.section, tol), tol));
-        for (Region& place : inPlaces(left, places))
-            slices_.push_back(
-                {(middle.bottom_z_mm + middle.top_z_mm) / 2, low_mm, high_mm, std::move(place)});
-        i = end;
+    for (const Obstacle& stair : ground.stairs) {
+        const std::vector<double> ends = endsOfSlices(stair, ground.must_stand);
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            addSlices(stair, ends[i], ends[i + 1], ground.must_stand, places);
     }
+}
+
+/// Half-way up the band's section covers the part, and the cutter has the radius that it has there.
+void StandingStairs::addSlices(const Obstacle& stair, double bottom_mm, double top_mm,
+                               const std::vector<Obstacle>& bands, const std::vector<Region>& places) {
+    const double middle_mm = (bottom_mm + top_mm) / 2;
+    const Obstacle* band = bandAt(bands, middle_mm);
+    if (band == nullptr) return;
+    const Region left =
+        joined(toolpath::piecesBeyondSkins(subtract(stair.section, band->section, tol_), tol_));
+    for (Region& place : inPlaces(left, places))
+        slices_.push_back({middle_mm, bottom_mm, top_mm, std::move(place)});
 }
 
 double StandingStairs::volumeMm3() const {
@@ -200,7 +205,8 @@ void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
     for (Slice& slice : slices_) {
         const double over_mm = slice.z_mm - level.tip_z_mm;
         const double radius_mm = form.radiusAt(over_mm);
-        if (slice.region.empty() || radius_mm <= 0 || over_mm > form.heightMm() + kBelowFormMm) continue;
+        if (slice.region.empty() || radius_mm <= kSkinMm || over_mm > form.heightMm() + kBelowFormMm)
+            continue;
         bool changed = false;
         for (const SweptWay& way : ways)
             changed = way.takeFrom(slice.region, radius_mm) || changed;

@@ -16,8 +16,17 @@ SweptGround::SweptGround(const ClearingTask& task, double radius_mm)
       radius_mm_(radius_mm) {}
 
 bool SweptGround::isClear(const Edge& way, double cusp_mm) const {
-    const Box2 box = grown(way.box, radius_mm_);
+    return isClear(way, radius_mm_, cusp_mm);
+}
+
+bool SweptGround::isClearFor(double disc_mm, const Vec2& a, const Vec2& b) const {
+    return isClear(makeLine(a, b), disc_mm, kCuspShare * radius_mm_);
+}
+
+bool SweptGround::isClear(const Edge& way, double disc_mm, double cusp_mm) const {
+    const Box2 box = grown(way.box, disc_mm);
     Near near;
+    near.disc_mm = disc_mm;
     near.cusp_mm = cusp_mm;
     for (const Edge& edge : swept_)
         if (grown(edge.box, radius_mm_).intersects(box)) near.swept.push_back(&edge);
@@ -35,10 +44,11 @@ bool SweptGround::isClear(const Edge& way, double cusp_mm) const {
 bool SweptGround::isClear(const Edge& way, const Square& square, const Near& near) const {
     const Vec2& p = square.centre;
     const double reach = square.half_mm * std::numbers::sqrt2;
-    const double inner = radius_mm_ - near.cusp_mm;
+    const double inner = near.disc_mm - near.cusp_mm;
     const double off_way = distanceTo(p, way);
     if (off_way - reach >= inner) return true;
     Near within;
+    within.disc_mm = near.disc_mm;
     within.cusp_mm = near.cusp_mm;
     double nearest = std::numeric_limits<double>::infinity();
     for (const Edge* edge : near.swept) {

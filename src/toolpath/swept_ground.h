@@ -32,6 +32,8 @@ class SweptGround {
     bool isClear(const Edge& way) const { return isClear(way, kCuspShare * radius_mm_); }
     /// The same but for cusps of that thickness.
     bool isClear(const Edge& way, double cusp_mm) const;
+    /// Does a disc of another radius meet no material at a place or along a straight way, but for cusps?
+    bool isClearFor(double disc_mm, const Vec2& a, const Vec2& b) const;
 
   private:
     using Edges = std::vector<const Edge*>;
@@ -47,8 +49,10 @@ class SweptGround {
         /// The square is known to lie inside the target or outside the cleared centres: its parent does.
         bool in_target = false;
         bool off_cleared = false;
+        double disc_mm = 0;  ///< that asks
         double cusp_mm = 0;
     };
+    bool isClear(const Edge& way, double disc_mm, double cusp_mm) const;
     bool isClear(const Edge& way, const Square& square, const Near& near) const;
 
     /// Boundaries of the target and the cleared centres; copies share them.

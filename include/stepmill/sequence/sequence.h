@@ -86,6 +86,9 @@ struct Residual {
     double volume_mm3 = 0;
     StayReason reason;
     std::string advice;  ///< what would machine it ("an end mill of 2.4 mm or less")
+    /// What of it is still there on the finished part; nothing until all setups are planned [mm3].
+    std::optional<double> stays_mm3;
+    std::string taken_by;  ///< id of the later setup that takes the rest; empty: none does
 };
 
 enum class Role { Face, Rough, Rest, Surrogate, Drill, Finish, Form };

@@ -5,6 +5,8 @@
 namespace stepmill::toolpath {
 
 /// Angle of descents through material: the cutting data's, else a usual one.
+double rampAngleDeg(const CuttingData& cutting);
+/// The same in radians.
 double rampAngle(const CuttingData& cutting);
 
 /// The step-over as used: no wider than the radius, so that rings leave nothing between them.
@@ -21,6 +23,9 @@ int depthsFor(double depth_mm, double step_down_mm);
 /// within the machine's.
 Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const CuttingData& cutting,
                    const Machine& machine);
+
+/// Is a top the stock's own? z = 0 is its height by the plan; a stock that may be larger goes higher.
+bool isRawTop(double z_mm);
 
 /// Height of the floor of a depth of cut, counted from 1; 0: the top.
 double floorOf(const ClearingTask& task, const Toolpath& frame, int depth);

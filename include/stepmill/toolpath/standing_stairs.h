@@ -17,8 +17,9 @@ struct LevelWays {
 
 /// The stairs of a form ground while form cutters take them off.
 ///
-/// They are known at heights a tenth of a millimetre apart or as far as the bands are high. What the bands
-/// cover of the part beyond its true walls does not count as stairs, so no volume is more than there is.
+/// They are known half-way up slices a tenth of a millimetre high, or as high as the bands or stairs are.
+/// What the bands cover of the part beyond its true walls does not count as stairs, so no volume is more than
+/// there is.
 class StandingStairs {
   public:
     StandingStairs(const FormGround& ground, const Tolerances& tol);
@@ -40,6 +41,9 @@ class StandingStairs {
     void cut(const LevelWays& level, const CutterForm& form);
 
   private:
+    void addSlices(const Obstacle& stair, double bottom_mm, double top_mm, const std::vector<Obstacle>& bands,
+                   const std::vector<Region>& places);
+
     Tolerances tol_;
     std::vector<Slice> slices_;  ///< from below to above
 };

@@ -125,7 +125,10 @@ struct ClearingTask {
     double free_reach_mm = std::numeric_limits<double>::infinity();
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    double retract_z_mm = 0;          ///< rapids across what must stay go here
+    double retract_z_mm = 0;   ///< rapids across what must stay go here
+    Region skirt;              ///< rapids stay off this too; cutters may cut it [Feature::skirt]
+    /// Nothing stands over this height where the cutter goes [mm].
+    double stands_to_mm = std::numeric_limits<double>::infinity();
     Pattern pattern = Pattern::Best;  ///< a region that cannot have it gets contour-parallel
     /// makeRings() of a task with the same free centres, target, obstruction, pattern, tool and cutting data;
     /// null: clearArea() makes its own.
@@ -173,6 +176,13 @@ double motionTimeS(const Toolpath& path, const Machine& machine);
 /// path's retract height alone, and what was a rapid down is fed at the plunge feed from just over the stock.
 /// \pre the path starts at its retract height; not for drills, whose cycles bring their own rapids. O(moves).
 Toolpath withPlainRapids(const Toolpath& path, double stock_top_z_mm, const Machine& machine);
+
+/// The same path with rapids that keep clear: where one would come down nearer to what stands, be it what
+/// must stay, the skirt or what the path has not cut yet, the tool comes down at a place near by that has
+/// the room and is fed across from there, or is fed down from the lowest height that has it. Rapids across
+/// that pass nearer go higher. \pre the path starts at the retract height; not for drills.
+Toolpath withClearRapids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
+                         const Machine& machine);
 
 /// Checks the moves themselves, independently of how they were made.
 PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm, const Tolerances& tol);

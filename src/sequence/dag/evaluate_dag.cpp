@@ -14,13 +14,8 @@
 namespace stepmill {
 namespace {
 
-/// How many edges the first round evaluates. With a tool that does all alone, and whose weight is known, only
-/// cheaper sequences count: a few edges at a time, the most promising first, let most of the others be left
-/// out. Otherwise all edges that may pay are evaluated, because tools are shared between features.
-std::size_t firstPortion(const DagTask& task, std::size_t edges) {
-    constexpr std::size_t kFew = 4;
-    return task.alone_weight < kNoEdge ? kFew : edges;
-}
+/// Edges in the first portion of a round that goes a few at a time.
+constexpr std::size_t kFew = 4;
 
 /// Takes the edges with the least bounds out of `open`; they keep their order.
 EdgeList takeMostPromising(const EdgeTable& table, std::size_t count, EdgeList& open) {
@@ -91,12 +86,20 @@ class DagSearch {
         for (int m = m_first; m <= m_last; ++m)
             for (int n = m + 1; n <= last_; ++n)
                 if (table_.exists(m, n) && wanted(n)) open.emplace_back(m, n);
-        for (std::size_t size = firstPortion(task_, open.size()); !open.empty(); size *= 2) {
+        for (std::size_t size = firstPortion(open); !open.empty(); size *= 2) {
             const double known = weightToBeat();
             table_.bound();
             leaveOutHopeless(known, open);
             pruned_ += table_.evaluate(takeMostPromising(table_, size, open), known);
         }
+    }
+
+    /// Edges that may pay are all evaluated, because tools are shared between features. A few at a time, the
+    /// most promising first, let most of the others be left out: where surrogates make each one dear, and
+    /// where a tool that does all alone is known and only cheaper sequences count.
+    std::size_t firstPortion(const EdgeList& open) const {
+        const bool dear = !open.empty() && hasSurrogates(open.front().second);
+        return dear || aloneIsKnown() ? kFew : open.size();
     }
 
     /// The bounds hold for real paths. An area model may be below them, and costs little to evaluate: all its
@@ -178,6 +181,8 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;
+    clearing.skirt = feature.skirt;
+    clearing.stands_to_mm = highestMm(feature);
     clearing.pattern = pattern;
     clearing.rings = rings;
     return clearing;

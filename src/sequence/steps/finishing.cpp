@@ -183,6 +183,8 @@ class AllowanceTrial {
         clearing.top_z_mm = feature_.top_z_mm;
         clearing.floor_z_mm = feature_.floor_z_mm;
         clearing.retract_z_mm = task_.retract_z_mm;
+        clearing.skirt = feature_.skirt;
+        clearing.stands_to_mm = highestMm(feature_);
         SequenceStep step;
         step.tool_id = last().tool->id;
         step.role = Role::Finish;

@@ -14,6 +14,14 @@
 namespace stepmill {
 namespace {
 
+/// Nobody sells narrower end mills [mm].
+constexpr double kNarrowestCutterMm = 0.1;
+
+std::string endMillOf(double widest_mm) {
+    if (widest_mm < kNarrowestCutterMm) return "a relief in the design, or EDM: no cutter is so narrow";
+    return fmt::format("an end mill of {:.4g} mm or less", widest_mm);
+}
+
 void add(Residual& into, const Region& piece, double depth_mm) {
     into.region.loops.insert(into.region.loops.end(), piece.loops.begin(), piece.loops.end());
     into.area_mm2 += area(piece);
@@ -99,7 +107,7 @@ Reason reasonFor(ExclusionReason reason) {
 }
 
 std::string adviceFor(ExclusionReason reason, double widest_mm, double depth_mm) {
-    const std::string cutter = fmt::format("an end mill of {:.4g} mm or less", widest_mm);
+    const std::string cutter = endMillOf(widest_mm);
     switch (reason) {
         case ExclusionReason::HolderCollision:
             return fmt::format("{} with a longer stick-out than {:.4g} mm or a slimmer holder", cutter,
@@ -159,7 +167,7 @@ std::vector<Residual> residualsOf(const FeatureGround& ground, const std::vector
         add(corner ? corners : narrows, piece, feature.depth_mm());
         if (!corner) narrowest_mm = std::min(narrowest_mm, widestDiscMm(piece, tol));
     }
-    narrows.advice = fmt::format("an end mill of {:.4g} mm or less", narrowest_mm);
+    narrows.advice = endMillOf(narrowest_mm);
 
     std::vector<Residual> result;
     for (Residual* residual : {&held_off, &narrows, &corners}) {

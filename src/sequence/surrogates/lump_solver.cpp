@@ -31,11 +31,7 @@ LumpSolver::LumpSolver(std::shared_ptr<const SurrogateTools> surrogates, Region 
     if (servable_) return;
     tools_.clear();
     tools_.offer(partialSurrogates());
-    if (sequencesCount())
-        visitSets([&](const std::vector<int>& nodes) {
-            servable_ = servable_ || reachAllTogether(nodes);
-            return !servable_;
-        });
+    servable_ = sequencesCount() && anySetReachesAll();
     if (!servable_) unserved_ = residualOfTheBest();
 }
 
@@ -81,6 +77,19 @@ std::vector<int> LumpSolver::partialSurrogates() const {
     return found;
 }
 
+/// Mostly not even all tools together reach all, and no set has to be looked at.
+bool LumpSolver::anySetReachesAll() const {
+    std::vector<int> all(tools_.nodes().size());
+    std::iota(all.begin(), all.end(), 0);
+    bool found = false;
+    if (!all.empty() && reachAllTogether(all))
+        visitSets([&](const std::vector<int>& nodes) {
+            found = reachAllTogether(nodes);
+            return !found;
+        });
+    return found;
+}
+
 /// What stays of the lump after the largest set of tools, chosen one by one so that each leaves least.
 Region LumpSolver::residualOfTheBest() const {
     Region residual = tools_.lump();
@@ -88,10 +97,10 @@ Region LumpSolver::residualOfTheBest() const {
     for (std::size_t i = 0; i < most && !residual.empty(); ++i) {
         Region least = residual;
         for (const Candidate& tool : tools_.nodes()) {
-            Region rest = withoutCrumbs(subtract(residual, tool.cleared->coverable, tol()), tol());
+            Region rest = subtract(residual, tool.cleared->coverable, tol());
             if (area(rest) < area(least)) least = std::move(rest);
         }
-        residual = std::move(least);
+        residual = withoutCrumbs(least, tol());
     }
     return residual;
 }

@@ -41,6 +41,7 @@ class LumpSolver {
     Region residualOfTheBest() const;
     template <typename Visit>
     void visitSets(const Visit& visit) const;
+    bool anySetReachesAll() const;
     bool reachAllTogether(const std::vector<int>& nodes) const;
 
     double weight(const EdgeCost& cost) const;

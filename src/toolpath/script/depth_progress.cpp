@@ -66,9 +66,18 @@ void DepthProgress::cut(const Joint& joint) {
     finish(joint.pass, path);
 }
 
+void DepthProgress::addSpotTo(SweptGround& ground) const {
+    for (int i = 0; i < count(); ++i)
+        if (wasCut(i) && spotOf(i) + 1 == descents_.size())
+            for (const Edge& edge : edgesOf(pass(i).path))
+                ground.add(edge);
+}
+
 void DepthProgress::finish(int i, const Path& path) {
-    for (const Edge& edge : edgesOf(path))
+    for (const Edge& edge : edgesOf(path)) {
         swept_.add(edge);
+        along_ = tangentAt(edge, 1);
+    }
     settle(i);
     spot_of_[static_cast<std::size_t>(i)] = descents_.size() - 1;
     last_ = i;

@@ -64,6 +64,10 @@ class DepthProgress {
     // Script
 
     const Vec2& at() const { return at_; }
+    /// Direction in which the last pass ends.
+    const Vec2& along() const { return along_; }
+    /// Adds what the passes of the current spot have swept.
+    void addSpotTo(SweptGround& ground) const;
     /// The ground swept so far, and the ground that was clear before.
     const SweptGround& swept() const { return swept_; }
     void addSwept(const Edge& edge) { swept_.add(edge); }
@@ -90,6 +94,7 @@ class DepthProgress {
     std::vector<ScriptStep> steps_;
     std::vector<Descent> descents_;
     Vec2 at_ = Vec2::Zero();
+    Vec2 along_ = Vec2::UnitX();
 };
 
 }  // namespace stepmill::toolpath

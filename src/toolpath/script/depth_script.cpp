@@ -22,6 +22,16 @@ constexpr double kLeastLeadShare = 1e-9;
 /// Turns that exceed a whole number by no more than this are rounding.
 constexpr double kRounding = 1e-9;
 
+/// Is it more than a way to leave a wall?
+bool isCutOrDescent(const ScriptStep& step) {
+    return !std::holds_alternative<Link>(step);
+}
+
+RampAlong levelled(RampAlong ramp) {
+    ramp.level = true;
+    return ramp;
+}
+
 /// The whole depth as one block, with the heights of the ways over.
 DepthBlock wholeBlock(const DepthTask& task, const DepthProgress& cut) {
     const std::vector<Descent>& descents = cut.descents();
@@ -34,6 +44,19 @@ DepthBlock wholeBlock(const DepthTask& task, const DepthProgress& cut) {
     for (const Descent& descent : descents)
         setOver(whole.steps[descent.step], overWay(task.standing, cut.swept(), descent.from, descent.to));
     return whole;
+}
+
+/// The ring that the depth begins with, then the rest from where the ring ends: over ground that is clear
+/// down to the floor by then.
+std::vector<DepthBlock> ringFirst(const DepthTask& task, const DepthProgress& cut, const DepthBlock& whole) {
+    const auto* ramp = std::get_if<RampAlong>(&whole.steps.front());
+    const bool lone = std::count_if(whole.steps.begin(), whole.steps.end(), isCutOrDescent) < 2;
+    if (ramp == nullptr || !ramp->closed || lone) return {};
+    const Vec2 at = ramp->curve.end();
+    DepthBlock ring{{levelled(*ramp)}, whole.begin, at, Over::Retract};
+    DepthBlock rest{whole.steps, at, whole.end, overWay(task.standing, cut.swept(), whole.end, at)};
+    rest.steps.front() = ComeDown{at, Over::Retract, true};
+    return {std::move(ring), std::move(rest)};
 }
 
 }  // namespace
@@ -50,10 +73,13 @@ DepthScript scriptDepth(const DepthTask& task, const RingFamily::Component& comp
     Descender descender(task, component, before, entry_descent, progress);
     for (needless.dropCleared(); progress.left() > 0; needless.dropCleared())
         if (!linker.linkOn()) descender.goOn();
+    descender.leaveWall();
     if (progress.steps().empty()) return {};
     STEPMILL_CHECK(!progress.descents().empty() && progress.descents().front().step == 0,
                    "a depth begins from above");
-    return {wholeBlock(task, progress), blocksApart(task, progress)};
+    DepthScript script{wholeBlock(task, progress), blocksApart(task, progress), {}};
+    if (task.rates.rings_at_once > 1) script.ring_first = ringFirst(task, progress, script.whole);
+    return script;
 }
 
 Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& from, const Vec2& to) {

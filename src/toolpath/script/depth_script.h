@@ -77,6 +77,9 @@ struct DepthScript {
     /// The same passes in several blocks such that none needs ground that another one clears: rest material
     /// in several places. Empty where there is one block alone.
     std::vector<DepthBlock> apart;
+    /// The same with the closed curve that the cutter goes down along as a block of its own, cut down to the
+    /// floor before the others. Empty where the depth begins in another way, or is no more than that curve.
+    std::vector<DepthBlock> ring_first;
 
     bool empty() const { return whole.steps.empty(); }
 };
@@ -90,6 +93,10 @@ struct LinkRates {
     double lift_mm;           ///< from the floor of a depth to where rapids cross within a feature
     double approach_mm;       ///< the last of the way down is fed
     double deep_approach_mm;  ///< the same over ground clear down to the feature's floor, the depths' mean
+    double ramp_feed_mm_per_min;
+    double plunge_mm;   ///< from where a descent begins through one depth of cut
+    bool may_plunge;    ///< the tool may go straight down through one depth of cut
+    int rings_at_once;  ///< depths of cut that a first ring may be cut down through in one go
 };
 
 /// The data that all depths of one task share.

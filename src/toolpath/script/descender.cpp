@@ -1,15 +1,25 @@
 #include "toolpath/script/descender.h"
 
+#include <algorithm>
+
 #include "stepmill/core/error.h"
 #include "toolpath/patterns/ring_family.h"
 
 namespace stepmill::toolpath {
+
+namespace {
+
+/// A cutter goes so far off a wall, at 45 degrees to it, before it is lifted [mm].
+constexpr double kLeaveMm = 0.5;
+
+}  // namespace
 
 Descender::Descender(const DepthTask& task, const RingFamily::Component& component, const SweptGround& before,
                      EntryDescent& entry, DepthProgress& progress)
     : task_(task), component_(component), before_(before), entry_(entry), progress_(progress) {}
 
 void Descender::goOn() {
+    leaveWall();
     for (const bool ready : {true, false}) {
         const std::vector<Joint> joints = progress_.waiting(ready);
         for (const Joint& joint : joints)
@@ -64,17 +74,52 @@ bool Descender::comeDownOnNeighbour(const Joint& joint) {
 bool Descender::enter(const Joint& joint, bool ready) {
     // The cutter goes down through material once per depth of a component, and only for a ready pass.
     if (!entry_.isOpen() && (!ready || entered_)) return false;
-    if (rampIsBetter(joint)) {
+    const Joint from_entry = progress_.jointWith(joint.pass, entry_.entry().at);
+    for (const PricedWay& way : waysDown(joint, from_entry)) {
+        if (!goDown(way.way, joint, from_entry)) continue;
         entered_ = true;
+        return true;
+    }
+    return false;
+}
+
+std::vector<Descender::PricedWay> Descender::waysDown(const Joint& joint, const Joint& from_entry) const {
+    const Pass& pass = progress_.pass(joint.pass);
+    const LinkRates& rates = task_.rates;
+    const double plunge_min = rates.plunge_mm / rates.plunge_feed_mm_per_min;
+    const double link_min = from_entry.distance_mm / rates.feed_mm_per_min;
+    std::vector<PricedWay> ways;
+    if (mayRampAlong(pass)) ways.push_back({WayDown::AlongPass, minutesAlong(pass)});
+    // Beside a finished wall a plunge would show.
+    const bool at_wall = pass.closed && pass.level == 0;
+    if (rates.may_plunge && !at_wall) ways.push_back({WayDown::PlungeOntoPass, plunge_min});
+    if (rates.may_plunge && !entry_.isOpen()) ways.push_back({WayDown::PlungeAtEntry, plunge_min + link_min});
+    ways.push_back({WayDown::ByEntry, minutesByEntry() + link_min});
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const PricedWay& a, const PricedWay& b) { return a.minutes < b.minutes; });
+    return ways;
+}
+
+bool Descender::goDown(WayDown way, const Joint& joint, const Joint& from_entry) {
+    if (way == WayDown::AlongPass) {
         rampInto(joint);
         return true;
     }
-    const Joint from_entry = progress_.jointWith(joint.pass, entry_.entry().at);
+    if (way == WayDown::PlungeOntoPass) {
+        plungeOnto(joint);
+        return true;
+    }
     if (!entry_.isFree(entry_.entry().at, from_entry.at.point)) return false;
-    if (!entry_.goDown(from_entry.at.point)) return false;
-    entered_ = true;
-    goOnFromEntry(joint, from_entry);
-    return true;
+    const bool down =
+        way == WayDown::PlungeAtEntry ? entry_.goDownPlunge() : entry_.goDown(from_entry.at.point);
+    if (down) goOnFromEntry(joint, from_entry);
+    return down;
+}
+
+void Descender::plungeOnto(const Joint& joint) {
+    progress_.descend(PlungeDown{joint.at.point}, joint.at.point);
+    progress_.addSwept(makeLine(joint.at.point, joint.at.point));
+    progress_.cut(joint);
 }
 
 /// From where the entry has ended to the pass: straight, or by way of the entry's own place.
@@ -88,17 +133,48 @@ void Descender::goOnFromEntry(const Joint& joint, const Joint& from_entry) {
     progress_.cut(best);
 }
 
-/// A ring saves the way from a helix or ramp; from an open edge the way to it may be longer than a ramp.
-bool Descender::rampIsBetter(const Joint& joint) const {
-    const Pass& pass = progress_.pass(joint.pass);
+/// A curve narrower than the helix or ramp that was found is steep for the cutter's middle.
+bool Descender::mayRampAlong(const Pass& pass) const {
     const Path& path = pass.path;
-    const EntryKind kind = entry_.entry().kind;
-    if (pass.reversible && kind != EntryKind::Plunge && kind != EntryKind::OpenEdge)
-        return entry_.isAsWide(Path{path.start, {path.segments.front()}});
-    if (!pass.closed || kind == EntryKind::Plunge) return false;
-    if (kind != EntryKind::OpenEdge) return entry_.isAsWide(path);
-    return progress_.jointWith(joint.pass, entry_.entry().at).distance_mm > task_.rates.descent_mm &&
-           boundingBox(path).sizes().maxCoeff() >= 2 * task_.radius_mm;
+    if (entry_.isOpen()) return pass.closed && boundingBox(path).sizes().maxCoeff() >= 2 * task_.radius_mm;
+    if (pass.closed) return entry_.isAsWide(path);
+    return pass.reversible && entry_.isAsWide(Path{path.start, {path.segments.front()}});
+}
+
+/// Of a first ring that is cut down to the floor at once, the slope is taken away once.
+double Descender::minutesAlong(const Pass& pass) const {
+    const LinkRates& rates = task_.rates;
+    const bool at_once = pass.closed && !entry_.isOpen() && progress_.descents().empty() &&
+                         length(pass.path) > rates.descent_mm;
+    return rates.descent_mm / rates.ramp_feed_mm_per_min / (at_once ? rates.rings_at_once : 1);
+}
+
+double Descender::minutesByEntry() const {
+    const LinkRates& rates = task_.rates;
+    switch (entry_.entry().kind) {
+        case EntryKind::OpenEdge:
+            return rates.approach_mm / rates.plunge_feed_mm_per_min;
+        case EntryKind::Plunge:
+            return rates.plunge_mm / rates.plunge_feed_mm_per_min;
+        case EntryKind::Helix:
+        case EntryKind::Ramp:
+            break;
+    }
+    return rates.descent_mm / rates.ramp_feed_mm_per_min;
+}
+
+void Descender::leaveWall() {
+    const Vec2 at = progress_.at();
+    if (progress_.last() < 0 || !component_.walls.anyNearer(makeLine(at, at), kLeaveMm / 2)) return;
+    SweptGround own = before_;
+    progress_.addSpotTo(own);
+    for (const double side : {1.0, -1.0}) {
+        const Vec2 off = (progress_.along() + side * leftOf(progress_.along())).normalized() * kLeaveMm;
+        const Vec2 to = snapToGrid(Vec2(at + off));
+        const bool off_wall = !component_.walls.anyNearer(makeLine(to, to), kLeaveMm / 2);
+        if (!off_wall || !isFreeWay(component_, at, to, task_.tol) || !own.isClear(at, to)) continue;
+        return progress_.link(to, true);
+    }
 }
 
 }  // namespace stepmill::toolpath

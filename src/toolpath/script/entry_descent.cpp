@@ -91,6 +91,7 @@ bool EntryDescent::needsLevel(const std::vector<Edge>& descent) {
 
 bool EntryDescent::isAsWide(const Path& curve) const {
     const double width = boundingBox(curve).sizes().maxCoeff();
+    if (entry_.kind == EntryKind::Plunge) return width >= kLeastEntryMm;
     const double entry_width =
         entry_.kind == EntryKind::Helix ? 2 * entry_.helix_radius_mm : (entry_.ramp_to - entry_.at).norm();
     // A helix that fills its room is a ring but for the guard.

@@ -23,9 +23,12 @@ class EntryDescent {
 
     /// Adds the way down; false when the entry does not keep the guard from the walls.
     bool goDown(const Vec2& towards);
+    /// The same straight down at the entry's place. \pre not over an open edge
+    bool goDownPlunge();
 
     /// Is a curve no narrower than the helix or ramp found for the tool? A narrower one would be steep for
     /// the cutter's middle, where it may not cut.
+    /// Where no helix or ramp was found, a curve that is no mere turning on the spot will do.
     bool isAsWide(const Path& curve) const;
 
     /// The first part of a way in over an open edge, up to where the disc meets the target.
@@ -34,7 +37,6 @@ class EntryDescent {
   private:
     bool goDownHelix(const Vec2& towards);
     bool goDownRamp();
-    bool goDownPlunge();
     bool goDownBeside();
     bool needsLevel(const std::vector<Edge>& descent);
 

@@ -43,6 +43,10 @@ std::vector<DepthBlock> inShortOrder(std::vector<DepthBlock> blocks) {
 
 }  // namespace
 
+bool dips(const ClearingTask& task) {
+    return task.top_z_mm - task.floor_z_mm > task.free_reach_mm;
+}
+
 RegionCutter::RegionCutter(const DepthTask& task, const PassMaker& passes, const Toolpath& frame,
                            double ramp_angle_rad, const Machine& machine)
     : task_(task), passes_(passes), frame_(frame), ramp_angle_rad_(ramp_angle_rad), machine_(machine) {}
@@ -95,15 +99,24 @@ RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry&
         Engagement apart(task_.clearing, task_.radius_mm, task_.step_over_mm);
         for (DepthBlock& block : script.apart)
             markWideCuts(block.steps, apart);
+        Engagement after_ring(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        for (DepthBlock& block : script.ring_first)
+            markWideCuts(block.steps, after_ring);
     }
     made.blocks = {std::move(script.whole)};
     made.time = {variant.pattern, degrees(variant.angle_rad), timeOf(made), false};
     // Blocks still to be cut stand beside shank and holder while one is cut deep.
-    const bool dips = task_.clearing.top_z_mm - task_.clearing.floor_z_mm > task_.clearing.free_reach_mm;
-    if (frame_.depths == 1 || script.apart.empty() || dips) return made;
-    RegionCut apart{std::move(script.apart), made.time};
-    apart.time.time_s = timeOf(apart);
-    return apart.time.time_s < made.time.time_s ? apart : made;
+    if (frame_.depths == 1 || dips(task_.clearing)) return made;
+    takeIfQuicker(made, std::move(script.apart));
+    takeIfQuicker(made, std::move(script.ring_first));
+    return made;
+}
+
+void RegionCutter::takeIfQuicker(RegionCut& cut, std::vector<DepthBlock> blocks) const {
+    if (blocks.empty()) return;
+    RegionCut other{std::move(blocks), cut.time};
+    other.time.time_s = timeOf(other);
+    if (other.time.time_s < cut.time.time_s) cut = std::move(other);
 }
 
 double RegionCutter::timeOf(const RegionCut& cut) const {
@@ -132,10 +145,10 @@ DepthHeights RegionCutter::heights(int from_depth, int to_depth) const {
 }
 
 void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writer) const {
-    if (cut.blocks.size() == 1 && writeLoneRing(cut.blocks.front(), writer)) return;
     Over over = first_over;
     for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
         const DepthBlock& block = cut.blocks[k];
+        if (writeLoneRing(block, writer)) continue;
         if (k > 0) over = task_.standing.isClearForAll(writer.at(), block.begin) ? Over::Top : Over::Retract;
         for (int i = 1; i <= frame_.depths; ++i)
             writer.writeDepth(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
@@ -144,22 +157,29 @@ void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writ
 
 /// A lone ring is cut on the way down, one depth of cut a turn at most, and levelled on the floor.
 bool RegionCutter::writeLoneRing(const DepthBlock& block, MoveWriter& writer) const {
-    const auto* ramp = block.steps.size() == 1 ? std::get_if<RampAlong>(&block.steps[0]) : nullptr;
-    if (ramp == nullptr || !ramp->closed) return false;
-    const double turn_mm = length(ramp->curve);
+    const auto* ramp = std::get_if<RampAlong>(&block.steps.front());
+    const bool only_leaves =
+        std::all_of(block.steps.begin() + 1, block.steps.end(),
+                    [](const ScriptStep& step) { return std::holds_alternative<Link>(step); });
+    if (ramp == nullptr || !ramp->closed || !only_leaves) return false;
+    writeDownAlong(ramp->curve, writer);
+    writer.writeDepth({block.steps.begin() + 1, block.steps.end()}, Over::Retract,
+                      heights(frame_.depths - 1, frame_.depths));
+    return true;
+}
+
+void RegionCutter::writeDownAlong(const Path& ring, MoveWriter& writer) const {
+    const double turn_mm = length(ring);
     if (turn_mm > task_.rates.descent_mm + kLeastLevelMm) {
         std::vector<DepthHeights> depths;
         for (int i = 1; i <= frame_.depths; ++i)
             depths.push_back(heights(i - 1, i));
-        writer.writeRing(ramp->curve, task_.rates.descent_mm, depths);
-        return true;
+        return writer.writeRing(ring, task_.rates.descent_mm, depths);
     }
     // A turn at the ramp angle goes no deeper than one depth of cut.
     const double depth_mm = task_.clearing.top_z_mm - task_.clearing.floor_z_mm + kDescentStartMm;
     const double slope = std::min(std::tan(ramp_angle_rad_), frame_.step_down_mm / turn_mm);
-    writer.writeDepth({rampAlong(ramp->curve, true, depth_mm / slope)}, Over::Retract,
-                      heights(0, frame_.depths));
-    return true;
+    writer.writeDepth({rampAlong(ring, true, depth_mm / slope)}, Over::Retract, heights(0, frame_.depths));
 }
 
 }  // namespace stepmill::toolpath

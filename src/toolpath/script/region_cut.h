@@ -8,6 +8,9 @@
 
 namespace stepmill::toolpath {
 
+/// Do shank or holder come below the top of what the task cuts?
+bool dips(const ClearingTask& task);
+
 /// How one component of the free centres is cut at every depth, by one pattern.
 struct RegionCut {
     std::vector<DepthBlock> blocks;  ///< one after another, each over all depths
@@ -36,7 +39,9 @@ class RegionCutter {
     double timeOf(const RegionCut& cut) const;
     double floorOf(int depth) const;
     DepthHeights heights(int from_depth, int to_depth) const;
+    void takeIfQuicker(RegionCut& cut, std::vector<DepthBlock> blocks) const;
     bool writeLoneRing(const DepthBlock& block, MoveWriter& writer) const;
+    void writeDownAlong(const Path& ring, MoveWriter& writer) const;
 
     const DepthTask& task_;
     const PassMaker& passes_;

@@ -1,0 +1,268 @@
+// Rapids that keep their distance from what stands, or may stand, beside them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "stepmill/core/units.h"
+#include "stepmill/feature/heights.h"
+#include "stepmill/toolpath/path_frame.h"
+#include "stepmill/toolpath/toolpath.h"
+#include "toolpath/emit.h"
+#include "toolpath/swept_ground.h"
+
+namespace stepmill {
+namespace {
+
+/// Places to come down beside the wanted one are looked for in so many directions ...
+constexpr int kDirections = 12;
+/// ... and at these many clearances' distance, from inside and from outside.
+constexpr std::array<double, 2> kInsideSteps{1.05, 2.1};
+constexpr std::array<double, 2> kSideSteps{1.05, 1.6};
+/// A cut, and how high the tool was there at most.
+struct CutEdge {
+    Edge edge;
+    double top_z_mm;
+};
+
+/// Heights and distances that rapids keep.
+struct RapidClearance {
+    double side_mm = 0;    ///< beside the target, from outside
+    double inside_mm = 0;  ///< from all that stands, where the tool is over its own ground
+    double top_mm = 0;     ///< over the target's top
+};
+
+/// The clearances of the machine, over a raw top its own, else what rapids keep over any ground.
+RapidClearance clearanceOver(const ClearingTask& task, const Machine& machine) {
+    const double top_mm = toolpath::isRawTop(task.top_z_mm) ? machine.top_clearance_mm : 0;
+    return {machine.side_clearance_mm, machine.inside_clearance_mm, top_mm};
+}
+
+/// What stands when: the walls, the skirt, and of the target what the path has not cut so far.
+class Ground {
+  public:
+    Ground(const ClearingTask& task, double radius_mm, const RapidClearance& keep)
+        : task_(task),
+          radius_mm_(radius_mm),
+          keep_(keep),
+          walls_(task.obstruction),
+          skirt_(task.skirt),
+          swept_(task, radius_mm),
+          top_mm_(task.top_z_mm + keep.top_mm) {
+        for (const KeptOff& kept : task.kept_off)
+            holder_.push_back({EdgeIndex(kept.section), kept.distance_mm});
+    }
+
+    void add(const Edge& edge, const Vec3& from, const Vec3& to) {
+        const double top_z_mm = std::max(from.z(), to.z());
+        cuts_.push_back({edge, top_z_mm});
+        const auto same = [&](double height) { return std::abs(height - top_z_mm) < kSameHeightMm; };
+        if (from.z() == to.z() && std::none_of(heights_.begin(), heights_.end(), same))
+            heights_.push_back(top_z_mm);
+    }
+
+    /// Takes the cuts near a place together, for the questions about it that follow.
+    void lookAt(const Vec2& place, double reach_mm) {
+        const Box2 box = grown(Box2(place, place), reach_mm + 3 * radius_mm_);
+        near_.clear();
+        for (const CutEdge& cut : cuts_)
+            if (cut.edge.box.intersects(box)) near_.push_back(cut);
+    }
+
+    /// Has a rapid there, level or straight down to that height, the room it needs? Straight down: near the
+    /// place that was looked at.
+    bool isClear(const Vec2& a, const Vec2& b, double z_mm) const {
+        if (z_mm >= task_.retract_z_mm) return true;
+        const bool high = z_mm >= top_mm_ - kSameHeightMm;
+        // Over all that stands a way across still keeps its proof, which looks at walls below the retract
+        // height whatever their height.
+        if (high && z_mm >= task_.stands_to_mm) return a == b || !walls_.anyNearer(makeLine(a, b), radius_mm_);
+        const bool own_ground = a != b || contains(task_.target, a);
+        const double keep_mm = own_ground ? keep_.inside_mm : keep_.side_mm;
+        if (!isOffWalls(a, b, radius_mm_ + keep_.inside_mm, radius_mm_ + keep_mm)) return false;
+        const std::vector<CutEdge>& cuts = a == b ? near_ : cuts_;
+        return high || sweptAt(z_mm, a, b, keep_mm, cuts).isClearFor(radius_mm_ + keep_mm, a, b);
+    }
+
+    /// Is the straight way at that height clear of all that stands for the cutter itself, and of what keeps
+    /// the holder away?
+    bool isFreeInAir(const Vec2& a, const Vec2& b, double z_mm) const {
+        const Edge way = makeLine(a, b);
+        if (walls_.anyNearer(way, radius_mm_)) return false;
+        for (const Holder& holder : holder_)
+            if (holder.edges.anyNearer(way, holder.distance_mm)) return false;
+        return z_mm >= task_.top_z_mm || sweptAt(z_mm, a, b, 0, near_).isClear(a, b);
+    }
+
+    /// Over how high ground the tool may be fed down at a place from there on, ascending.
+    std::vector<double> heightsOver(double z_mm) const {
+        std::vector<double> heights{z_mm};
+        for (const double height : heights_)
+            if (height < task_.top_z_mm - kSameHeightMm && height + toolpath::kApproachMm > z_mm)
+                heights.push_back(height + toolpath::kApproachMm);
+        const double over_top_mm = std::max(top_mm_, task_.top_z_mm + toolpath::kApproachMm);
+        heights.push_back(std::max(over_top_mm, z_mm));
+        heights.push_back(std::max({over_top_mm, z_mm, task_.stands_to_mm + toolpath::kApproachMm}));
+        for (double& height : heights)
+            height = std::min(height, std::max(z_mm, task_.retract_z_mm));
+        std::sort(heights.begin(), heights.end());
+        heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+        return heights;
+    }
+
+    double topMm() const { return std::max(top_mm_, task_.top_z_mm + toolpath::kApproachMm); }
+    double retractMm() const { return task_.retract_z_mm; }
+
+  private:
+    struct Holder {
+        EdgeIndex edges;
+        double distance_mm;
+    };
+
+    bool isOffWalls(const Vec2& a, const Vec2& b, double walls_mm, double skirt_mm) const {
+        const Edge way = makeLine(a, b);
+        return !walls_.anyNearer(way, walls_mm) && !skirt_.anyNearer(way, skirt_mm) &&
+               !contains(task_.obstruction, b) && !contains(task_.skirt, b);
+    }
+
+    /// What has been cut down to a height around a way.
+    toolpath::SweptGround sweptAt(double z_mm, const Vec2& a, const Vec2& b, double keep_mm,
+                                  const std::vector<CutEdge>& cuts) const {
+        toolpath::SweptGround ground = swept_;
+        const Box2 box = grown(makeLine(a, b).box, 2 * radius_mm_ + keep_mm);
+        for (const CutEdge& cut : cuts)
+            if (cut.top_z_mm <= z_mm && cut.edge.box.intersects(box)) ground.add(cut.edge);
+        return ground;
+    }
+
+    const ClearingTask& task_;
+    double radius_mm_;
+    RapidClearance keep_;
+    EdgeIndex walls_;
+    EdgeIndex skirt_;
+    std::vector<Holder> holder_;
+    toolpath::SweptGround swept_;
+    double top_mm_;  ///< rapids over the target stay over this
+    std::vector<CutEdge> cuts_;
+    std::vector<CutEdge> near_;    ///< those near the place that is looked at
+    std::vector<double> heights_;  ///< of the level cuts, each once
+};
+
+/// Where a rapid down ends; from there the tool is fed across, and then down.
+struct Landing {
+    Vec2 at = Vec2::Zero();
+    double z_mm = 0;
+};
+
+class ClearRapids {
+  public:
+    ClearRapids(const Toolpath& path, const ClearingTask& task, double radius_mm, const RapidClearance& keep)
+        : path_(path), keep_(keep), ground_(task, radius_mm, keep) {
+        made_ = path;
+        made_.moves.clear();
+    }
+
+    Toolpath make() {
+        for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+            if (path_.moves[i].kind != MoveKind::Rapid) {
+                feed(path_.moves[i]);
+                continue;
+            }
+            double highest_mm = at().z();
+            for (;; ++i) {
+                highest_mm = std::max(highest_mm, path_.moves[i].to.z());
+                if (i + 1 == path_.moves.size() || path_.moves[i + 1].kind != MoveKind::Rapid) break;
+            }
+            goTo(path_.moves[i].to, highest_mm);
+        }
+        return std::move(made_);
+    }
+
+  private:
+    Vec3 at() const { return made_.moves.empty() ? made_.start : made_.moves.back().to; }
+
+    void add(MoveKind kind, const Vec2& at_xy, double z_mm) {
+        const Vec3 to(at_xy.x(), at_xy.y(), z_mm);
+        if (to != at()) made_.moves.push_back({kind, to, std::nullopt, kind != MoveKind::Rapid});
+    }
+
+    void feed(const Move& move) {
+        const Vec3 from = at();
+        ground_.add(makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc}), from, move.to);
+        made_.moves.push_back(move);
+    }
+
+    void goTo(const Vec3& to, double crossing_mm) {
+        const Vec2 from = at().head<2>();
+        const Vec2 place = to.head<2>();
+        if (from == place && to.z() >= at().z()) return add(MoveKind::Rapid, place, to.z());
+        const Landing landing = landingFor(place, to.z());
+        // The path starts over its first place: at the retract height that is where it comes down.
+        if (made_.moves.empty() && from == place) made_.start.head<2>() = landing.at;
+        if (Vec2(at().head<2>()) != landing.at) {
+            const double z_mm = std::max({crossingZ(from, landing.at, crossing_mm), landing.z_mm, at().z()});
+            add(MoveKind::Rapid, from, z_mm);
+            add(MoveKind::Rapid, landing.at, z_mm);
+        }
+        add(MoveKind::Rapid, landing.at, landing.z_mm);
+        add(MoveKind::Feed, place, landing.z_mm);
+        add(MoveKind::Plunge, place, to.z());
+    }
+
+    double crossingZ(const Vec2& from, const Vec2& to, double wanted_mm) const {
+        for (const double z_mm : {wanted_mm, std::max(wanted_mm, ground_.topMm())})
+            if (ground_.isClear(from, to, z_mm)) return z_mm;
+        return std::max(wanted_mm, ground_.retractMm());
+    }
+
+    /// The lowest height with the room for a rapid at the place or near by.
+    Landing landingFor(const Vec2& place, double z_mm) {
+        ground_.lookAt(place, kSideSteps.back() * keep_.side_mm + kInsideSteps.back() * keep_.inside_mm);
+        const std::vector<double> heights = ground_.heightsOver(z_mm);
+        for (const double height : heights) {
+            if (ground_.isClear(place, place, height)) return {place, height};
+            // Where the cutter itself does not fit no place beside leads to it.
+            if (!ground_.isFreeInAir(place, place, height)) continue;
+            for (const Vec2& beside : placesBeside(place))
+                if (ground_.isClear(beside, beside, height) && ground_.isFreeInAir(beside, place, height))
+                    return {beside, height};
+        }
+        return {place, heights.back()};
+    }
+
+    std::vector<Vec2> placesBeside(const Vec2& place) const {
+        std::vector<double> distances;
+        for (const double step : kInsideSteps)
+            distances.push_back(step * keep_.inside_mm);
+        for (const double step : kSideSteps)
+            distances.push_back(step * keep_.side_mm);
+        std::sort(distances.begin(), distances.end());
+        std::vector<Vec2> places;
+        for (const double distance_mm : distances)
+            for (int i = 0; i < kDirections && distance_mm > 0; ++i) {
+                const double angle_rad = 2 * kPi * i / kDirections;
+                const Vec2 by = distance_mm * Vec2(std::cos(angle_rad), std::sin(angle_rad));
+                places.push_back(snapToGrid(Vec2(place + by)));
+            }
+        return places;
+    }
+
+    const Toolpath& path_;
+    RapidClearance keep_;
+    Ground ground_;
+    Toolpath made_;
+};
+
+}  // namespace
+
+Toolpath withClearRapids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
+                         const Machine& machine) {
+    const RapidClearance keep = clearanceOver(task, machine);
+    const bool may_touch = keep.side_mm <= 0 && keep.inside_mm <= 0 && keep.top_mm <= 0;
+    if (path.moves.empty() || (may_touch && task.skirt.empty())) return path;
+    Toolpath made = ClearRapids(path, task, tool_radius_mm, keep).make();
+    made.totals = measure(made, machine);
+    return made;
+}
+
+}  // namespace stepmill
