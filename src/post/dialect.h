@@ -13,7 +13,8 @@ struct DialectRules {
     bool tool_changer;          ///< M6 changes the tool; else the operator does, at an M0
     bool tool_lengths;          ///< G43 H takes the tool's length from a table
     bool percent;               ///< the program stands between two % signs
-    bool goes_home;             ///< G28 before tool changes and at the end
+    HomeBy home_by;             ///< where the machine file does not say
+    bool home_needs_axes;       ///< G28 without axis words is refused
     bool dwell_in_ms;           ///< P of G4 and G82 in milliseconds, else in seconds
     bool any_program_name;      ///< else O and a number
     bool own_words;             ///< LinuxCNC's own words: turns in arcs, G59.1 to G59.3, G61.1, G90.1

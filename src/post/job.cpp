@@ -19,7 +19,7 @@ Job jobOf(const Plan& plan, const PlannedSetup& setup) {
     job.setup_id = setup.setup.id;
     job.axis_name = axisName(setup.setup.axis);
     job.material = plan.material;
-    job.machine_name = plan.machine.name;
+    job.machine = plan.machine;
     job.stock_size_mm = setup.setup.stock_bbox_mm.sizes();
     job.time_s = setup.time_s;
     for (const Operation& operation : setup.operations)

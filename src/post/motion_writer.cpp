@@ -7,9 +7,6 @@
 namespace stepmill {
 namespace {
 
-constexpr int kMetricDecimals = 4;
-constexpr int kInchDecimals = 5;
-
 /// An arc's two radii may differ by this much in the program [mm]; controllers refuse arcs much worse.
 constexpr double kRadiusAgreementMm = 1e-3;
 /// Controllers refuse arcs of next to no radius; their ends are as good as one point [mm].
@@ -71,13 +68,12 @@ MotionWriter::Point MotionWriter::toGrid(const Vec3& point) const {
     return {gridOf(point.x()), gridOf(point.y()), gridOf(point.z())};
 }
 
-void MotionWriter::forgetState() {
-    known_ = false;
-    feed_ = 0;
+std::string MotionWriter::nextNumber() {
+    return fmt::format("N{} ", ++block_);
 }
 
 void MotionWriter::begin(int g_word) {
-    out_ += fmt::format("N{} G{}", ++block_, g_word);
+    out_ += nextNumber() + fmt::format("G{}", g_word);
 }
 
 void MotionWriter::feed(double feed_mm_per_min) {
@@ -86,16 +82,18 @@ void MotionWriter::feed(double feed_mm_per_min) {
     feed_ = feed_mm_per_min;
 }
 
-void MotionWriter::approach(const Vec3& to, std::string_view z_words) {
-    const Point target = toGrid(to);
-    if (known_ && target == at_) return;
+void MotionWriter::approach(const Vec3& to, std::string_view z_words, bool from_home) {
+    at_ = toGrid(to);
+    feed_ = 0;
+    const auto over = [&] {
+        begin(0);
+        out_ += " X" + number(at_.x) + " Y" + number(at_.y) + "\n";
+    };
+    if (from_home) over();
     begin(0);
     out_ += z_words;
-    out_ += " Z" + number(target.z) + "\n";
-    begin(0);
-    out_ += " X" + number(target.x) + " Y" + number(target.y) + "\n";
-    at_ = target;
-    known_ = true;
+    out_ += " Z" + number(at_.z) + "\n";
+    if (!from_home) over();
 }
 
 void MotionWriter::straight(int g_word, const Point& to, double feed_mm_per_min) {

@@ -9,6 +9,10 @@
 
 namespace stepmill {
 
+/// Of coordinates.
+inline constexpr int kMetricDecimals = 4;
+inline constexpr int kInchDecimals = 5;
+
 /// Writes moves as numbered G-code blocks, in mm with 4 decimals or in inches with 5.
 ///
 /// Positions are kept as the controller will read them, in whole last decimals, so that rounding never adds
@@ -17,11 +21,12 @@ class MotionWriter {
   public:
     explicit MotionWriter(std::string& out, bool inch = false);
 
-    /// After a tool change nothing is taken for granted: the next block names its place and feed in full.
-    void forgetState();
-    /// Straight up or down to its z, with other words if need be, then over to x, y: how a tool comes to its
-    /// first cut.
-    void approach(const Vec3& to, std::string_view z_words = "");
+    /// The number of the next block, as a word and a blank, for a block that is written elsewhere.
+    std::string nextNumber();
+    /// To the first place of an operation; the blocks name place and feed in full, whatever was before.
+    /// \param z_words  go with the block in z: the tool's length offset
+    /// \param from_home  at the top of the machine's travel over, then down; else up first, then over
+    void approach(const Vec3& to, std::string_view z_words, bool from_home);
     /// Moves that start at `start`, where the tool is.
     void write(const Vec3& start, const std::vector<FedMove>& moves);
     /// A hole from where the tool is, as G81, or G83 with pecks, or G82 with `dwell_word` (" P0.5").
@@ -52,7 +57,6 @@ class MotionWriter {
     bool inch_;
     double grid_per_mm_;
     Point at_;
-    bool known_ = false;
     double feed_ = 0;
     long block_ = 0;
 };

@@ -80,8 +80,26 @@ class Gatherer {
 
     void take(const reader::ToolChange&) {
         stop(false);
+        leaveWithToolBefore();
         at_.reset();
+        at_home_ = false;
     }
+    /// The way to a tool change is the last of the operation before, whatever comment stands over it.
+    void leaveWithToolBefore() {
+        std::vector<ReadOperation>& operations = program_.operations;
+        if (operations.empty()) return;
+        std::vector<ReadMove>& way = operations.back().moves;
+        const bool only_leaves = std::all_of(way.begin(), way.end(), [](const ReadMove& read) {
+            return read.fed.move.kind == MoveKind::Rapid;
+        });
+        if (!only_leaves) return;
+        if (operations.size() > 1) {
+            std::vector<ReadMove>& before = operations[operations.size() - 2].moves;
+            before.insert(before.end(), way.begin(), way.end());
+        }
+        way.clear();
+    }
+
     void take(const reader::ProgramEnd&) { stop(true); }
 
     void stop(bool is_end) {
@@ -89,6 +107,7 @@ class Gatherer {
         stop.line = last_line_ > 0 ? last_line_ : action_->line;
         stop.operation = operationId();
         stop.z_mm = left_at_mm_;
+        stop.at_home = at_home_;
         stop.is_end = is_end;
         program_.stops.push_back(stop);
         left_at_mm_.reset();
@@ -105,6 +124,7 @@ class Gatherer {
             if (at_) arrive(*at_, motion.to.z_home);
         }
         left_at_mm_ = motion.to.z;
+        at_home_ = motion.to.z_home;
         last_line_ = action_->line;
     }
 
@@ -199,6 +219,7 @@ class Gatherer {
     ReadProgram program_;
     std::optional<Vec3> at_;
     std::optional<double> left_at_mm_;
+    bool at_home_ = false;
     int last_line_ = 0;
 };
 

@@ -42,7 +42,7 @@ struct Job {
     std::string setup_id;
     std::string axis_name;
     std::string material;
-    std::string machine_name;
+    Machine machine;
     Vec3 stock_size_mm = Vec3::Zero();
     double time_s = 0;
     std::vector<JobOperation> operations;  ///< in machining order
@@ -51,8 +51,9 @@ Job jobOf(const Plan& plan, const PlannedSetup& setup);
 
 struct PostOptions {
     Dialect dialect = Dialect::LinuxCnc;
-    bool inch = false;      ///< G20 instead of G21
-    bool per_tool = false;  ///< a program for every visit of a tool instead of one for the setup
+    bool inch = false;            ///< G20 instead of G21
+    bool per_tool = false;        ///< a program for every visit of a tool instead of one for the setup
+    bool optional_stops = false;  ///< before every operation but the first: home, then M1
 };
 
 /// A program and the name of the file it belongs in.
@@ -62,7 +63,8 @@ struct PostedProgram {
 };
 
 /// The programs of one setup: header comments (part, setup, stock, work offset, tools), a safe start line,
-/// operations in order with their tool changes, an end. Arcs are G2 and G3 with I and J, helices with Z;
+/// operations in order with their tool changes, an end. Each operation says all that its moves hang on, so
+/// that the program can be run from its first block on. Arcs are G2 and G3 with I and J, helices with Z;
 /// holes are G81, G82 or G83 where the dialect has cycles.
 ///
 /// Every arc's centre agrees with both its ends within 1 um, so that no controller refuses it; coordinates

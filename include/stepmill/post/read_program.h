@@ -57,6 +57,7 @@ struct ReadStop {
     int line = 0;  ///< of the last motion before it, if any
     std::string operation;
     std::optional<double> z_mm;  ///< where the tool was left; nothing: at home, or not moved
+    bool at_home = false;        ///< at the top of the machine's travel
     bool is_end = false;
 };
 

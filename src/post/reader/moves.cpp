@@ -84,7 +84,7 @@ Place target(const Control& control, const Block& block) {
 void goHome(Control& control, const Block& block) {
     if (!block.has(ModalGroup::NonModal, code(28)) && !block.has(ModalGroup::NonModal, code(30))) return;
     const bool all = !block.hasAny("XYZ");
-    if (all && control.rules.goes_home) control.refuse("G28 without axis words");
+    if (all && control.rules.home_needs_axes) control.refuse("G28 without axis words");
     if (!all) control.goTo(Motion{}, target(control, block));
     Place home = control.at;
     if (all || block.has('X')) home.x.reset();
