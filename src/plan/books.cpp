@@ -62,26 +62,71 @@ std::vector<ResidualPrism> leftIn(const PlannedSetup& setup) {
     for (const Unplanned& entry : setup.unplanned)
         if (entry.reason == Reason::Allowance)
             left.push_back(
-                {entry.reason, entry.volume_mm3, {entry.region, entry.top_z_mm, entry.bottom_z_mm}});
+                {entry.reason, entry.volume_mm3, {entry.region, entry.top_z_mm, entry.bottom_z_mm}, nullptr});
     return left;
 }
 
+/// What a setup takes away, and what it names as staying.
+std::vector<SetupPrism> accountedFor(const SetupAccount& account) {
+    std::vector<SetupPrism> prisms;
+    for (const Prism& prism : account.removed)
+        prisms.push_back({&account.planned->setup, prism});
+    for (const ResidualPrism& residual : leftIn(*account.planned))
+        prisms.push_back({&account.planned->setup, residual.prism});
+    return prisms;
+}
+
+/// The later setup that has most of the prism; empty where none has any.
+std::string takerOf(const Setup& setup, const Prism& prism,
+                    const std::vector<std::vector<SetupPrism>>& accounted, std::size_t first_later) {
+    std::string taker;
+    double least_outside = 1;
+    for (std::size_t later = first_later; later < accounted.size(); ++later) {
+        const double outside = shareOutside(setup, prism, accounted[later]);
+        if (outside >= least_outside) continue;
+        least_outside = outside;
+        taker = accounted[later].front().setup->id;
+    }
+    return taker;
+}
+
 /// What of an early setup's residuals is still there at the end and not in a later setup's own list.
-void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReason& by_reason) {
+void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReason& by_reason,
+                         StayingResiduals& staying) {
+    std::vector<std::vector<SetupPrism>> accounted;
+    for (const SetupAccount& account : accounts)
+        accounted.push_back(accountedFor(account));
     std::vector<SetupPrism> gone;
     for (std::size_t i = accounts.size(); i-- > 0;) {
-        const SetupAccount& account = accounts[i];
-        const std::vector<ResidualPrism> own = leftIn(*account.planned);
-        if (i + 1 < accounts.size()) {
-            for (const ResidualPrism& residual : own)
-                by_reason[residual.reason] +=
-                    residual.volume_mm3 * shareOutside(account.planned->setup, residual.prism, gone);
+        const Setup& setup = accounts[i].planned->setup;
+        for (const ResidualPrism& residual : leftIn(*accounts[i].planned)) {
+            if (i + 1 == accounts.size()) break;
+            const double share = shareOutside(setup, residual.prism, gone);
+            by_reason[residual.reason] += residual.volume_mm3 * share;
+            if (residual.of == nullptr) continue;
+            staying[residual.of] = {residual.volume_mm3 * share,
+                                    share < 1 ? takerOf(setup, residual.prism, accounted, i + 1) : ""};
         }
-        for (const Prism& prism : account.removed)
-            gone.push_back({&account.planned->setup, prism});
-        for (const ResidualPrism& residual : own)
-            gone.push_back({&account.planned->setup, residual.prism});
+        gone.insert(gone.end(), accounted[i].begin(), accounted[i].end());
     }
+}
+
+void scale(StayingResiduals& staying, double by) {
+    for (auto& [residual, entry] : staying)
+        entry.stays_mm3 *= by;
+}
+
+/// The last setup's residuals all stay, less the air among them.
+void addLastResiduals(const PlannedSetup& last, double residual_mm3, StayingResiduals& staying) {
+    double sum_mm3 = 0;
+    for (const Unplanned& entry : last.unplanned)
+        if (entry.reason == Reason::Allowance) sum_mm3 += entry.volume_mm3;
+    for (const PlannedFeature& planned : last.features)
+        sum_mm3 += residualVolumeMm3(planned.sequence);
+    const double share = sum_mm3 > 0 ? residual_mm3 / sum_mm3 : 0;
+    for (const PlannedFeature& planned : last.features)
+        for (const Residual& residual : planned.sequence.residual)
+            staying[&residual] = {residual.volume_mm3 * share, {}};
 }
 
 /// What form operations take of what leaning walls hide moves to what is planned; returns what of it is not
@@ -97,6 +142,38 @@ double moveFormCuts(const PlannedSetup& planned, double& planned_mm3, VolumeByRe
             missing_mm3 += taken.volume_mm3 - moved_mm3;
         }
     return missing_mm3;
+}
+
+/// What of the last setup's residuals lies in stairs that form cutters of earlier setups took off.
+VolumeByReason residualsInStairs(const std::vector<SetupAccount>& accounts) {
+    std::vector<SetupPrism> stairs;
+    for (std::size_t i = 0; i + 1 < accounts.size(); ++i)
+        if (const PlannedSetup& planned = *accounts[i].planned; planned.form)
+            for (const Obstacle& stair : planned.form->stairs)
+                stairs.push_back({&planned.setup, {stair.section, stair.top_z_mm, stair.bottom_z_mm}});
+    VolumeByReason there;
+    if (stairs.empty()) return there;
+    const PlannedSetup& last = *accounts.back().planned;
+    for (const ResidualPrism& residual : leftIn(last))
+        there[residual.reason] +=
+            residual.volume_mm3 * (1 - shareOutside(last.setup, residual.prism, stairs));
+    return there;
+}
+
+/// Takes a volume that form cutters took off what stays: first off residuals in their stairs, then off what
+/// is out of reach, then off all other residuals.
+void lessenByForms(double by_mm3, const VolumeByReason& in_stairs, VolumeByReason& residual,
+                   VolumeByReason& unreachable) {
+    const double in_stairs_mm3 = sumOf(listOf(in_stairs));
+    const double share = in_stairs_mm3 > 0 ? std::min(1.0, by_mm3 / in_stairs_mm3) : 0;
+    for (const auto& [reason, volume_mm3] : in_stairs) {
+        const double gone_mm3 = std::min(residual[reason], share * volume_mm3);
+        residual[reason] -= gone_mm3;
+        by_mm3 -= gone_mm3;
+    }
+    const double reachable_mm3 = std::min(by_mm3, sumOf(listOf(unreachable)));
+    lessen(unreachable, reachable_mm3);
+    lessen(residual, by_mm3 - reachable_mm3);
 }
 
 /// The books of one setup.
@@ -142,7 +219,7 @@ VolumeBalance setupBooks(const SetupAccount& account) {
 
 /// The books of the part, from those of the setups.
 VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, const std::vector<VolumeBalance>& setups,
-                        double stock_minus_part_mm3) {
+                        double stock_minus_part_mm3, StayingResiduals& staying) {
     VolumeBalance books;
     books.stock_minus_part_mm3 = stock_minus_part_mm3;
     if (accounts.empty()) {
@@ -157,16 +234,24 @@ VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, const std::ve
     VolumeByReason unreachable;
     for (const ReasonVolume& entry : last.unreachable_by_reason)
         unreachable[entry.reason] += entry.volume_mm3;
-    // Form operations of earlier setups are no part of the stock that the last one sees.
+    // Form operations of earlier setups are no part of the stock that the last one sees. It may call what
+    // they took by other names, what its own tools leave among them.
     double moved_mm3 = 0;
+    double otherwise_mm3 = 0;
     for (std::size_t i = 0; i + 1 < accounts.size(); ++i)
-        lessen(unreachable, moveFormCuts(*accounts[i].planned, moved_mm3, unreachable));
-    addEarlierResiduals(accounts, residual);
-    const double earlier_mm3 = std::min(sumOf(listOf(residual)), sumOf(listOf(unreachable)));
-    lessen(residual, sumOf(listOf(residual)) - earlier_mm3);
+        otherwise_mm3 += moveFormCuts(*accounts[i].planned, moved_mm3, unreachable);
+    addEarlierResiduals(accounts, residual, staying);
+    const double found_mm3 = sumOf(listOf(residual));
+    const double earlier_mm3 = std::min(found_mm3, sumOf(listOf(unreachable)));
+    lessen(residual, found_mm3 - earlier_mm3);
+    if (found_mm3 > 0) scale(staying, earlier_mm3 / found_mm3);
+    addLastResiduals(*accounts.back().planned, last.residual_mm3, staying);
     lessen(unreachable, earlier_mm3);
     for (const ReasonVolume& entry : last.residual_by_reason)
         residual[entry.reason] += entry.volume_mm3;
+    const double with_stairs_mm3 = sumOf(listOf(residual));
+    lessenByForms(otherwise_mm3, residualsInStairs(accounts), residual, unreachable);
+    if (with_stairs_mm3 > 0) scale(staying, sumOf(listOf(residual)) / with_stairs_mm3);
     books.residual_by_reason = listOf(residual);
     books.unreachable_by_reason = listOf(unreachable);
     books.residual_mm3 = sumOf(books.residual_by_reason);
@@ -191,6 +276,14 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
     return where;
 }
 
+/// What of it stays against the plan's will.
+double unwantedMm3(const std::vector<ReasonVolume>& left, bool roughing) {
+    double sum_mm3 = 0;
+    for (const ReasonVolume& entry : left)
+        if (!roughing || !isLeftByRoughing(entry.reason)) sum_mm3 += entry.volume_mm3;
+    return sum_mm3;
+}
+
 }  // namespace
 
 double VolumeBalance::gapMm3() const {
@@ -211,10 +304,17 @@ PlanBooks booksOf(const std::vector<SetupAccount>& accounts, double stock_minus_
     PlanBooks books;
     for (const SetupAccount& account : accounts)
         books.setups.push_back(setupBooks(account));
-    books.part = partBooks(accounts, books.setups, stock_minus_part_mm3);
+    books.part = partBooks(accounts, books.setups, stock_minus_part_mm3, books.staying);
     if (books.part.gapShare() > tol.volume_share)
         books.largest_gap = largestGap(accounts, stock_minus_part_mm3, tol);
     return books;
+}
+
+bool leavesNothing(const VolumeBalance& part, bool roughing, const Tolerances& tol) {
+    // A residual of one setup may be gone in a later one: what counts is what is left at the end.
+    if (unwantedMm3(part.residual_by_reason, roughing) > kVolumeRoundingMm3) return false;
+    const double rounding_mm3 = std::max(kVolumeRoundingMm3, tol.volume_share * part.stock_minus_part_mm3);
+    return unwantedMm3(part.unreachable_by_reason, roughing) <= rounding_mm3;
 }
 
 }  // namespace stepmill

@@ -8,15 +8,13 @@
 #include "stepmill/access/slivers.h"
 #include "stepmill/core/error.h"
 #include "stepmill/feature/describe_boundary.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/reduced_feature.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
-
-/// Heights closer than this are one: those of a plan.json are rounded [mm].
-constexpr double kSameHeightMm = 1e-5;
 
 std::vector<Feature>::const_iterator find(const std::vector<Feature>& features, const std::string& id) {
     return std::find_if(features.begin(), features.end(),
@@ -77,7 +75,7 @@ bool isCommonGround(const std::vector<Feature>& features, const CommonGround& gr
         if (!above.empty()) {
             const auto parent = find(features, above);
             if (level->parents != std::vector<std::string>{above}) return false;
-            if (std::abs(parent->floor_z_mm - level->top_z_mm) > kSameHeightMm) return false;
+            if (std::abs(parent->floor_z_mm - level->top_z_mm) > kSameWrittenHeightMm) return false;
         }
         const Region outside = subtract(ground.region, level->target, tol);
         if (!feature::isSliver(outside, tol)) return false;

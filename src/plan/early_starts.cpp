@@ -54,7 +54,7 @@ class BandBefore {
             // What a wider cutter leaves is in the way of a narrower one that goes there.
             if (last.tool.diameter_mm > lower.tool.diameter_mm) continue;
             if (last.operation->leaves.floors_mm > 0) continue;
-            if (toolPasses(lower, after(done), band_.planned->feature.top_z_mm, tol_)) return done;
+            if (toolPasses(lower, after(done), band_.feature().top_z_mm, tol_)) return done;
         }
         return all;
     }
@@ -71,7 +71,7 @@ class BandBefore {
         for (const Residual& residual : band_.planned->sequence.residual)
             gone.push_back(residual.region);
         known.emplace();
-        known->region = subtract(band_.planned->feature.target, unite(gone, tol_), tol_);
+        known->region = subtract(band_.feature().target, unite(gone, tol_), tol_);
         known->edges = EdgeIndex(known->region);
         return *known;
     }

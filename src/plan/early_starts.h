@@ -17,7 +17,10 @@ struct BandOperation {
 struct BandOperations {
     const PlannedFeature* planned = nullptr;
     std::vector<BandOperation> operations;
-    bool plain_ways = false;  ///< FeatureCaution::plain_ways
+    bool plain_ways = false;         ///< FeatureCaution::plain_ways
+    std::optional<Feature> grown{};  ///< the band on the grown stock; nothing: as it is planned
+
+    const Feature& feature() const { return grown ? *grown : planned->feature; }
 };
 
 /// What each operation of a band waits for; an empty entry waits for all that stands above it.

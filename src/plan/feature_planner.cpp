@@ -8,11 +8,13 @@
 
 #include "plan/nests.h"
 #include "plan/propose_ground.h"
+#include "plan/retract.h"
 #include "plan/share_tools.h"
 #include "stepmill/core/error.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
+#include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/reduced_feature.h"
 #include "stepmill/plan/setup_fixtures.h"
 
@@ -144,7 +146,11 @@ class FeaturePlanner {
   public:
     FeaturePlanner(std::vector<Feature>&& features, const Setup& setup, const PlanningShop& shop,
                    const Progress& progress)
-        : features_(std::move(features)), setup_(setup), shop_(shop), progress_(progress) {}
+        : features_(std::move(features)),
+          setup_(setup),
+          shop_(shop),
+          growth_(growthOf(setup.stock, setup.part_to_setup)),
+          progress_(progress) {}
 
     PlannedFeatures plan() {
         const std::vector<Nest> nests = nestsOf(features_);
@@ -335,8 +341,10 @@ class FeaturePlanner {
                 wholeAsResidual(free, {Reason::NotProven, {}}, "a report of this part"));
             return sequence;
         }
-        sequence = sequenceTools(free, shop_.libraryOf(feature.id), shop_.machine, sequenceOptions(feature),
+        const Feature grown = onGrownStock(free, growth_, shop_.tol);
+        sequence = sequenceTools(grown, shop_.libraryOf(feature.id), shop_.machine, sequenceOptions(feature),
                                  shop_.tol);
+        sequence.residual = onNominalStock(std::move(sequence.residual), free, grown, shop_.tol);
         sequence.residual.insert(sequence.residual.end(), caution.left.begin(), caution.left.end());
         return sequence;
     }
@@ -345,14 +353,14 @@ class FeaturePlanner {
         SequenceOptions options = asPlanned(shop_.request.sequence);
         if (feature.band && feature.band->isUpper()) options.finish.floors_mm = 0;
         if (shop_.cautionOf(feature.id).plain_ways) options.pattern = Pattern::ContourInsideOut;
-        const double fixture_mm = highestFixtureMm(setup_.fixtures);
-        if (fixture_mm > 0) options.retract_mm = fixture_mm + shop_.machine.safe_height_mm;
+        options.retract_mm = retractMm(setup_, shop_.request.sequence.retract_mm, shop_.machine);
         return options;
     }
 
     std::vector<Feature> features_;
     const Setup& setup_;
     const PlanningShop& shop_;
+    const StockGrowth growth_;
     const Progress& progress_;
     std::map<std::string, const PlannedFeature*> known_;  ///< of earlier generations, by id
     std::map<std::string, std::string> stands_in_;        ///< by the id of a level that is gone

@@ -9,6 +9,7 @@
 #include "stepmill/feature/reason.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/machine_limits.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kLeastGainShare = 0.01;
 constexpr double kAsMuchShare = 0.99;
 
 /// What bands add to a leaning wall is at most so many scallops thick.
-constexpr double kSkinScallops = 2;
+constexpr double kBandSkinScallops = 2;
 
 using FormSteps = std::vector<FormStep>;
 
@@ -226,6 +227,7 @@ Operation operationOf(FormStep& step, const FormGround& ground, const FormShop& 
         operation.z_floor_mm = std::min(operation.z_floor_mm, move.to.z());
     operation.speed_rpm = cutting.speed_rpm;
     operation.coolant = cutting.coolant;
+    operation.ramp_angle_deg = toolpath::rampAngleDeg(cutting);
     operation.proof.least_clearance_mm = shop.tol.guard_mm;
     return operation;
 }
@@ -243,7 +245,8 @@ std::optional<FormFinishing> finishForms(const FormSources& sources, const FormS
     for (const ToolAssembly& tool : shop.library.tools)
         if (tool.isForm() && tool.cuttingFor(shop.material) != nullptr)
             widest_mm = std::max(widest_mm, tool.radius_mm());
-    std::optional<FormSite> site = formSite(sources, kSkinScallops * shop.scallop_mm, widest_mm, shop.tol);
+    std::optional<FormSite> site =
+        formSite(sources, kBandSkinScallops * shop.scallop_mm, widest_mm, shop.tol);
     if (!site || shop.caution.dropped) return std::nullopt;
     FormChooser chooser(*site, shop);
     FormSteps steps = chooser.choose();

@@ -15,7 +15,7 @@ struct FormShop {
     const Machine& machine;
     const std::string& material;
     double scallop_mm = 0;
-    double retract_mm = 0;  ///< over the stock's top
+    double retract_mm = 0;  ///< the setup's (plan/retract.h)
     FeatureCaution caution;
     const Tolerances& tol;
 };

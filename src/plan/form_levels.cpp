@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "stepmill/catalog/cutter_form.h"
+#include "stepmill/feature/heights.h"
 
 namespace stepmill {
 namespace {
@@ -17,9 +18,6 @@ constexpr double kLeastStepMm = 0.1;
 constexpr double kSameLean = 0.02;
 /// The tip goes so far below the chamfer it makes, then, where that has no room, to its foot [mm].
 constexpr double kBelowChamferMm[] = {0.5, 0.0};
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
-
 /// How far the next level may be where a wall is touched with the tip at some height.
 struct Demand {
     double tip_z_mm = 0;

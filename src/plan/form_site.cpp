@@ -7,21 +7,19 @@
 
 #include <tbb/parallel_for.h>
 
+#include "plan/form_stairs.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/layers/section_cutter.h"
+#include "stepmill/plan/grown_feature.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/toolpath/swept_region.h"
 
 namespace stepmill {
 namespace {
 
-/// A layer whose leaning walls hide less from flat cutters has no work for form cutters [mm3].
-constexpr double kLeastHiddenMm3 = 0.05;
 /// Bands are no thinner, whatever the lean, and no thicker on walls that lean at all [mm].
 constexpr double kThinnestBandMm = 0.01;
 constexpr double kThickestBandMm = 0.25;
-/// Where other setups cut the stock at a slant or across, it is looked at in parts of this height [mm].
-constexpr double kStockPartMm = 0.5;
 /// Heights of bands are numbers that programs can say [mm].
 constexpr double kHeightStepMm = 1e-4;
 /// A setup has no more bands than this; where it would, they are cut coarser.
@@ -36,15 +34,6 @@ Region joined(const std::vector<Region>& pieces) {
     for (const Region& piece : pieces)
         all.loops.insert(all.loops.end(), piece.loops.begin(), piece.loops.end());
     return all;
-}
-
-/// Volume of a layer that tools from above see and flat ones leave.
-double seenFromAboveMm3(const Layer& layer) {
-    double sum = 0;
-    for (const HiddenVolume& hidden : layer.hidden)
-        if (hidden.cause != SlopeCause::Overhang && hidden.cause != SlopeCause::AcrossAxis)
-            sum += hidden.volume_mm3;
-    return sum;
 }
 
 double onStep(double z_mm) {
@@ -96,44 +85,10 @@ class SiteMaker {
 
   private:
     void addStairs() {
-        const StockSections at_end(from_.setup, from_.at_end, tol_);
-        const std::vector<Layer>& layers = from_.layers.layers;
-        for (std::size_t i = layers.size(); i-- > 0;) {
-            const Layer& layer = layers[i];
-            if (seenFromAboveMm3(layer) < kLeastHiddenMm3) continue;
-            const std::size_t before = site_.ground.stairs.size();
-            const double thin_mm = std::min(kThinnestBandMm, layer.height_mm() / 2);
-            const Region ground =
-                subtract(layer.part, part_.partBetween(layer.top_z_mm - thin_mm, layer.top_z_mm), tol_);
-            for (const Heights& heights : heightsOfStock(at_end, layer))
-                addStair(at_end, ground, heights);
-            if (site_.ground.stairs.size() > before) site_.feet_mm.push_back(layer.bottom_z_mm);
+        for (LayerStairs& layer : stairsOf(from_, part_, tol_)) {
+            site_.feet_mm.push_back(layer.foot_mm);
+            std::move(layer.stairs.begin(), layer.stairs.end(), std::back_inserter(site_.ground.stairs));
         }
-    }
-
-    void addStair(const StockSections& at_end, const Region& ground, const Heights& heights) {
-        const Region standing = intersect(ground, at_end.at((heights.top_mm + heights.bottom_mm) / 2), tol_);
-        Region stairs = joined(toolpath::piecesBeyondSkins(standing, tol_));
-        if (!stairs.empty())
-            site_.ground.stairs.push_back({heights.bottom_mm, heights.top_mm, std::move(stairs)});
-    }
-
-    /// The layer in parts over which the stock hardly changes; the whole layer where it does not at all.
-    std::vector<Heights> heightsOfStock(const StockSections& at_end, const Layer& layer) const {
-        const double height_mm = layer.height_mm();
-        const Region low = at_end.at(layer.bottom_z_mm + 0.05 * height_mm);
-        const bool same = feature::sameRegion(low, at_end.at(layer.bottom_z_mm + 0.5 * height_mm), tol_) &&
-                          feature::sameRegion(low, at_end.at(layer.bottom_z_mm + 0.95 * height_mm), tol_);
-        const int parts = same ? 1 : std::max(1, static_cast<int>(std::ceil(height_mm / kStockPartMm)));
-        std::vector<Heights> all;
-        double bottom_mm = layer.bottom_z_mm;
-        for (int i = 1; i <= parts; ++i) {
-            const double top_mm =
-                i == parts ? layer.top_z_mm : onStep(layer.bottom_z_mm + height_mm * i / parts);
-            all.push_back({bottom_mm, top_mm});
-            bottom_mm = top_mm;
-        }
-        return all;
     }
 
     bool leans(const Layer& layer) const {
@@ -256,7 +211,8 @@ class SiteMaker {
             }
             from_above.push_back({standing.layer->bottom_z_mm, standing.layer->top_z_mm, shadow});
         }
-        site_.ground.obstacles.assign(from_above.rbegin(), from_above.rend());
+        site_.ground.obstacles = onGrownStock({from_above.rbegin(), from_above.rend()},
+                                              growthOf(from_.setup.stock, from_.setup.part_to_setup), tol_);
     }
 
     const FormSources& from_;

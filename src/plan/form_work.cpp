@@ -3,7 +3,7 @@
 #include "plan/form_work.h"
 
 #include "plan/form_levels.h"
-#include "stepmill/core/error.h"
+#include "stepmill/planar/unsure_offset.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/form_passes.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -12,14 +12,7 @@ namespace stepmill {
 namespace {
 
 /// What is thinner than so many scallops is the surface of an earlier pass.
-constexpr double kSkinScallops = 3;
-
-/// Setup coordinates have their zero on the stock's top.
-double retractZ(const FormGround& ground, const FormShop& shop) {
-    const double highest_mm = ground.obstacles.empty() ? 0 : ground.obstacles.back().top_z_mm;
-    const double retract_mm = shop.retract_mm > 0 ? shop.retract_mm : shop.machine.safe_height_mm;
-    return std::max(0.0, highest_mm) + retract_mm;
-}
+constexpr double kPassSkinScallops = 3;
 
 }  // namespace
 
@@ -36,16 +29,16 @@ std::vector<const ToolAssembly*> FormWork::cutters() const {
 }
 
 /// Nothing where the cutter has no pass, or where no sure region of free centres is found: what other levels
-/// leave there stays.
+/// leave there stays. Any other trouble is not this level's alone.
 std::optional<toolpath::FormLevel> FormWork::levelAt(const FormCentres& centres, const StandingStairs& stairs,
                                                      const CutterForm& form, const CuttingData& cutting,
                                                      double z_mm) const {
     try {
         toolpath::FormLevel level = toolpath::formLevel(centres, stairs, form, z_mm,
                                                         toolpath::usedStepOver(cutting, form.fullRadiusMm()),
-                                                        kSkinScallops * shop_.scallop_mm, shop_.tol);
+                                                        kPassSkinScallops * shop_.scallop_mm, shop_.tol);
         if (!level.passes.empty()) return level;
-    } catch (const Error&) {
+    } catch (const UnsureOffset&) {
     }
     return std::nullopt;
 }
@@ -63,8 +56,8 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
         step.left.cut({z_mm, level->passes}, form);
         levels.push_back(std::move(*level));
     }
-    step.path = toolpath::formPath({site_.ground, retractZ(site_.ground, shop_), shop_.caution.plain_ways},
-                                   levels, tool, cutting, shop_.machine, shop_.tol);
+    step.path = toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
+                                   cutting, shop_.machine, shop_.tol);
     step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();
     step.time_s = step.path.totals.motion_time_s + shop_.machine.tool_change_s;
     return step;

@@ -6,19 +6,22 @@
 
 #include "plan/early_starts.h"
 #include "plan/order_operations.h"
+#include "stepmill/plan/grown_feature.h"
+#include "stepmill/setup/stock_growth.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
-
-/// Setup coordinates have their zero on the stock's top.
-constexpr double kStockTopZMm = 0;
 
 /// What the cutting data say beyond feeds and speeds.
 void takeShopData(Operation& operation, const ToolLibrary& library, const std::string& material) {
     const CuttingData* cutting = library.tool(operation.tool_id).cuttingFor(material);
     if (cutting == nullptr) return;
     operation.coolant = cutting->coolant;
-    if (operation.role == Role::Drill) operation.dwell_s = cutting->dwell_s;
+    if (operation.role == Role::Drill)
+        operation.dwell_s = cutting->dwell_s;
+    else
+        operation.ramp_angle_deg = toolpath::rampAngleDeg(*cutting);
 }
 
 bool takesPlainWays(const std::string& feature_id, const Cautions& cautions) {
@@ -27,7 +30,9 @@ bool takesPlainWays(const std::string& feature_id, const Cautions& cautions) {
 }
 
 /// The step's path moves to the operation.
-Operation operationOf(PlannedFeature& planned, SequenceStep& step, const OperationSettings& settings) {
+/// \param stock_top_mm  how high the stock may stand in the setup
+Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_top_mm,
+                      const OperationSettings& settings) {
     Operation operation;
     operation.setup_id = planned.feature.setup_id;
     operation.feature_id = planned.feature.id;
@@ -36,7 +41,7 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, const Operati
     operation.path = std::move(step.path);
     // Drills come with cycles, whose rapids stay in the hole.
     if (operation.role != Role::Drill && takesPlainWays(operation.feature_id, settings.cautions))
-        operation.path = withPlainRapids(operation.path, kStockTopZMm, settings.machine);
+        operation.path = withPlainRapids(operation.path, stock_top_mm, settings.machine);
     operation.proof = step.proof;
     operation.leaves = step.leaves;
     operation.z_floor_mm = planned.sequence.floor_z_mm + step.leaves.floors_mm;
@@ -58,10 +63,11 @@ ToolAssembly setOutFor(const SequenceStep& step, const ToolLibrary& library) {
 }
 
 /// The operations of a setup's feature, from `first` on.
-BandOperations bandOf(const PlannedFeature& planned, const Operation* first,
+BandOperations bandOf(const PlannedFeature& planned, const Operation* first, const StockGrowth& growth,
                       const OperationSettings& settings) {
     BandOperations band;
     band.planned = &planned;
+    if (growth.any()) band.grown = onGrownStock(planned.feature, growth, settings.tol);
     band.plain_ways = takesPlainWays(planned.feature.id, settings.cautions);
     for (const SequenceStep& step : planned.sequence.steps)
         band.operations.push_back({first++, setOutFor(step, settings.library), step.area.area});
@@ -78,11 +84,12 @@ struct BandedFeature {
 /// \param first  where the setup's operations begin
 void letStartEarly(const PlannedSetup& setup, std::size_t first, const OperationSettings& settings,
                    std::vector<Operation>& operations) {
+    const StockGrowth growth = growthOf(setup.setup.stock, setup.setup.part_to_setup);
     std::map<std::string, BandedFeature> features;
     for (const PlannedFeature& planned : setup.features) {
         if (planned.feature.band) {
             BandedFeature& whole = features[planned.feature.band->of];
-            whole.bands.push_back(bandOf(planned, operations.data() + first, settings));
+            whole.bands.push_back(bandOf(planned, operations.data() + first, growth, settings));
             whole.first.push_back(first);
         }
         first += planned.sequence.steps.size();
@@ -108,9 +115,11 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
     std::vector<std::size_t> first_of_setup;
     for (std::size_t s = 0; s < setups.size(); ++s) {
         first_of_setup.push_back(operations.size());
+        const Setup& setup = setups[s].setup;
+        const double top_mm = growthOf(setup.stock, setup.part_to_setup).top_mm;
         for (PlannedFeature& planned : setups[s].features) {
             for (SequenceStep& step : planned.sequence.steps) {
-                operations.push_back(operationOf(planned, step, settings));
+                operations.push_back(operationOf(planned, step, top_mm, settings));
                 setup_of.push_back(s);
             }
         }

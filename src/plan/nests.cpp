@@ -5,12 +5,12 @@
 #include <map>
 #include <string>
 
+#include "stepmill/feature/heights.h"
+
 namespace stepmill {
 namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
 
 std::map<std::string, std::size_t> numbersOf(const std::vector<Feature>& features) {
     std::map<std::string, std::size_t> numbers;

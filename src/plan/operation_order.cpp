@@ -1,19 +1,18 @@
 #include "stepmill/plan/operation_order.h"
 
-#include "stepmill/core/error.h"
+#include "stepmill/core/enum_words.h"
 
 namespace stepmill {
+namespace {
+
+constexpr EnumWord<OrderRule> kOrderRules[] = {{OrderRule::Nearest, "nearest next"},
+                                               {OrderRule::Branches, "branch by branch"},
+                                               {OrderRule::Levels, "level by level"}};
+
+}  // namespace
 
 std::string toString(OrderRule rule) {
-    switch (rule) {
-        case OrderRule::Nearest:
-            return "nearest next";
-        case OrderRule::Branches:
-            return "branch by branch";
-        case OrderRule::Levels:
-            return "level by level";
-    }
-    throw Error(ErrorCode::Internal, "order rule", "unknown value");
+    return wordOf(kOrderRules, rule);
 }
 
 }  // namespace stepmill

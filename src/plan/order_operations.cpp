@@ -281,15 +281,12 @@ double travelMm(const std::vector<Operation>& operations, const std::vector<int>
     return sum_mm;
 }
 
-}  // namespace
-
-std::vector<int> orderOperations(const std::vector<Operation>& operations,
-                                 const std::vector<Precedence>& features, OrderRule rule) {
-    const Problem problem = makeProblem(operations, features);
-    const NextOperation next_operation(operations, problem, features, rule);
+/// The operations in the order of these tools, each tool's by the rule.
+std::vector<int> inOrderOf(const std::vector<int>& tools, const Problem& problem,
+                           const NextOperation& next_operation) {
     std::vector<int> done(problem.queue.size(), 0);
     std::vector<int> order;
-    for (const int tool : visits(problem, kBeamWidth)) {
+    for (const int tool : tools) {
         for (;;) {
             int best = -1;
             for (std::size_t f = 0; f < problem.queue.size(); ++f) {
@@ -305,6 +302,15 @@ std::vector<int> orderOperations(const std::vector<Operation>& operations,
     return order;
 }
 
+}  // namespace
+
+std::vector<int> orderOperations(const std::vector<Operation>& operations,
+                                 const std::vector<Precedence>& features, OrderRule rule) {
+    const Problem problem = makeProblem(operations, features);
+    return inOrderOf(visits(problem, kBeamWidth), problem,
+                     NextOperation(operations, problem, features, rule));
+}
+
 ShortestOrder shortestOrder(const std::vector<Operation>& operations,
                             const std::vector<Precedence>& features) {
     std::map<std::string, int> setup_of;
@@ -313,12 +319,15 @@ ShortestOrder shortestOrder(const std::vector<Operation>& operations,
         setup_of[feature.feature_id] = feature.setup;
         setups = std::max(setups, feature.setup + 1);
     }
+    const Problem problem = makeProblem(operations, features);
+    const std::vector<int> tools = visits(problem, kBeamWidth);
     ShortestOrder shortest;
     shortest.weighed.resize(setups);
     std::vector<std::vector<int>> taken(setups);
     for (const OrderRule rule : {OrderRule::Nearest, OrderRule::Branches, OrderRule::Levels}) {
         std::vector<std::vector<int>> by_setup(setups);
-        for (const int operation : orderOperations(operations, features, rule))
+        const NextOperation by_rule(operations, problem, features, rule);
+        for (const int operation : inOrderOf(tools, problem, by_rule))
             by_setup[setup_of.at(operations[operation].feature_id)].push_back(operation);
         for (int setup = 0; setup < setups; ++setup) {
             std::vector<WeighedOrder>& weighed = shortest.weighed[setup];

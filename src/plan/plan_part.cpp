@@ -7,6 +7,7 @@
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
+#include "plan/retract.h"
 #include "plan/share_tools.h"
 #include "plan/stick_outs.h"
 #include "plan/totals.h"
@@ -19,6 +20,7 @@
 #include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
+#include "stepmill/plan/warning_order.h"
 
 namespace stepmill {
 namespace {
@@ -176,6 +178,7 @@ std::optional<FormFinishing> formsOf(const FormSources& sources, const FormShop&
     try {
         return finishForms(sources, shop);
     } catch (const Error& error) {
+        if (error.code() == ErrorCode::TimedOut) throw;
         warnings.push_back({"planning-failed", formGroundId(sources.setup.id),
                             fmt::format("leaning walls stay as flat layers leave them: {}", error.what())});
         return std::nullopt;
@@ -198,7 +201,7 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
                              shop.machine,
                              material,
                              request.scallop_mm,
-                             request.sequence.retract_mm,
+                             retractMm(setup.setup, request.sequence.retract_mm, shop.machine),
                              shop.cautionOf(formGroundId(setup.setup.id)),
                              shop.tol};
         std::optional<FormFinishing> finishing =
@@ -237,7 +240,10 @@ std::vector<PlannedSetup> withFormsOfTheBooks(std::vector<PlannedSetup> setups,
                                               const std::vector<PlannedStage>& stages,
                                               double stock_minus_part_mm3, const PlanningShop& shop,
                                               Warnings& warnings) {
-    if (booksClose(booksOf(setups, stages, stock_minus_part_mm3, shop.tol), shop.tol)) return setups;
+    const auto has_form = [](const PlannedSetup& setup) { return setup.form.has_value(); };
+    if (std::none_of(setups.begin(), setups.end(), has_form) ||
+        booksClose(booksOf(setups, stages, stock_minus_part_mm3, shop.tol), shop.tol))
+        return setups;
     for (PlannedSetup& setup : setups) {
         if (!setup.form) continue;
         warnings.push_back(
@@ -249,6 +255,18 @@ std::vector<PlannedSetup> withFormsOfTheBooks(std::vector<PlannedSetup> setups,
         linkOperations(setup.operations, shop.machine);
     }
     return setups;
+}
+
+/// Says of every residual what of it is there at the end. \param staying  of the setups' own residuals
+void nameWhatStays(std::vector<PlannedSetup>& setups, const StayingResiduals& staying) {
+    for (PlannedSetup& setup : setups)
+        for (PlannedFeature& planned : setup.features)
+            for (Residual& residual : planned.sequence.residual) {
+                const auto found = staying.find(&residual);
+                const StayingResidual entry = found != staying.end() ? found->second : StayingResidual{};
+                residual.stays_mm3 = entry.stays_mm3;
+                residual.taken_by = entry.taken_by;
+            }
 }
 
 /// The plan of these setups and no operation yet.
@@ -294,6 +312,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     plan.setups = std::move(timed.setups);
     plan.totals = timed.totals;
     const PlanBooks books = booksOf(plan.setups, stages, stock_minus_part_mm3, tol);
+    nameWhatStays(plan.setups, books.staying);
     for (std::size_t i = 0; i < plan.setups.size(); ++i)
         plan.setups[i].balance = books.setups[i];
     plan.balance = books.part;
@@ -305,6 +324,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     append(plan.warnings, form_warnings);
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
+    plan.warnings = byConsequence(std::move(plan.warnings));
     if (progress) progress("done", 1);
     return plan;
 }

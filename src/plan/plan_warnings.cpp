@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "stepmill/catalog/spindle.h"
+#include "stepmill/planar/edge.h"
+
 namespace stepmill {
 namespace {
 
@@ -14,14 +17,58 @@ using Warnings = std::vector<Warning>;
 /// Residuals smaller than this are listed, but not worth a warning [mm3].
 constexpr double kWorthAWarningMm3 = 1;
 
-void warnOfResiduals(const PlannedFeature& planned, Warnings& into) {
-    for (const Residual& residual : planned.sequence.residual) {
-        if (residual.volume_mm3 < kWorthAWarningMm3) continue;
-        const bool nothing_done = planned.sequence.steps.empty();
-        into.push_back({nothing_done ? "no-tool" : "residual", planned.feature.id,
-                        fmt::format("{:.4g} mm3 stay: {}; needs {}", residual.volume_mm3,
-                                    toString(residual.reason), residual.advice)});
-    }
+/// What stays on the part for one kind of reason, in all features together.
+struct StayingKind {
+    double sum_mm3 = 0;
+    int places = 0;
+    const PlannedFeature* feature = nullptr;  ///< with the largest
+    const Residual* largest = nullptr;
+};
+
+double staysMm3(const Residual& residual) {
+    return residual.stays_mm3.value_or(residual.volume_mm3);
+}
+
+Warning warningOf(const StayingKind& kind) {
+    const Residual& largest = *kind.largest;
+    const bool nothing_done = kind.feature->sequence.steps.empty();
+    const std::string reason = toString(largest.reason);
+    const std::string text =
+        kind.places == 1 ? fmt::format("{:.4g} mm3 stay: {}; needs {}", kind.sum_mm3, reason, largest.advice)
+                         : fmt::format("{:.4g} mm3 stay in {} places: {}; the largest, {:.4g} mm3, needs {}",
+                                       kind.sum_mm3, kind.places, reason, staysMm3(largest), largest.advice);
+    return {nothing_done ? "no-tool" : "residual", kind.feature->feature.id, text, kind.places};
+}
+
+/// Of what is there on the finished part: what a later setup takes is no trouble. The largest first.
+void warnOfResiduals(const std::vector<PlannedSetup>& setups, Warnings& into) {
+    std::map<std::pair<bool, Reason>, StayingKind> kinds;
+    for (const PlannedSetup& setup : setups)
+        for (const PlannedFeature& planned : setup.features)
+            for (const Residual& residual : planned.sequence.residual) {
+                if (staysMm3(residual) < kWorthAWarningMm3) continue;
+                StayingKind& kind = kinds[{planned.sequence.steps.empty(), residual.reason.kind}];
+                kind.sum_mm3 += staysMm3(residual);
+                ++kind.places;
+                if (kind.largest != nullptr && staysMm3(*kind.largest) >= staysMm3(residual)) continue;
+                kind.feature = &planned;
+                kind.largest = &residual;
+            }
+    std::vector<StayingKind> sorted;
+    for (const auto& entry : kinds)
+        sorted.push_back(entry.second);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const StayingKind& a, const StayingKind& b) { return a.sum_mm3 > b.sum_mm3; });
+    for (const StayingKind& kind : sorted)
+        into.push_back(warningOf(kind));
+}
+
+/// What an old machine file does not say.
+void warnOfDefaults(const Machine& machine, Warnings& into) {
+    if (machine.by_default.empty()) return;
+    into.push_back({"defaults", machine.name,
+                    fmt::format("the machine's file does not say these; taken are: {}",
+                                fmt::join(machine.by_default, ", "))});
 }
 
 void warnOfAllowance(const PlannedFeature& planned, Warnings& into) {
@@ -44,22 +91,25 @@ int curvedFaces(const Part& part) {
     return count;
 }
 
+/// Around all places of the path, arcs included.
+Box3 boxOf(const Toolpath& path) {
+    Box3 box;
+    if (path.moves.empty()) return box;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const Box2 flat = makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}).box;
+        for (const Vec2& corner : {flat.min(), flat.max()})
+            for (const double z_mm : {from.z(), move.to.z()})
+                box.extend(Vec3(corner.x(), corner.y(), z_mm));
+        from = move.to;
+    }
+    return box;
+}
+
 void warnOfTravel(const Machine& machine, const PlannedSetup& setup, Warnings& into) {
     Box3 box;
-    for (const Operation& operation : setup.operations) {
-        if (operation.path.moves.empty()) continue;
-        box.extend(operation.path.start);
-        for (const Move& move : operation.path.moves) {
-            box.extend(move.to);
-            if (!move.arc) continue;
-            // The whole circle stands for the arc: generous by less than a radius.
-            const Vec2 reach = Vec2::Constant(move.arc->radius_mm);
-            const Vec2 low = move.arc->centre - reach;
-            const Vec2 high = move.arc->centre + reach;
-            box.extend(Vec3(low.x(), low.y(), move.to.z()));
-            box.extend(Vec3(high.x(), high.y(), move.to.z()));
-        }
-    }
+    for (const Operation& operation : setup.operations)
+        box.extend(boxOf(operation.path));
     if (box.isEmpty()) return;
     const char* const axes = "XYZ";
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,9 +117,37 @@ void warnOfTravel(const Machine& machine, const PlannedSetup& setup, Warnings& i
         const double needed = box.sizes()[axis];
         if (travel <= 0 || needed <= travel) continue;
         into.push_back({"travel", setup.setup.id,
-                        fmt::format("the program moves {:.4g} mm along {}, the machine travels {:.4g} mm",
+                        fmt::format("no program is written: it would move {:.4g} mm along {}, the machine "
+                                    "travels {:.4g} mm",
                                     needed, axes[axis], travel)});
     }
+}
+
+/// The tool that takes the spindle highest over the table the stock lies on, where that is too high. Vise and
+/// parallels make it higher still.
+void warnOfSpindleHeight(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
+    const double highest_mm = plan.machine.gauge_over_table_mm[1];
+    const double stock_mm = setup.setup.stock_bbox_mm.sizes().z();
+    // The plan's tools stand in the spindle: their last cylinders are its nose.
+    const double nose_mm = plan.machine.spindle_nose.empty() ? 0 : plan.machine.spindle_nose.back().top_mm;
+    double needed_mm = 0;
+    std::string longest;
+    for (const Operation& operation : setup.operations) {
+        double top_mm = operation.path.start.z();
+        for (const Move& move : operation.path.moves)
+            top_mm = std::max(top_mm, move.to.z());
+        const double mounted_mm = gaugeLengthMm(plan.library.tool(operation.tool_id));
+        const double over_mm = stock_mm + top_mm + mounted_mm - nose_mm;
+        if (over_mm <= needed_mm) continue;
+        needed_mm = over_mm;
+        longest = operation.tool_id;
+    }
+    if (highest_mm <= 0 || needed_mm <= highest_mm) return;
+    into.push_back(
+        {"travel", setup.setup.id,
+         fmt::format("no program is written: {} over a stock of {:.4g} mm takes the spindle {:.4g} mm "
+                     "over the table, the machine goes up to {:.4g} mm",
+                     longest, stock_mm, needed_mm, highest_mm)});
 }
 
 /// What is done about a program that was not proven, the strongest measure.
@@ -127,11 +205,11 @@ void warnOfShape(const Plan& plan, Warnings& into) {
 
 void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     for (const PlannedFeature& planned : setup.features) {
-        warnOfResiduals(planned, into);
         warnOfAllowance(planned, into);
     }
     append(into, slowSteps(setup));
     warnOfTravel(plan.machine, setup, into);
+    warnOfSpindleHeight(plan, setup, into);
 }
 
 void warnOfCautions(const Cautions& cautions, Warnings& into) {
@@ -185,10 +263,12 @@ std::vector<Warning> unusedFixtures(const FixtureFile& given, const std::vector<
 std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap, const Tolerances& tol) {
     Warnings warnings;
     warnOfUnreachable(plan, warnings);
+    warnOfResiduals(plan.setups, warnings);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup, warnings);
     warnOfCautions(plan.request.cautions, warnings);
     warnOfMagazine(plan, warnings);
+    warnOfDefaults(plan.machine, warnings);
     warnOfShape(plan, warnings);
     warnOfBooks(plan, largest_gap, tol, warnings);
     return warnings;

@@ -9,6 +9,7 @@
 #include "stepmill/access/collision.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/core/units.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/toolpath/step_over.h"
@@ -21,9 +22,6 @@ constexpr std::size_t kMostGrounds = 4;
 /// Gains below this are within the error of the estimate [s], [share of what the levels take].
 constexpr double kLeastGainS = 1;
 constexpr double kLeastGainShare = 0.02;
-
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
 
 /// What one tool could cut through levels `from` to `to`.
 struct Proposal {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 
@@ -67,9 +68,6 @@ std::string namesOf(const std::vector<CutFeature>& parents) {
     }
     return names;
 }
-
-/// Heights closer than this are one: jaws end where the lowest cut beside them begins, but for rounding [mm].
-constexpr double kSameHeightMm = 1e-6;
 
 struct InTheWay {
     std::vector<Standing> standing;

@@ -1,12 +1,10 @@
 #include "stepmill/plan/removed.h"
 
+#include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
-
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
 
 double heightOf(const Residual& residual) {
     return residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;

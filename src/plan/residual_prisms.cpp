@@ -44,7 +44,7 @@ std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& fea
             const double floor =
                 &residual == below || whole ? planned.feature.floor_z_mm : planned.sequence.floor_z_mm;
             prisms.push_back(
-                {residual.reason, residual.volume_mm3, {residual.region, floor + height, floor}});
+                {residual.reason, residual.volume_mm3, {residual.region, floor + height, floor}, &residual});
         }
     }
     return prisms;

@@ -12,6 +12,7 @@ struct ResidualPrism {
     StayReason reason;
     double volume_mm3 = 0;
     Prism prism;
+    const Residual* of = nullptr;  ///< null: allowance, which is no feature's
 };
 std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& features);
 

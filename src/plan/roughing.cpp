@@ -8,6 +8,7 @@
 
 #include "stepmill/access/slivers.h"
 #include "stepmill/feature/describe_boundary.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -15,9 +16,6 @@
 
 namespace stepmill {
 namespace {
-
-/// Heights closer than this are one [mm].
-constexpr double kSameHeightMm = 1e-6;
 
 /// Offsets of regions, each made once: obstacles repeat from feature to feature.
 class GrownRegions {

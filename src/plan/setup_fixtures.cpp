@@ -10,6 +10,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/setup/stock_growth.h"
 
 namespace stepmill {
 namespace {
@@ -54,9 +55,19 @@ void capUnderStock(const Fixture& fixture, const LayerStack& layers, const Toler
     }
 }
 
-}  // namespace
+/// A jaw gives way to a stock that is larger, a clamp stands on it: each counts in both places.
+void growWithStock(Fixture& fixture, const StockGrowth& growth, const Tolerances& tol) {
+    if (growth.raw_sides_mm) {
+        const Region stock =
+            makeRectangle(snapToGrid(growth.raw_sides_mm->min()), snapToGrid(growth.raw_sides_mm->max()));
+        const Region away = subtract(offset(fixture.section, growth.side_mm, tol), stock, tol);
+        fixture.section = unite(fixture.section, away, tol);
+    }
+    if (fixture.top_z_mm > kTouchMm) fixture.top_z_mm += growth.top_mm;
+}
 
-void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
+/// What the file says of the setup stands there instead of a vise.
+void setGiven(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
     const auto found = given.setups.find(stage.setup.id);
     if (found == given.setups.end()) return;
     stage.setup.fixtures.clear();
@@ -72,6 +83,16 @@ void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) 
     stage.clamping.text =
         fmt::format("as {} says: {}", given.file,
                     names.empty() ? "nothing in the way" : fmt::format("{}", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
+    setGiven(stage, given, tol);
+    const StockGrowth growth = growthOf(stage.setup.stock, stage.setup.part_to_setup);
+    if (!growth.any()) return;
+    for (Fixture& fixture : stage.setup.fixtures)
+        growWithStock(fixture, growth, tol);
 }
 
 double highestFixtureMm(const std::vector<Fixture>& fixtures) {

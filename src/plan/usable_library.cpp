@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/catalog/spindle.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/path_frame.h"
 
@@ -48,6 +49,7 @@ UsableLibrary usableLibrary(const ToolLibrary& library, const SequenceOptions& o
                             const Machine& machine, double deepest_mm) {
     UsableLibrary usable{library, {}};
     for (ToolAssembly& tool : usable.library.tools) {
+        tool = inSpindle(std::move(tool), machine);
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr) continue;
         const std::string trouble = troubleWith(*cutting, machine, options.finish, deepest_mm);

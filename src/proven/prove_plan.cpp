@@ -4,6 +4,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/plan/reduced_feature.h"
+#include "stepmill/plan/warning_order.h"
 #include "stepmill/proven/proven_plan.h"
 
 namespace stepmill {
@@ -48,6 +49,7 @@ Residual residualOf(const Leftover& leftover, Reason reason) {
     residual.region = leftover.region;
     residual.area_mm2 = leftover.area_mm2;
     residual.volume_mm3 = leftover.area_mm2 * leftover.height_mm;
+    residual.stays_mm3 = residual.volume_mm3;
     residual.reason = {reason, {}};
     residual.advice = "a finishing pass, or a smaller step-over in the cutting data";
     return residual;
@@ -68,6 +70,7 @@ Plan withLeftover(Plan plan, const Leftover& leftover) {
             setup.balance = withLeftBetweenPasses(std::move(setup.balance), residual.volume_mm3);
             plan.balance = withLeftBetweenPasses(std::move(plan.balance), residual.volume_mm3);
             plan.warnings.push_back(warningOf(leftover.feature, residual));
+            plan.warnings = byConsequence(std::move(plan.warnings));
             planned.sequence.residual.push_back(residual);
         }
     }

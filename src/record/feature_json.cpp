@@ -103,11 +103,15 @@ Json pathJson(const ToolSequence& sequence) {
 }
 
 Json residualJson(const Residual& residual, RegionTables& regions) {
-    return {{"region", regions.add(residual.region)},
-            {"area_mm2", number(residual.area_mm2)},
-            {"volume_mm3", number(residual.volume_mm3)},
-            {"reason", toString(residual.reason)},
-            {"advice", residual.advice}};
+    Json json{{"region", regions.add(residual.region)},
+              {"area_mm2", number(residual.area_mm2)},
+              {"volume_mm3", number(residual.volume_mm3)},
+              {"reason", toString(residual.reason)},
+              {"advice", residual.advice}};
+    if (!residual.stays_mm3) return json;
+    json["stays_mm3"] = number(*residual.stays_mm3);
+    json["taken_by"] = residual.taken_by.empty() ? Json(nullptr) : Json(residual.taken_by);
+    return json;
 }
 
 /// The bands that a band waits for.

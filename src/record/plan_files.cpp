@@ -30,7 +30,7 @@ std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const st
         const int visit = visitOf(name, setup.id, dialect);
         if (visit > 0) visits[visit] = name;
     }
-    if (visits.empty() && !setup.operation_ids.empty())
+    if (visits.empty() && !setup.operation_ids.empty() && setup.within_travel)
         return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
     std::vector<PostedProgram> programs;
     for (const auto& [visit, name] : visits)
@@ -74,10 +74,19 @@ std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetu
 
 namespace {
 
+/// A level rapid from where the operation before has ended is no part of an operation: it starts where that
+/// ends.
+bool leadsToStart(const Vec3& start, const Move& move) {
+    return move.kind == MoveKind::Rapid && move.to.z() == start.z();
+}
+
 JobOperation jobOperation(const RecordedOperation& planned, const ReadOperation& read) {
     JobOperation operation{planned, read.start, {}};
     for (const ReadMove& move : read.moves)
-        operation.moves.push_back(move.fed);
+        if (operation.moves.empty() && leadsToStart(operation.start, move.fed.move))
+            operation.start = move.fed.move.to;
+        else
+            operation.moves.push_back(move.fed);
     return operation;
 }
 
@@ -90,7 +99,7 @@ Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vecto
     job.setup_id = setup.id;
     job.axis_name = setup.axis_name;
     job.material = record.material;
-    job.machine_name = record.machine.name;
+    job.machine = record.machine;
     job.stock_size_mm = setup.stock_size_mm;
     job.time_s = setup.time_s;
     for (const ReadProgram& program : programs) {

@@ -43,7 +43,8 @@ Json partJson(const Part& part) {
 Json stockJson(const Stock& stock) {
     return {{"kind", stock.kind == Stock::Kind::Box ? "box" : "step"},
             {"bbox_mm", box(stock.bbox_mm)},
-            {"volume_mm3", number(stock.volume_mm3)}};
+            {"volume_mm3", number(stock.volume_mm3)},
+            {"tolerance_mm", number(stock.tolerance_mm)}};
 }
 
 Json sourceJson(const std::string& file, const std::string& sha256) {
@@ -73,6 +74,12 @@ Json requestAndRoughingJson(const Plan& plan) {
     return json;
 }
 
+Json cylinderJson(const HolderCylinder& cylinder) {
+    return {{"diameter_mm", number(cylinder.diameter_mm)},
+            {"bottom_mm", number(cylinder.bottom_mm)},
+            {"top_mm", number(cylinder.top_mm)}};
+}
+
 Json machineJson(const Machine& machine) {
     Json json{{"name", machine.name},
               {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
@@ -84,11 +91,19 @@ Json machineJson(const Machine& machine) {
               {"travel_mm", machine.travel_mm},
               {"magazine_size", machine.magazine_size},
               {"safe_height_mm", number(machine.safe_height_mm)},
+              {"side_clearance_mm", number(machine.side_clearance_mm)},
+              {"top_clearance_mm", number(machine.top_clearance_mm)},
+              {"inside_clearance_mm", number(machine.inside_clearance_mm)},
               {"dialect", machine.dialect}};
+    if (!machine.spindle_nose.empty()) json["spindle_nose"] = listOf(machine.spindle_nose, cylinderJson);
+    if (machine.gauge_over_table_mm[1] > 0) json["gauge_over_table_mm"] = machine.gauge_over_table_mm;
     if (machine.acceleration_mm_per_s2 > 0) {
         json["acceleration_mm_per_s2"] = number(machine.acceleration_mm_per_s2);
         json["junction_deviation_mm"] = number(machine.junction_deviation_mm);
     }
+    if (machine.home_by) json["home_by"] = toString(*machine.home_by);
+    if (const auto& place = machine.part_change_mm)
+        json["part_change_mm"] = {number((*place)[0]), number((*place)[1])};
     return json;
 }
 
@@ -102,12 +117,6 @@ Json sharingJson(const ToolSharing& sharing) {
             {"saved", number(sharing.saved)}};
 }
 
-Json cylinderJson(const HolderCylinder& cylinder) {
-    return {{"diameter_mm", number(cylinder.diameter_mm)},
-            {"bottom_mm", number(cylinder.bottom_mm)},
-            {"top_mm", number(cylinder.top_mm)}};
-}
-
 Json toolJson(const ToolAssembly& tool) {
     Json range = nullptr;
     if (tool.stick_out_range)
@@ -119,6 +128,7 @@ Json toolJson(const ToolAssembly& tool) {
               {"diameter_mm", number(tool.diameter_mm)},
               {"corner_radius_mm", number(tool.corner_radius_mm)},
               {"flute_length_mm", number(tool.flute_length_mm)},
+              {"max_plunge_mm", number(tool.max_plunge_mm)},
               {"stick_out_mm", number(tool.stick_out_mm)},
               {"stick_out_range_mm", std::move(range)},
               {"shank", cylinderJson(tool.shank)},
@@ -183,6 +193,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
               {"air_length_mm", number(path.totals.air_length_mm)},
               {"time_s", number(path.totals.time_s() + operation.dwell_s)},
               {"motion_time_s", number(path.totals.motion_time_s + operation.dwell_s)}};
+    if (operation.ramp_angle_deg > 0) json["ramp_angle_deg"] = number(operation.ramp_angle_deg);
     if (operation.leaves.any()) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
         json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);
@@ -299,29 +310,30 @@ std::string planJson(const Plan& plan) {
             operations.push_back(operationJson(operation, bands));
     }
     Json forms = formsJson(plan, tables);
-    Json content{
-        {"part", partJson(plan.part)},
-        {"stock", stockJson(plan.stock)},
-        {"request", requestAndRoughingJson(plan)},
-        {"machine", machineJson(plan.machine)},
-        {"material", plan.material},
-        {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
-        {"cost_model", toString(plan.cost_model)},
-        {"setups", std::move(setups)},
-        {"tools", usedToolsJson(plan)},
-        {"features", std::move(features)},
-        {"operations", std::move(operations)},
-        {"tool_sharing", sharingJson(plan.sharing)},
-        {"totals", totalsJson(plan.totals)},
-        {"volume_balance", balanceJson(plan.balance)},
-        {"warnings",
-         listOf(plan.warnings,
-                [](const Warning& warning) {
-                    return Json{{"code", warning.code}, {"subject", warning.subject}, {"text", warning.text}};
-                })},
-        {"obstacles", tables.obstacles.rows()},
-        {"regions", tables.regions.regions()},
-        {"loops", tables.regions.loops()}};
+    Json content{{"part", partJson(plan.part)},
+                 {"stock", stockJson(plan.stock)},
+                 {"request", requestAndRoughingJson(plan)},
+                 {"machine", machineJson(plan.machine)},
+                 {"material", plan.material},
+                 {"tool_library", {{"file", plan.library.file}, {"sha256", plan.library.sha256}}},
+                 {"cost_model", toString(plan.cost_model)},
+                 {"setups", std::move(setups)},
+                 {"tools", usedToolsJson(plan)},
+                 {"features", std::move(features)},
+                 {"operations", std::move(operations)},
+                 {"tool_sharing", sharingJson(plan.sharing)},
+                 {"totals", totalsJson(plan.totals)},
+                 {"volume_balance", balanceJson(plan.balance)},
+                 {"warnings", listOf(plan.warnings,
+                                     [](const Warning& warning) {
+                                         return Json{{"code", warning.code},
+                                                     {"subject", warning.subject},
+                                                     {"text", warning.text},
+                                                     {"count", warning.count}};
+                                     })},
+                 {"obstacles", tables.obstacles.rows()},
+                 {"regions", tables.regions.regions()},
+                 {"loops", tables.regions.loops()}};
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }

@@ -1,5 +1,7 @@
 #include "stepmill/record/plan_record.h"
 
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include <fmt/format.h>
@@ -34,6 +36,7 @@ ToolAssembly tool(const Json& json) {
     tool.tip_diameter_mm = json.value("tip_diameter_mm", 0.0);
     tool.included_angle_deg = json.value("included_angle_deg", 0.0);
     tool.flute_length_mm = json["flute_length_mm"];
+    tool.max_plunge_mm = json.value("max_plunge_mm", std::numeric_limits<double>::infinity());
     tool.stick_out_mm = json["stick_out_mm"];
     tool.shank = cylinder(json["shank"]);
     for (const Json& one : json["holder"])
@@ -65,6 +68,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.step_down_mm = json["step_down_mm"];
     operation.feed_mm_per_min = json["feed_mm_per_min"];
     operation.plunge_feed_mm_per_min = json["plunge_feed_mm_per_min"];
+    operation.ramp_angle_deg = json.value("ramp_angle_deg", 0.0);
     operation.speed_rpm = json["speed_rpm"];
     operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
     operation.dwell_s = json["dwell_s"];
@@ -112,8 +116,30 @@ Machine machine(const Json& json) {
     machine.max_feed_mm_per_min = json.value("max_feed_mm_per_min", 0.0);
     if (json.contains("travel_mm")) machine.travel_mm = json["travel_mm"].get<std::array<double, 3>>();
     machine.max_speed_rpm = json.value("max_speed_rpm", 0.0);
+    if (json.contains("spindle_nose"))
+        for (const Json& one : json["spindle_nose"])
+            machine.spindle_nose.push_back(cylinder(one));
+    if (json.contains("gauge_over_table_mm"))
+        machine.gauge_over_table_mm = json["gauge_over_table_mm"].get<std::array<double, 2>>();
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
+    machine.junction_deviation_mm = json.value("junction_deviation_mm", machine.junction_deviation_mm);
+    machine.home_by = homeByFrom(json.value("home_by", ""));
+    if (json.contains("part_change_mm"))
+        machine.part_change_mm = json["part_change_mm"].get<std::array<double, 2>>();
     return machine;
+}
+
+Stock stock(const Json& json) {
+    Stock stock;
+    stock.kind = json["kind"] == "box" ? Stock::Kind::Box : Stock::Kind::Step;
+    for (int i = 0; i < 3; ++i) {
+        stock.bbox_mm.min()[i] = json["bbox_mm"][0][i];
+        stock.bbox_mm.max()[i] = json["bbox_mm"][1][i];
+    }
+    stock.raw_bbox_mm = stock.bbox_mm;
+    stock.volume_mm3 = json["volume_mm3"];
+    stock.tolerance_mm = json.value("tolerance_mm", 0.0);
+    return stock;
 }
 
 void readForms(const Json& plan, ReadTables& tables, PlanRecord& record) {
@@ -150,6 +176,15 @@ RecordedRequest request(const Json& json) {
     return request;
 }
 
+/// A list that the books may leave out.
+std::vector<ReasonVolume> reasonVolumes(const Json& books, const char* list) {
+    std::vector<ReasonVolume> volumes;
+    if (books.contains(list))
+        for (const Json& entry : books[list])
+            volumes.push_back({stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
+    return volumes;
+}
+
 void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
     const Json& books = plan["volume_balance"];
     record.rounding_mm3 =
@@ -158,11 +193,8 @@ void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
     record.books.planned_mm3 = books["planned_mm3"];
     record.books.residual_mm3 = books["residual_mm3"];
     record.books.unreachable_mm3 = books["unreachable_mm3"];
-    for (const char* list : {"residual_by_reason", "unreachable_by_reason"})
-        if (books.contains(list))
-            for (const Json& entry : books[list])
-                record.left.push_back(
-                    {stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
+    record.books.residual_by_reason = reasonVolumes(books, "residual_by_reason");
+    record.books.unreachable_by_reason = reasonVolumes(books, "unreachable_by_reason");
 }
 
 /// The format that a text which breaks the schema says it has; 0 where it says none.
@@ -214,6 +246,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.library = file(plan["tool_library"]);
     record.part_volume_mm3 = plan["part"]["volume_mm3"];
     record.stock_volume_mm3 = plan["stock"]["volume_mm3"];
+    record.stock = stock(plan["stock"]);
     for (const Json& one : plan["tools"])
         record.tools[one["id"]] = tool(one);
     const BandsOf bands = record::bandsOf(plan);

@@ -332,6 +332,33 @@ void checkBand(const RecordedFeature& recorded, const std::string& pointer) {
     }
 }
 
+namespace {
+
+/// What stays of the residuals is what the part's books say stays; plans of older versions do not tell.
+void checkStaying(const Json& plan, double rounding_mm3) {
+    double staying_mm3 = 0;
+    bool told = false;
+    for (const Json& feature : plan["features"])
+        for (const Json& band : feature["bands"])
+            for (const Json& residual : band["residual"]) {
+                if (!residual.contains("stays_mm3")) return;
+                told = true;
+                staying_mm3 += residual["stays_mm3"].get<double>();
+            }
+    const Json& books = plan["volume_balance"];
+    if (!told || !books.contains("residual_by_reason")) return;
+    double booked_mm3 = 0;
+    for (const Json& entry : books["residual_by_reason"])
+        if (!(stayReasonFrom(entry["reason"].get<std::string>()) == Reason::Allowance))
+            booked_mm3 += entry["volume_mm3"].get<double>();
+    if (std::abs(staying_mm3 - booked_mm3) > rounding_mm3)
+        failAt("#/volume_balance/residual_mm3",
+               fmt::format("expected what stays of the residuals, {:.3f}, found {:.3f}", staying_mm3,
+                           booked_mm3));
+}
+
+}  // namespace
+
 void checkBooks(const Json& plan, const Tolerances& tol) {
     const double removable_mm3 =
         plan["stock"]["volume_mm3"].get<double>() - plan["part"]["volume_mm3"].get<double>();
@@ -351,6 +378,7 @@ void checkBooks(const Json& plan, const Tolerances& tol) {
             failAt("#/volume_balance/" + list,
                    fmt::format("adds up to {:.3f}, not {:.3f}", sum_mm3, account_mm3));
     }
+    checkStaying(plan, rounding_mm3);
     std::map<std::string, double> volume_of;
     for (const Json& feature : plan["features"])
         volume_of[feature["setup"]] += feature["volume_mm3"].get<double>();

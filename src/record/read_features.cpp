@@ -67,6 +67,8 @@ Residual readResidual(const Json& json, const std::string& pointer, ReadTables& 
     residual.volume_mm3 = json["volume_mm3"];
     residual.reason = stayReasonFrom(json["reason"].get<std::string>());
     residual.advice = json.value("advice", "");
+    if (json.contains("stays_mm3")) residual.stays_mm3 = json["stays_mm3"];
+    if (json.contains("taken_by") && !json["taken_by"].is_null()) residual.taken_by = json["taken_by"];
     return residual;
 }
 

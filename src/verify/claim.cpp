@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/common_ground.h"
@@ -23,17 +24,15 @@
 namespace stepmill {
 namespace {
 
-/// Heights and lengths in plan.json have six decimals; levels closer than this are one to the slicer [mm].
-constexpr double kSameHeightMm = 1e-5;
 /// Volumes of solids are sums over faces [share].
 constexpr double kSameVolumeShare = 1e-6;
 
 bool sameLength(double a, double b) {
-    return std::abs(a - b) <= kSameHeightMm;
+    return std::abs(a - b) <= kSameWrittenHeightMm;
 }
 
 bool sameVolume(double a, double b) {
-    return std::abs(a - b) <= kSameHeightMm + kSameVolumeShare * std::max(std::abs(a), std::abs(b));
+    return std::abs(a - b) <= kSameWrittenHeightMm + kSameVolumeShare * std::max(std::abs(a), std::abs(b));
 }
 
 bool isDone(const PlanRecord& record, const std::string& feature_id) {
@@ -127,7 +126,8 @@ class SetupComparison {
         for (int i = 0; i < 3; ++i)
             length(setup_.id, "the stock's size", setup_.stock_size_mm[i], size[i]);
         const Eigen::Matrix4d off = setup_.part_to_setup.matrix() - derived.part_to_setup.matrix();
-        if (off.cwiseAbs().maxCoeff() > kSameHeightMm) fail(setup_.id, "the transform is not the setup's");
+        if (off.cwiseAbs().maxCoeff() > kSameWrittenHeightMm)
+            fail(setup_.id, "the transform is not the setup's");
         if (derived.stock.isRaw() && !sameVolume(record_.stock_volume_mm3, derived.stock.volume_mm3))
             fail("stock", fmt::format("its volume is {:.6f}, by part and margins {:.6f}",
                                       record_.stock_volume_mm3, derived.stock.volume_mm3));
@@ -182,6 +182,7 @@ SetupRequest setupRequest(const PlanRecord& record, const ClaimSources& sources)
     for (const RecordedSetup& setup : record.setups)
         request.axes.push_back(setup.axis.normalized());
     request.margin = record.request->margin;
+    request.stock_tolerance_mm = record.stock.tolerance_mm;
     request.stock_part = sources.stock;
     return request;
 }
@@ -249,7 +250,10 @@ class ClaimWalk {
                 derived.planned.operations.back().takes = record_.operations.at(id).takes;
             }
         const auto form = record_.forms.find(formGroundId(recorded.id));
-        if (form != record_.forms.end()) verify::compareForm(form->second, stage.setup, tol_, failures_);
+        if (form != record_.forms.end()) {
+            verify::compareForm(form->second, stage.setup, stage.layers, tol_, failures_);
+            derived.planned.form = form->second;
+        }
         derived.planned.setup = stage.setup;
         derived.planned.unplanned = stage.found.unplanned;
         derived.layers = std::move(stage.layers);

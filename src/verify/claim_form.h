@@ -3,14 +3,15 @@
 #include <vector>
 
 #include "stepmill/feature/form_ground.h"
+#include "stepmill/layers/layer_stack.h"
 #include "stepmill/setup/setup.h"
 #include "stepmill/verify/verify.h"
 
 namespace stepmill::verify {
 
 /// A failure for every band of the ground that does not cover the part, or a fixture, as the part's file and
-/// the fixtures have them. \param setup  derived, with its fixtures
-void compareForm(const FormGround& ground, const Setup& setup, const Tolerances& tol,
-                 std::vector<ProofFailure>& failures);
+/// the fixtures have them. \param setup  derived, with its fixtures \param layers  the setup's, derived
+void compareForm(const FormGround& ground, const Setup& setup, const LayerStack& layers,
+                 const Tolerances& tol, std::vector<ProofFailure>& failures);
 
 }  // namespace stepmill::verify

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/catalog/spindle.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "stepmill/verify/claim.h"
 
 namespace stepmill {
@@ -61,7 +63,7 @@ bool mayStandOut(const ToolAssembly& tool, double stick_out_mm) {
     return stick_out_mm >= range.shortest_mm - kWritten && stick_out_mm <= range.longest_mm + kWritten;
 }
 
-void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library,
+void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library, const Machine& machine,
                  std::vector<ProofFailure>& failures) {
     Comparison compare("tool " + recorded.id, failures);
     compare.same("the number", recorded.number, in_library.number);
@@ -71,15 +73,22 @@ void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library,
     compare.same("the tip diameter", recorded.tip_diameter_mm, in_library.tip_diameter_mm);
     compare.same("the included angle", recorded.included_angle_deg, in_library.included_angle_deg);
     compare.same("the flute length", recorded.flute_length_mm, in_library.flute_length_mm);
+    compare.same("the deepest plunge", recorded.max_plunge_mm, in_library.max_plunge_mm);
     if (!mayStandOut(in_library, recorded.stick_out_mm))
         return compare.fail(fmt::format("the stick-out of {:g} is not the library's", recorded.stick_out_mm));
-    const ToolAssembly expected = setTo(in_library, recorded.stick_out_mm);
+    const ToolAssembly expected = inSpindle(setTo(in_library, recorded.stick_out_mm), machine);
     compare.same(recorded.shank, expected.shank, "the shank");
     if (recorded.holder.size() != expected.holder.size())
         return compare.fail(fmt::format("the holder has {} cylinders, in the library {}",
                                         recorded.holder.size(), expected.holder.size()));
     for (std::size_t i = 0; i < expected.holder.size(); ++i)
         compare.same(recorded.holder[i], expected.holder[i], "the holder");
+}
+
+void compareRampAngle(const RecordedOperation& operation, const CuttingData& data, Comparison& compare) {
+    const double angle_deg = toolpath::rampAngleDeg(data);
+    if (operation.ramp_angle_deg <= 0) return compare.fail("no ramp angle is told");
+    compare.atMost("the ramp angle", operation.ramp_angle_deg, angle_deg);
 }
 
 void compareCutting(const RecordedOperation& operation, const CuttingData& data,
@@ -93,6 +102,7 @@ void compareCutting(const RecordedOperation& operation, const CuttingData& data,
     // A finishing pass takes little off a wall and goes deeper for it.
     if (operation.role != Role::Finish)
         compare.atMost("the step-down", operation.step_down_mm, data.step_down_mm);
+    if (!operation.tool.isDrill()) compareRampAngle(operation, data, compare);
     compare.sameWord("the coolant", toString(operation.coolant), toString(data.coolant));
 }
 
@@ -103,7 +113,7 @@ std::vector<ProofFailure> compareWithLibrary(const PlanRecord& record, const Too
     for (const auto& [id, tool] : record.tools) {
         const ToolAssembly* in_library = toolIn(library, id);
         if (in_library != nullptr)
-            compareTool(tool, *in_library, failures);
+            compareTool(tool, *in_library, record.machine, failures);
         else
             Comparison("tool " + id, failures).fail("is not in " + library.file);
     }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"
@@ -24,21 +25,25 @@ using toolpath::sweptRegion;
 struct Way {
     Path path;  ///< one segment; none where it goes straight down
     int line = 0;
+    double step_mm = 0;  ///< it may cut so far below what was cut before
 };
 
-Way wayOf(const Vec2& from, const Segment& segment, int line) {
-    Way way{{from, {}}, line};
+Way wayOf(const Vec2& from, const Segment& segment, int line, double step_mm) {
+    Way way{{from, {}}, line, step_mm};
     if (segment.arc || segment.to != from) way.path.segments.push_back(segment);
     return way;
 }
 
 /// A step is the difference of two heights, both rounded [mm].
-constexpr double kStepRoundingMm = 2 * kSameHeightMm;
+constexpr double kStepRoundingMm = 2 * kSamePostedHeightMm;
 /// A ramp may sink by this share of the step-down more: heights along it are known by pieces.
 constexpr double kRampPiece = 1.0 / 64;
 /// Pieces for that share: the ramp counts with its lower end, the turn above it with its upper one, and the
 /// pieces of both need not begin at the same places.
 constexpr int kLooksPerPiece = 3;
+/// Slopes may be steeper by this share, and heights by their rounding [mm].
+constexpr double kSlopeShare = 1e-3;
+constexpr double kSlopeRoundingMm = 3e-4;
 /// A ramp begins this much over the material, so that turn by turn it sinks as much more than the step-down
 /// [mm].
 constexpr double kRampStartMm = 0.2;
@@ -81,7 +86,7 @@ class DepthProver {
         for (const ReadMove& read : operation.moves) {
             const Move& move = read.fed.move;
             const double low_mm = std::min(from.z(), move.to.z());
-            if (move.kind == MoveKind::Rapid || low_mm >= top() - kSameHeightMm) {
+            if (move.kind == MoveKind::Rapid || low_mm >= top() - kSamePostedHeightMm) {
                 settle();
             } else {
                 follow(from, read);
@@ -97,7 +102,24 @@ class DepthProver {
     /// How high may be what a pass at that height counts on?
     double reachOver(double low_mm) const {
         const double ramp_mm = kRampStartMm + kRampPiece * planned_.step_down_mm;
-        return low_mm + planned_.step_down_mm + kStepRoundingMm + (ramping_ ? ramp_mm : 0);
+        return low_mm + step_mm_ + kStepRoundingMm + (ramping_ ? ramp_mm : 0);
+    }
+
+    /// How deep a move may go below what was cut before: where it is steeper than the tool's ramps, no deeper
+    /// than the tool may plunge. Finishing plunges into the allowance alone.
+    double stepOf(double drop_mm, double flat_mm) const {
+        const bool finishes = planned_.role == Role::Finish;
+        const double ramp_mm = flat_mm * std::tan(degToRad(planned_.ramp_angle_deg));
+        const bool told = flat_mm == 0 || planned_.ramp_angle_deg > 0;
+        const bool steep = told && drop_mm > ramp_mm * (1 + kSlopeShare) + kSlopeRoundingMm;
+        return steep && !finishes ? std::min(planned_.step_down_mm, planned_.tool.max_plunge_mm)
+                                  : planned_.step_down_mm;
+    }
+
+    /// Ways that may go deeper or less deep than those before are looked at by themselves.
+    void allow(double step_mm) {
+        if (step_mm != step_mm_) settle();
+        step_mm_ = step_mm;
     }
 
     /// Feeds a move; a ramp in pieces.
@@ -105,10 +127,11 @@ class DepthProver {
         const Move& move = read.fed.move;
         const Segment segment{move.to.head<2>(), move.arc};
         const double drop_mm = from.z() - move.to.z();
-        if (move.kind == MoveKind::Plunge || drop_mm <= kSameHeightMm) {
+        allow(stepOf(drop_mm, move.kind == MoveKind::Plunge ? 0 : length(Vec2(from.head<2>()), segment)));
+        if (move.kind == MoveKind::Plunge || drop_mm <= kSamePostedHeightMm) {
             const bool plunge = move.kind == MoveKind::Plunge;
             const double low_mm = std::min(from.z(), move.to.z());
-            return feed(wayOf(from.head<2>(), segment, read.line), low_mm,
+            return feed(wayOf(from.head<2>(), segment, read.line, step_mm_), low_mm,
                         plunge ? low_mm : std::max(from.z(), move.to.z()));
         }
         const double sinks_mm = kRampPiece * planned_.step_down_mm / kLooksPerPiece;
@@ -118,14 +141,14 @@ class DepthProver {
             const double share = static_cast<double>(i) / pieces;
             const Vec2 to = i == pieces ? segment.to : pointAt(from.head<2>(), segment, share);
             const double high_mm = from.z() - drop_mm * (i - 1) / pieces;
-            feed(wayOf(at, {to, segment.arc}, read.line), from.z() - drop_mm * share, high_mm);
+            feed(wayOf(at, {to, segment.arc}, read.line, step_mm_), from.z() - drop_mm * share, high_mm);
             if (failed_) return;
             at = to;
         }
     }
 
     void feed(Way way, double low_mm, double cut_to_mm) {
-        ramping_ = cut_to_mm > low_mm + kSameHeightMm;
+        ramping_ = cut_to_mm > low_mm + kSamePostedHeightMm;
         auto counts_on = levelOver(low_mm);
         if (counts_on != counts_on_) {
             settle();
@@ -169,8 +192,8 @@ class DepthProver {
     }
 
     Level& levelAt(double z_mm) {
-        const auto near = levels_.lower_bound(z_mm - kSameHeightMm);
-        if (near != levels_.end() && near->first <= z_mm + kSameHeightMm) return near->second;
+        const auto near = levels_.lower_bound(z_mm - kSamePostedHeightMm);
+        if (near != levels_.end() && near->first <= z_mm + kSamePostedHeightMm) return near->second;
         return levels_[z_mm];
     }
 
@@ -192,9 +215,13 @@ class DepthProver {
         const auto first = std::find_if(asked_.begin(), asked_.end(), meets);
         findings_.add(
             first == asked_.end() ? asked_.front().line : first->line,
-            fmt::format("goes more than the planned {:.4g} mm below what was cut before, over {:.4g} "
-                        "mm2",
-                        planned_.step_down_mm, left_mm2));
+            asked_.front().step_mm < planned_.step_down_mm
+                ? fmt::format("goes down steeper than {} ramps, more than the {:.4g} mm it may plunge, over "
+                              "{:.4g} mm2",
+                              planned_.tool.id, asked_.front().step_mm, left_mm2)
+                : fmt::format("goes more than the planned {:.4g} mm below what was cut before, over {:.4g} "
+                              "mm2",
+                              planned_.step_down_mm, left_mm2));
     }
 
     /// What the ways sweep of standing material that no level they may count on has been taken off.
@@ -221,7 +248,8 @@ class DepthProver {
     std::map<double, Level> levels_;  ///< by height
     std::optional<double> counts_on_;
     bool ramping_ = false;
-    std::vector<Way> asked_;  ///< since settle()
+    double step_mm_ = planned_.step_down_mm;  ///< what the move in hand may cut below what was cut before
+    std::vector<Way> asked_;                  ///< since settle()
     /// Least height that what they count on may have.
     double asked_reach_mm_ = std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, Path>> fresh_;  ///< cut since settle(), with their heights

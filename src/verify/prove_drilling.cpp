@@ -23,7 +23,7 @@ void checkDepth(const ReadOperation& operation, double tip_z_mm, const Findings&
     const ReadMove* lowest = nullptr;
     for (const ReadMove& read : operation.moves)
         if (lowest == nullptr || read.fed.move.to.z() < lowest->fed.move.to.z()) lowest = &read;
-    if (lowest != nullptr && lowest->fed.move.to.z() <= tip_z_mm + kSameHeightMm) return;
+    if (lowest != nullptr && lowest->fed.move.to.z() <= tip_z_mm + kSamePostedHeightMm) return;
     findings.add(lowest == nullptr ? operation.line : lowest->line,
                  fmt::format("drills to Z{:.4f}, planned is Z{:.4f}",
                              lowest == nullptr ? 0.0 : lowest->fed.move.to.z(), tip_z_mm));
@@ -39,7 +39,7 @@ void checkPecks(const ReadOperation& operation, const RecordedOperation& planned
         if (z_mm >= top_z_mm) emptied_at_mm = drilled_mm;
         drilled_mm = std::min(drilled_mm, z_mm);
         const double sunk_mm = emptied_at_mm - drilled_mm;
-        if (sunk_mm <= planned.step_down_mm + 2 * kSameHeightMm) continue;
+        if (sunk_mm <= planned.step_down_mm + 2 * kSamePostedHeightMm) continue;
         findings.add(read.line,
                      fmt::format("drills {:.4f} mm without coming out, planned are pecks of {:.4f} mm",
                                  sunk_mm, planned.step_down_mm));
@@ -51,7 +51,7 @@ void checkDwell(const ReadOperation& operation, const RecordedOperation& planned
                 const Findings& findings) {
     double stayed_s = 0;
     for (const ReadDwell& dwell : operation.dwells)
-        if (dwell.z_mm <= tip_z_mm + kSameHeightMm) stayed_s += dwell.seconds;
+        if (dwell.z_mm <= tip_z_mm + kSamePostedHeightMm) stayed_s += dwell.seconds;
     if (stayed_s < planned.dwell_s - kDwellRoundingS)
         findings.add(operation.line,
                      fmt::format("stays {:.3f} s at the bottom of the hole, planned are {:.3f} s", stayed_s,

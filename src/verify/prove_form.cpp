@@ -87,14 +87,14 @@ class FormProver {
     double farMm() const { return kFarRadii * form_.fullRadiusMm(); }
 
     void proveDepth(double low_mm) {
-        if (low_mm < planned_.z_floor_mm - kSameHeightMm)
+        if (low_mm < planned_.z_floor_mm - kSamePostedHeightMm)
             fail(fmt::format("goes down to Z{:.4f}, planned is Z{:.4f}", low_mm, planned_.z_floor_mm));
     }
 
     /// Heights of the tip are rounded: the tip counts as that much higher.
     void proveCutter(const Edge& way, double low_mm, std::size_t number) {
         const std::vector<Obstacle>& bands = must_stand_.bands();
-        const double tip_mm = low_mm + kSameHeightMm;
+        const double tip_mm = low_mm + kSamePostedHeightMm;
         if (bands.empty() || tip_mm >= bands.back().top_z_mm) return;
         if (!contains(window_, way.segment.to) ||
             window_edges_.distanceTo(way, farMm()) < form_.fullRadiusMm() - tol_.gouge_mm)
@@ -130,10 +130,10 @@ class FormProver {
 
     /// Least distance from a cylinder that stands up from that height to what stands there or above.
     double overhead(const Edge& way, double z_mm, double radius_mm, std::size_t number) {
-        const std::size_t over = obstacleOver(obstacles_.bands(), z_mm + kSameHeightMm);
-        if (over >= obstacles_.bands().size()) return std::numeric_limits<double>::infinity();
+        const auto over = access::obstacleAbove(obstacles_.bands(), z_mm, kSamePostedHeightMm);
+        if (!over) return std::numeric_limits<double>::infinity();
         const double far_mm = std::max(farMm(), 2 * radius_mm);
-        return obstacles_.distance(over, way, number, far_mm) - radius_mm;
+        return obstacles_.distance(*over, way, number, far_mm) - radius_mm;
     }
 
     const RecordedOperation& planned_;

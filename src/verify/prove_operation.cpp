@@ -175,6 +175,7 @@ std::vector<ClearingTask> bandsOf(const FeatureState& state, const RecordedOpera
         ClearingTask band;
         band.target = state.standing[i].region;
         band.obstruction = state.feature.obstruction;
+        band.skirt = state.feature.skirt;
         const bool highest = i + 1 == state.standing.size();
         band.top_z_mm = highest ? state.feature.top_z_mm : state.standing[i + 1].z_mm;
         band.floor_z_mm = planned.z_floor_mm;
@@ -189,7 +190,7 @@ std::vector<ClearingTask> bandsOf(const FeatureState& state, const RecordedOpera
 const Region& FeatureState::standingAt(double z_mm) const {
     const Region* found = &standing.front().region;
     for (const StandingAbove& above : standing)
-        if (above.z_mm <= z_mm + kSameHeightMm) found = &above.region;
+        if (above.z_mm <= z_mm + kSamePostedHeightMm) found = &above.region;
     return *found;
 }
 
@@ -242,7 +243,7 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
             const LinedPath met =
                 somePath(operation, cylinder.bottom_mm, [&](const Vec3& from, const Move& move) {
                     const double z = lowOf(from, move) + cylinder.bottom_mm;
-                    return access::obstacleAbove(feature, z, kSameHeightMm) == i;
+                    return access::obstacleAbove(feature.obstacles, z, kSamePostedHeightMm) == i;
                 });
             checkClearance(met, keepOff(section), radius_mm, -tol.gouge_mm, tol, least_mm, what, findings);
         }
@@ -253,7 +254,7 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
             const double z = lowOf(from, move) + cylinder.bottom_mm;
             const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
             from = move.to;
-            if (z >= feature.top_z_mm - kSameHeightMm) continue;
+            if (z >= feature.top_z_mm - kSamePostedHeightMm) continue;
             const Region& standing = state.standingAt(z);
             OwnMaterial& there = own.try_emplace(&standing, operation, planned, standing, tol).first->second;
             const double clearance = there.clearance(way, radius_mm, z, i);
@@ -283,7 +284,7 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
         if (move.kind == MoveKind::Rapid) continue;
         // Moves as short as the last decimal have any slope once they are rounded.
         const double sinking =
-            drop > kSameHeightMm ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
+            drop > kSamePostedHeightMm ? read.fed.feed_mm_per_min * drop / std::hypot(drop, flat) : 0;
         const double slow = slowSpindleShare(program.states[read.state].speed_rpm, planned.speed_rpm);
         const double share = std::max(read.fed.feed_mm_per_min / feed_limit, sinking / sink_limit) / slow;
         findings.proof.feed_share = std::max(findings.proof.feed_share, share);
@@ -303,9 +304,9 @@ Region cleared(const ReadOperation& operation, const RecordedOperation& planned,
     const ToolAssembly& tool = planned.tool;
     double radius_mm = tool.radius_mm() + tol.sliver_mm;
     if (tool.isDrill()) radius_mm += kDrillUndersizeMm / 2;
-    return sweptRegion(
-        waysBelow(operation, 0, operation.moves.size(), planned.z_floor_mm + kSameHeightMm, operation.start),
-        radius_mm, tol);
+    return sweptRegion(waysBelow(operation, 0, operation.moves.size(),
+                                 planned.z_floor_mm + kSamePostedHeightMm, operation.start),
+                       radius_mm, tol);
 }
 
 }  // namespace stepmill::verify

@@ -6,7 +6,7 @@ namespace stepmill::verify {
 
 /// Heights closer than this are one: two that were equal before each was rounded to a last decimal of an inch
 /// [mm].
-inline constexpr double kSameHeightMm = 3e-4;
+inline constexpr double kSamePostedHeightMm = 3e-4;
 
 /// What of a feature's target stands above a height: all that no operation has cleared down to there.
 struct StandingAbove {

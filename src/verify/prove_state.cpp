@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/post/blending.h"
+
 namespace stepmill::verify {
 namespace {
 
-/// G64 may cut corners by so much: as much as arcs may be off (post/reader/arc.cpp) [mm].
-constexpr double kLargestBlendMm = 0.02;
 /// S words are rounded to whole numbers [1/min].
 constexpr double kSpeedRoundingRpm = 1;
 
@@ -92,9 +92,10 @@ class StateProver {
         if (blends && state.blend_mm <= 0)
             tell(Fault::Path,
                  "runs with G64 without P, which rounds corners by as much as the controller likes");
-        if (state.blend_mm > kLargestBlendMm)
-            tell(Fault::Path, fmt::format("corners may be rounded by {:.4g} mm (G64 P); {} are proven",
-                                          state.blend_mm, kLargestBlendMm));
+        const double largest_mm = largestBlendMm(planned_.leaves);
+        if (state.blend_mm > largest_mm)
+            tell(Fault::Path, fmt::format("corners may be rounded by {:.4g} mm (G64 P); {:.4g} are proven",
+                                          state.blend_mm, largest_mm));
     }
 
     void checkSpindle(const MachineState& state) {
@@ -142,6 +143,7 @@ std::string faultOf(const ReadProgram& program, const ReadLeap& leap, double saf
         return fmt::format(
             "comes from a place that is not known to Z{:.4f}, below the top of stock and fixtures",
             *leap.to_z_mm);
+    if (leap.to_home && !state.compensation_off) return "goes home before G40";
     if (!leap.names_place) return {};
     if ((leap.across || leap.to_z_mm) && state.work_offset != kPlannedWorkOffset)
         return "goes to a place in another work offset than G54";
@@ -150,10 +152,13 @@ std::string faultOf(const ReadProgram& program, const ReadLeap& leap, double saf
     return {};
 }
 
-std::string faultOf(const ReadStop& stop, double safe_z_mm) {
+std::string faultOf(const ReadStop& stop, double safe_z_mm, bool has_home) {
+    const char* before_what = stop.is_end ? "program ends" : "tool changes";
+    if (has_home && !stop.at_home)
+        return fmt::format("the spindle is not taken to the top of its travel before the {}", before_what);
     if (!stop.z_mm || *stop.z_mm >= safe_z_mm) return {};
     return fmt::format("ends at Z{:.4f}, below the top of stock and fixtures, before the {}", *stop.z_mm,
-                       stop.is_end ? "program ends" : "tool changes");
+                       before_what);
 }
 
 }  // namespace
@@ -165,12 +170,13 @@ void proveStates(const ReadProgram& program, const ReadOperation& operation, con
         prover.prove(move);
 }
 
-void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofFailure>& failures) {
+void proveLeaps(const ReadProgram& program, double safe_z_mm, bool has_home,
+                std::vector<ProofFailure>& failures) {
     for (const ReadLeap& leap : program.leaps)
         if (const std::string fault = faultOf(program, leap, safe_z_mm); !fault.empty())
             failures.push_back({program.file, leap.line, leap.operation, fault});
     for (const ReadStop& stop : program.stops)
-        if (const std::string fault = faultOf(stop, safe_z_mm); !fault.empty())
+        if (const std::string fault = faultOf(stop, safe_z_mm, has_home); !fault.empty())
             failures.push_back({program.file, stop.line, stop.operation, fault});
 }
 
@@ -197,7 +203,7 @@ void TravelProver::extend(const Vec3& place, const std::string& file, int line,
         const double travel_mm = machine_.travel_mm[static_cast<std::size_t>(axis)];
         const double needed_mm = box_.sizes()[axis];
         bool& told = told_[static_cast<std::size_t>(axis)];
-        if (told || travel_mm <= 0 || needed_mm <= travel_mm + kSameHeightMm) continue;
+        if (told || travel_mm <= 0 || needed_mm <= travel_mm + kSamePostedHeightMm) continue;
         told = true;
         failures_.push_back({file, line, operation,
                              fmt::format("the programs of the setup now go over {:.4g} mm along {}, the "

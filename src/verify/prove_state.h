@@ -14,8 +14,10 @@ void proveStates(const ReadProgram& program, const ReadOperation& operation, con
                  const Findings& findings);
 
 /// Rapids from or to places that the program does not say stay over stock and fixtures, with the right
-/// offsets; tools change and programs end there too.
-void proveLeaps(const ReadProgram& program, double safe_z_mm, std::vector<ProofFailure>& failures);
+/// offsets; tools change and programs end there too, and at the top of the machine's travel where it has a
+/// home.
+void proveLeaps(const ReadProgram& program, double safe_z_mm, bool has_home,
+                std::vector<ProofFailure>& failures);
 
 /// Every tool that is named is one of the setup's: a controller refuses those its table lacks.
 void proveTools(const ReadProgram& program, const std::set<int>& tools, std::vector<ProofFailure>& failures);

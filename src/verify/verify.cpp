@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/plan/books.h"
+#include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/reduced_feature.h"
 #include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/planar/boolean.h"
@@ -30,15 +32,21 @@ class SetupProver {
   public:
     SetupProver(const PlanRecord& record, const RecordedSetup& setup, const Tolerances& tol,
                 Verification& into)
-        : record_(record), setup_(setup), file_(setup.program), tol_(tol), into_(into) {}
+        : record_(record),
+          setup_(setup),
+          growth_(growthOf(record.stock, setup.part_to_setup)),
+          file_(setup.program),
+          tol_(tol),
+          into_(into) {}
 
     void prove(const std::vector<ReadProgram>& programs) {
+        if (programs.empty() && !setup_.within_travel) return;
         verify::TravelProver travel(record_.machine, into_.failures);
         for (const ReadProgram& program : programs) {
             program_ = &program;
             file_ = program.file;
             if (setup_.within_travel) travel.prove(program);
-            verify::proveLeaps(program, highestFixtureMm(setup_.fixtures), into_.failures);
+            verify::proveLeaps(program, safeZ(), record_.machine.home_by != HomeBy::Nothing, into_.failures);
             verify::proveTools(program, toolNumbers(), into_.failures);
             for (const ReadOperation& operation : program.operations)
                 proveOne(operation);
@@ -49,6 +57,9 @@ class SetupProver {
     }
 
   private:
+    /// Neither stock, as high as it may be, nor fixture stands higher.
+    double safeZ() const { return std::max(growth_.top_mm, highestFixtureMm(setup_.fixtures)); }
+
     std::set<int> toolNumbers() const {
         std::set<int> numbers;
         for (const std::string& id : setup_.operation_ids)
@@ -88,7 +99,7 @@ class SetupProver {
         proveOnStock(operation, planned, state, findings);
         const Region cleared = verify::cleared(operation, planned, tol_);
         for (verify::StandingAbove& above : state.standing)
-            if (!cleared.empty() && above.z_mm >= planned.z_floor_mm - verify::kSameHeightMm)
+            if (!cleared.empty() && above.z_mm >= planned.z_floor_mm - verify::kSamePostedHeightMm)
                 above.region = subtract(above.region, cleared, tol_);
         done_.insert(operation.id);
         const bool last = isLastOfFeature(planned);
@@ -117,16 +128,17 @@ class SetupProver {
         if (found != states_.end()) return found->second;
         const Feature& feature = record_.features.at(id).feature;
         FeatureState state;
-        state.feature =
+        state.feature = onGrownStock(
             reduced(feature, parentsOf(feature, by_id_), ancestorsOf(feature, by_id_), setup_.fixtures, tol_)
-                .feature;
-        state.safe_z_mm = highestFixtureMm(setup_.fixtures);
+                .feature,
+            growth_, tol_);
+        state.safe_z_mm = safeZ();
         std::set<double> heights;
         for (const auto& [operation_id, operation] : record_.operations)
             if (operation.feature_id == id)
                 heights.insert({operation.z_floor_mm, operation.z_floor_mm - operation.leaves.floors_mm});
         for (const double z_mm : heights)
-            if (state.standing.empty() || z_mm > state.standing.back().z_mm + verify::kSameHeightMm)
+            if (state.standing.empty() || z_mm > state.standing.back().z_mm + verify::kSamePostedHeightMm)
                 state.standing.push_back({z_mm, state.feature.target});
         return states_.emplace(id, std::move(state)).first->second;
     }
@@ -191,14 +203,18 @@ class SetupProver {
     std::vector<Region> leftOf(const std::string& feature_id, double floor_z_mm,
                                const FeatureState& state) const {
         std::vector<Region> named;
-        const double depth_mm = state.feature.top_z_mm - floor_z_mm;
-        for (const Residual& residual : record_.features.at(feature_id).residual) {
+        const RecordedFeature& recorded = record_.features.at(feature_id);
+        const double depth_mm = recorded.feature.top_z_mm - floor_z_mm;
+        for (const Residual& residual : recorded.residual) {
             // Area, height and volume are rounded in the file.
             const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm + 2 * residual.area_mm2);
             if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
                 named.push_back(residual.region);
         }
-        const Region& standing = state.standingAt(floor_z_mm);
+        const Region& found = state.standingAt(floor_z_mm);
+        // What the stock has too much of is no work that the plan must do.
+        const bool has_more = growth_.side_mm > 0 && !found.empty();
+        const Region standing = has_more ? intersect(found, recorded.feature.target, tol_) : found;
         const bool all_named = standing.empty() || named.empty();
         std::vector<Region> pieces = toolpath::piecesBeyondSkins(
             all_named ? standing : subtract(standing, unite(named, tol_), tol_), tol_);
@@ -237,6 +253,7 @@ class SetupProver {
         return CutFeature{&recorded.feature, &recorded.residual};
     };
     const RecordedSetup& setup_;
+    const StockGrowth growth_;
     const ReadProgram* program_ = nullptr;
     std::string file_;
     const Tolerances& tol_;
@@ -253,15 +270,23 @@ void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
     SetupProver(record, setup, tol, into).prove(programs);
 }
 
+bool leavesUnasked(const PlanRecord& record, const Tolerances& tol) {
+    const bool roughing = record.request && record.request->roughing;
+    return !leavesNothing(record.books, roughing, tol);
+}
+
 Verification verifyRecorded(const RecordedPlan& plan, const Tolerances& tol) {
     const PlanRecord& record = plan.record;
     Verification verification;
     for (const RecordedSetup& setup : record.setups)
         verifySetup(record, setup, readPrograms(plan.files, setup), tol, verification);
+    std::vector<ReasonVolume> left = record.books.residual_by_reason;
+    left.insert(left.end(), record.books.unreachable_by_reason.begin(),
+                record.books.unreachable_by_reason.end());
     double left_mm3 = 0;
-    for (const ReasonVolume& entry : record.left)
+    for (const ReasonVolume& entry : left)
         left_mm3 += entry.volume_mm3;
-    if (left_mm3 > record.rounding_mm3) verification.left = record.left;
+    if (left_mm3 > record.rounding_mm3 || leavesUnasked(record, tol)) verification.left = std::move(left);
     return verification;
 }
 

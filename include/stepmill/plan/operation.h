@@ -19,7 +19,8 @@ struct OperationData {
     FinishAllowance leaves;  ///< for a finishing operation of the same feature
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
-    double dwell_s = 0;  ///< at the bottom of a drilled hole; counted in totals, not in the path
+    double dwell_s = 0;         ///< at the bottom of a drilled hole; counted in totals, not in the path
+    double ramp_angle_deg = 0;  ///< steepest descent through material that is no plunge; 0: not told
     /// Of a form operation: what it takes of the volumes that leaning walls hide from flat layers.
     std::vector<ReasonVolume> takes;
 };

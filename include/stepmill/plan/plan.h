@@ -24,8 +24,9 @@ namespace stepmill {
 /// Something the reader of a plan must know. Codes are stable words for programs.
 struct Warning {
     std::string code;     ///< "unit-doubt", "input-doubt", "not-2.5d", "residual", "no-tool", ...
-    std::string subject;  ///< "S1.F2", "part.step"
+    std::string subject;  ///< "S1.F2", "part.step"; of several causes alike the first
     std::string text;
+    int count = 1;  ///< how many causes alike it stands for
 };
 
 struct PlannedFeature {

@@ -14,7 +14,7 @@ struct UsableLibrary {
 
 /// The library less cutting data that no program can be made with: feeds that the machine's spindle slows
 /// to nothing, and depths of cut so thin that the stock's height takes more than toolpath::kMostDepths of
-/// them.
+/// them. Its tools stand in the machine: inSpindle() (catalog/spindle.h).
 UsableLibrary usableLibrary(const ToolLibrary& library, const SequenceOptions& options,
                             const Machine& machine, double deepest_mm);
 

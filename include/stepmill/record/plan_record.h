@@ -30,7 +30,7 @@ struct RecordedSetup {
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     std::vector<std::string> operation_ids;  ///< in machining order
-    /// The machine travels as far as the programs go: all but those the plan warns of.
+    /// The machine travels as far as the programs go: all but those the plan warns of, which it has not got.
     bool within_travel = true;
 };
 
@@ -57,6 +57,7 @@ struct PlanRecord {
     RecordedFile library;
     double part_volume_mm3 = 0;
     double stock_volume_mm3 = 0;
+    Stock stock;                                ///< kind, raw box and tolerance alone
     std::map<std::string, ToolAssembly> tools;  ///< by id; without cutting data
     std::string part_file;
     std::string part_sha256;
@@ -67,9 +68,8 @@ struct PlanRecord {
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
     std::map<std::string, FormGround> forms;          ///< by id, one a setup at most
     std::map<std::string, RecordedOperation> operations;
-    VolumeBalance books;  ///< of the part; without the reasons
-    /// What stays of stock minus part at the end, by reason, and how much of it is rounding [mm3].
-    std::vector<ReasonVolume> left;
+    VolumeBalance books;  ///< of the part
+    /// How much of what stays of stock minus part at the end is rounding [mm3].
     double rounding_mm3 = 0;
 };
 

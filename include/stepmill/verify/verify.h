@@ -64,6 +64,9 @@ struct Verification {
     bool proven() const { return failures.empty(); }
 };
 
+/// Does anything stay by the plan's own books that was not asked to, as roughing's allowance is?
+bool leavesUnasked(const PlanRecord& record, const Tolerances& tol);
+
 /// Proves posted programs against the plan they belong to: reads them as the controller will and checks for
 /// every operation, from lines and arcs themselves,
 /// - that the cutter keeps off the feature's obstruction (within `tol.gouge_mm`) and off the floor below,

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "stepmill/feature/feature.h"
+#include "stepmill/sequence/sequence.h"
+#include "stepmill/setup/stock_growth.h"
+
+namespace stepmill {
+
+/// The feature as its tools find it on the grown stock: the target goes on over its open edges as far as the
+/// stock may, a raw top stands higher, obstacles stand out farther, and the skirt is what may stand beside
+/// the obstruction. Without growth the feature as it is; one with an empty target too.
+/// \param feature  beside all that stands by the plan: reduced() (plan/reduced_feature.h)
+Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerances& tol);
+
+/// Obstacles as they may stand: raw sides farther out, a raw top higher.
+std::vector<Obstacle> onGrownStock(std::vector<Obstacle> obstacles, const StockGrowth& growth,
+                                   const Tolerances& tol);
+
+/// What tools leave of the grown feature, as residuals of the feature itself.
+std::vector<Residual> onNominalStock(std::vector<Residual> residual, const Feature& feature,
+                                     const Feature& grown, const Tolerances& tol);
+
+}  // namespace stepmill

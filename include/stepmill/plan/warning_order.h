@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// Warnings as a reader wants them: those alike as one with a count, the gravest first. Danger comes before
+/// what is missing on the part, that before cost, that before notes; among equals the order stays. Alike are
+/// those of one code that say the same of several features or tools; a setup that the machine is too small
+/// for and a proof that failed stay warnings of their own.
+std::vector<Warning> byConsequence(std::vector<Warning> warnings);
+
+/// Does the machine travel as far as the setup's program goes? Where it does not, the plan warns of it and no
+/// program is written.
+bool isWithinTravel(const Plan& plan, const std::string& setup_id);
+
+}  // namespace stepmill

@@ -1,0 +1,66 @@
+#include "stepmill/plan/warning_order.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace stepmill {
+namespace {
+
+/// What comes of not heeding a warning, the gravest first.
+enum class Consequence { Danger, MissingOnThePart, Cost, Note };
+
+struct CodeConsequence {
+    std::string_view code;
+    Consequence consequence;
+};
+constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
+                                             {"unit-doubt", Consequence::Danger},
+                                             {"input-doubt", Consequence::Danger},
+                                             {"books", Consequence::Danger},
+                                             {"proof", Consequence::Danger},
+                                             {"not-2.5d", Consequence::MissingOnThePart},
+                                             {"unreachable", Consequence::MissingOnThePart},
+                                             {"feature-failed", Consequence::MissingOnThePart},
+                                             {"planning-failed", Consequence::MissingOnThePart},
+                                             {"no-tool", Consequence::MissingOnThePart},
+                                             {"residual", Consequence::MissingOnThePart},
+                                             {"no-allowance", Consequence::MissingOnThePart},
+                                             {"magazine", Consequence::Cost},
+                                             {"slow", Consequence::Cost},
+                                             {"tool-unusable", Consequence::Cost}};
+
+Consequence consequenceOf(const Warning& warning) {
+    for (const CodeConsequence& known : kConsequences)
+        if (known.code == warning.code) return known.consequence;
+    return Consequence::Note;
+}
+
+bool staysAlone(const Warning& warning) {
+    return warning.code == "travel" || warning.code == "proof";
+}
+
+}  // namespace
+
+std::vector<Warning> byConsequence(std::vector<Warning> warnings) {
+    std::vector<Warning> grouped;
+    for (Warning& warning : warnings) {
+        const auto alike = std::find_if(grouped.begin(), grouped.end(), [&](const Warning& known) {
+            return !staysAlone(warning) && known.code == warning.code && known.text == warning.text;
+        });
+        if (alike != grouped.end())
+            alike->count += warning.count;
+        else
+            grouped.push_back(std::move(warning));
+    }
+    std::stable_sort(grouped.begin(), grouped.end(),
+                     [](const Warning& a, const Warning& b) { return consequenceOf(a) < consequenceOf(b); });
+    return grouped;
+}
+
+bool isWithinTravel(const Plan& plan, const std::string& setup_id) {
+    return std::none_of(plan.warnings.begin(), plan.warnings.end(), [&](const Warning& warning) {
+        return warning.code == "travel" && warning.subject == setup_id;
+    });
+}
+
+}  // namespace stepmill
