@@ -1,4 +1,4 @@
-#include "job/folder_lock.h"
+#include "stepmill/job/folder_lock.h"
 
 #include <cerrno>
 #include <cstring>
@@ -10,7 +10,7 @@
 
 #include "stepmill/core/error.h"
 
-namespace stepmill::job {
+namespace stepmill {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& folder, const std::string& why) {
@@ -66,4 +66,4 @@ FolderLock::~FolderLock() {
     ::close(fd_);
 }
 
-}  // namespace stepmill::job
+}  // namespace stepmill

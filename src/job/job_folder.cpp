@@ -7,11 +7,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "job/folder_lock.h"
 #include "job/replace_folder.h"
 #include "job/work_folder.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/job/folder_lock.h"
 
 namespace stepmill {
 
@@ -202,7 +202,7 @@ struct JobFolder::State {
     Disk& disk;
     std::vector<fs::path> made;  // parents that were not there, innermost first
     fs::path folder;
-    std::optional<job::FolderLock> lock;
+    std::optional<FolderLock> lock;
     std::vector<std::string> edits;
 
     ~State() {

@@ -31,25 +31,40 @@ std::string base64OfHex(const std::string& hex) {
     return text;
 }
 
-Element policy(std::string_view style) {
-    return Element("meta")
-        .with("http-equiv", "Content-Security-Policy")
-        .with("content", "default-src 'none'; style-src 'sha256-" + base64OfHex(sha256(style)) +
-                             "'; base-uri 'none'; form-action 'none'");
+std::string hashSource(std::string_view text) {
+    return "'sha256-" + base64OfHex(sha256(text)) + "'";
 }
 
-Element headElement(const std::string& title) {
+/// \param script  the only one of the page; empty: none runs
+Element policy(std::string_view style, std::string_view script) {
+    const std::string scripts = script.empty() ? "" : " script-src " + hashSource(script) + ";";
+    return Element("meta")
+        .with("http-equiv", "Content-Security-Policy")
+        .with("content", "default-src 'none';" + scripts + " style-src " + hashSource(style) +
+                             "; base-uri 'none'; form-action 'none'");
+}
+
+Element headElement(const std::string& title, std::string_view script) {
     return Element(
-        "head", Element("meta").with("charset", "utf-8"), policy(kPageStyle),
+        "head", Element("meta").with("charset", "utf-8"), policy(kPageStyle, script),
         Element("meta").with("name", "viewport").with("content", "width=device-width, initial-scale=1"),
         Element("title", title), styleElement(kPageStyle));
+}
+
+std::string documentOf(Element head, Element body) {
+    return "<!DOCTYPE html>\n" +
+           Element("html", std::move(head), std::move(body)).with("lang", "en").markup();
 }
 
 }  // namespace
 
 std::string htmlDocument(const std::string& title, Element main) {
-    return "<!DOCTYPE html>\n" +
-           Element("html", headElement(title), Element("body", std::move(main))).with("lang", "en").markup();
+    return documentOf(headElement(title, ""), Element("body", std::move(main)));
+}
+
+std::string partTableDocument(const std::string& title, Element main, Element data) {
+    return documentOf(headElement(title, kPartTableScript),
+                      Element("body", std::move(main), std::move(data), scriptElement(kPartTableScript)));
 }
 
 }  // namespace stepmill::report

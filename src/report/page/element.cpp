@@ -166,4 +166,30 @@ Element styleElement(std::string_view sheet) {
     return style;
 }
 
+Element Element::script(std::string text) {
+    Element script(Form::Tagged, "");
+    script.name_ = "script";
+    script.kind_ = TagKind::Block;
+    script.addOne(Element(Form::AsItIs, std::move(text)));
+    return script;
+}
+
+Element scriptElement(std::string_view script) {
+    return Element::script(std::string(script));
+}
+
+Element dataElement(const Anchor& anchor, std::string_view json) {
+    // In JSON these stand within strings alone, where an escape means the same.
+    std::string escaped;
+    for (const char c : json)
+        if (c == '<' || c == '>' || c == '&')
+            escaped += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else
+            escaped += c;
+    Element data = Element::script(std::move(escaped));
+    data.set("type", "application/json");
+    data.mark(anchor);
+    return data;
+}
+
 }  // namespace stepmill::report

@@ -94,6 +94,11 @@ class Element {
     friend Element linkTo(const Anchor& anchor, std::string text);
     /// A style sheet as it is: what stands in it is ours, no text of strangers.
     friend Element styleElement(std::string_view sheet);
+    /// A script as it is: ours, no text of strangers. It has neither "<" nor "&".
+    friend Element scriptElement(std::string_view script);
+    /// JSON for a script of the page, which finds it by the anchor's id. It is data to a browser, whatever
+    /// stands in it.
+    friend Element dataElement(const Anchor& anchor, std::string_view json);
 
   private:
     struct Attribute {
@@ -103,6 +108,8 @@ class Element {
     enum class Form : std::uint8_t { Tagged, Text, AsItIs };
 
     Element(Form form, std::string text) : form_(form), text_(std::move(text)) {}
+    /// A <script>: no tag of kTags, so that no page can have one by mistake.
+    static Element script(std::string text);
 
     void addOne(Element child) { content_.push_back(std::move(child)); }
     void addOne(std::string text) { content_.push_back(Element(Form::Text, std::move(text))); }
@@ -125,6 +132,8 @@ class Element {
 
 Element linkTo(const Anchor& anchor, std::string text);
 Element styleElement(std::string_view sheet);
+Element scriptElement(std::string_view script);
+Element dataElement(const Anchor& anchor, std::string_view json);
 
 // Below: what the declarations above promise to check while compiling.
 
@@ -147,7 +156,8 @@ constexpr KnownTag kTags[] = {
     {"i", TagKind::Inline},      {"span", TagKind::Inline},   {"a", TagKind::Inline},
     {"svg", TagKind::Shape},     {"g", TagKind::Shape},       {"path", TagKind::Shape},
     {"circle", TagKind::Shape},  {"line", TagKind::Shape},    {"rect", TagKind::Shape},
-    {"text", TagKind::Shape},
+    {"text", TagKind::Shape},    {"input", TagKind::Void},    {"select", TagKind::Block},
+    {"option", TagKind::Block},  {"button", TagKind::Inline}, {"noscript", TagKind::Block},
 };
 
 /// Not constant, so that a literal which calls them does not compile.

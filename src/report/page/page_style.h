@@ -7,4 +7,7 @@ namespace stepmill::report {
 /// page.css, how all pages look on the screen and on paper; written by cmake/embed_files.cmake.
 extern const std::string_view kPageStyle;
 
+/// part_table.js, which sorts, filters and searches a table of many parts.
+extern const std::string_view kPartTableScript;
+
 }  // namespace stepmill::report

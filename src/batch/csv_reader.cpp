@@ -1,0 +1,99 @@
+#include "batch/csv_reader.h"
+
+#include <fmt/format.h>
+
+#include "stepmill/core/error.h"
+
+namespace stepmill::batch {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string trimmed(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(kBlanks);
+    if (first == std::string::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+class CsvReader {
+  public:
+    CsvReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
+
+    std::vector<CsvRow> read() {
+        while (at_ < text_.size())
+            takeOne();
+        endRow();
+        return std::move(rows_);
+    }
+
+  private:
+    void takeOne() {
+        const char c = text_[at_];
+        if (c == '"' && trimmed(cell_).empty() && !quoted_) return takeQuoted();
+        ++at_;
+        if (c == ',')
+            endCell();
+        else if (c == '\n')
+            endRow();
+        else
+            cell_ += c;
+    }
+
+    /// From the opening quote to behind the closing one.
+    void takeQuoted() {
+        const int opened = line_;
+        cell_.clear();
+        for (++at_; at_ < text_.size(); ++at_) {
+            if (text_[at_] == '\n') ++line_;
+            if (text_[at_] == '"') {
+                if (text_.substr(at_, 2) != "\"\"") break;
+                ++at_;
+            }
+            cell_ += text_[at_];
+        }
+        if (at_ == text_.size())
+            throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", file_, opened),
+                        "expected a closing quote, found the end of the file");
+        ++at_;
+        quoted_ = true;
+        quoted_cell_ = std::move(cell_);
+        cell_.clear();
+    }
+
+    void endCell() {
+        row_.cells.push_back(quoted_ ? quoted_cell_ + trimmed(cell_) : trimmed(cell_));
+        cell_.clear();
+        quoted_ = false;
+    }
+
+    void endRow() {
+        const bool blank = row_.cells.empty() && !quoted_ && trimmed(cell_).empty();
+        if (blank) {
+            cell_.clear();
+        } else {
+            endCell();
+            rows_.push_back(std::move(row_));
+        }
+        row_ = {++line_, {}};
+    }
+
+    const std::string& file_;
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int line_ = 1;
+    std::string cell_;
+    std::string quoted_cell_;
+    bool quoted_ = false;
+    CsvRow row_{1, {}};
+    std::vector<CsvRow> rows_;
+};
+
+}  // namespace
+
+std::vector<CsvRow> readCsv(const std::string& file, std::string_view text) {
+    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+    return CsvReader(file, text).read();
+}
+
+}  // namespace stepmill::batch

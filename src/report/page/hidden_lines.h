@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include <HLRAlgo_Projector.hxx>
+#include <TopoDS_Shape.hxx>
+
+#include "stepmill/part/part.h"
+#include "stepmill/planar/vector.h"
+
+namespace stepmill::report {
+
+using Polyline = std::vector<Vec2>;
+
+/// Sharp edges and outlines of a solid in the plane of a view; smooth edges are left out.
+struct Lines {
+    std::vector<Polyline> visible;
+    std::vector<Polyline> hidden;
+};
+
+/// Of the exact surfaces: grows with the square of the faces. \pre the solid has no facets, which would
+/// disturb it
+Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
+
+/// Of the facets. \pre the solid has them
+Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
+
+/// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.
+TopoDS_Shape solidIn(const Part& part, const Eigen::Isometry3d& part_to_setup);
+
+}  // namespace stepmill::report
