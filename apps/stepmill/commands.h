@@ -20,6 +20,8 @@ inline constexpr ExitCode kUnproven = kBadInput;
 void addPlanCommand(CLI::App& app, int& exit_code);
 void addRoughCommand(CLI::App& app, int& exit_code);
 void addInspectCommand(CLI::App& app, int& exit_code);
+void addBatchCommand(CLI::App& app, int& exit_code);
+void addQuoteCommand(CLI::App& app, int& exit_code);
 void addRankCommand(CLI::App& app, int& exit_code);
 void addToolsCommand(CLI::App& app, int& exit_code);
 void addVerifyCommand(CLI::App& app, int& exit_code);

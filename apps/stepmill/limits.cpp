@@ -21,16 +21,19 @@ std::string cut(const std::string& text) {
     return text.size() <= kShown ? text : text.substr(0, kShown) + "...";
 }
 
+double machineMemoryGb() {
+    return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)) /
+           kBytesOfGb;
+}
+
 }  // namespace
 
-double defaultMemoryGb() {
+double defaultMemoryGb(int at_once) {
     constexpr double kUsual = 8;
     constexpr double kShare = 0.75;
-    const double machine_gb = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
-                              static_cast<double>(::sysconf(_SC_PAGESIZE)) / kBytesOfGb;
+    const double each_gb = kShare * machineMemoryGb() / at_once;
     // Rounded, so that help and messages show a plain number.
-    return machine_gb > 0 ? std::min(kUsual, std::max(0.25, std::floor(4 * kShare * machine_gb) / 4))
-                          : kUsual;
+    return each_gb > 0 ? std::min(kUsual, std::max(0.25, std::floor(4 * each_gb) / 4)) : kUsual;
 }
 
 std::uint64_t RunLimits::memoryBytes() const {

@@ -7,8 +7,9 @@
 
 namespace stepmill {
 
-/// 8 GB, or three quarters of what the machine has where that is less.
-double defaultMemoryGb();
+/// Of a run: 8 GB, or its share of three quarters of what the machine has where that is less.
+/// \param at_once  runs at the same time
+double defaultMemoryGb(int at_once = 1);
 
 /// What a run of any command may take.
 struct RunLimits {

@@ -58,20 +58,30 @@ Vec3 parseAxisOption(const std::string& text, const std::string& option) {
     return *axis;
 }
 
+double stockTolerance(const PlanOptions& options) {
+    if (!options.stock_tolerance_mm) return options.stock == "box" ? kSawnToleranceMm : 0;
+    const double tolerance_mm = *options.stock_tolerance_mm;
+    if (!(tolerance_mm >= 0 && tolerance_mm <= kMostStockToleranceMm))
+        throw Error(ErrorCode::Usage, "--stock-tolerance",
+                    fmt::format("expected 0 to {:g} mm, found {:g}", kMostStockToleranceMm, tolerance_mm));
+    return tolerance_mm;
+}
+
 bool isNumber(const std::string& text) {
     return !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
 }  // namespace
 
-void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
-    options.folder_suffix = folder_suffix;
-    command.add_option("PART", options.part_file, "STEP file (AP203, AP214 or AP242)")->required();
-    command.add_option("-o,--output", options.out_dir, "folder to write to; default: <part>" + folder_suffix);
+void addStockOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--stock", options.stock, "box, or a STEP file in the part's coordinates")
         ->capture_default_str();
     command.add_option("--stock-margin", options.stock_margin, "side,top,bottom over the part's box [mm]")
         ->capture_default_str();
+    command
+        .add_option("--stock-tolerance", options.stock_tolerance_mm,
+                    "how much larger on every side the blank may be [mm]; default: 0.5 of a box, 0 of a file")
+        ->type_name("MM");
     command
         .add_option("--setup", options.setups,
                     "tool axis: +z, -z, +x, -x, +y, -y or x,y,z; several in machining order; "
@@ -84,6 +94,13 @@ void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& 
     command.add_option("--solid", options.solid, "which solid of a file with several: a number, or all");
     command.add_option("--unit", options.unit, "read lengths in this unit, whatever the file says")
         ->check(CLI::IsMember({"mm", "inch", "m", "cm"}));
+}
+
+void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
+    options.folder_suffix = folder_suffix;
+    command.add_option("PART", options.part_file, "STEP file (AP203, AP214 or AP242)")->required();
+    command.add_option("-o,--output", options.out_dir, "folder to write to; default: <part>" + folder_suffix);
+    addStockOptions(command, options);
     command.add_option("--jobs", options.jobs, "threads; 0: one per core")->check(numberFrom(0, 1024, ""));
     addLimitOptions(command, options.limits);
 }
@@ -125,6 +142,7 @@ SetupRequest setupRequest(const PlanOptions& options) {
     if (!request.axes.empty() && !request.forbidden.empty())
         throw Error(ErrorCode::Usage, "--no-setup", "has no meaning where --setup says every axis");
     request.margin = parseMargin(options.stock_margin);
+    request.stock_tolerance_mm = stockTolerance(options);
     if (options.stock != "box") {
         ReadOptions read;
         read.max_file_bytes = options.limits.maxFileBytes();

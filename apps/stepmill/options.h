@@ -21,10 +21,11 @@ struct PlanOptions {
     std::string tools_file;     ///< empty: the built-in shop library
     std::string machine_file;   ///< empty: the built-in machining centre
     std::string material = "aluminium";
-    std::string stock = "box";           ///< "box" or a STEP file
-    std::string stock_margin = "0,0,0";  ///< side,top,bottom
-    std::vector<std::string> setups;     ///< axes in order; empty or "auto": choose
-    std::vector<std::string> no_setups;  ///< axes never to be chosen
+    std::string stock = "box";                 ///< "box" or a STEP file
+    std::string stock_margin = "0,0,0";        ///< side,top,bottom
+    std::optional<double> stock_tolerance_mm;  ///< nothing: a box is sawn, a STEP file exact
+    std::vector<std::string> setups;           ///< axes in order; empty or "auto": choose
+    std::vector<std::string> no_setups;        ///< axes never to be chosen
     std::string objective = "time";
     std::string surrogates = "sequence";
     std::string cost_model = "paths";
@@ -34,7 +35,7 @@ struct PlanOptions {
     bool rough = false;                        ///< roughing alone
     double allowance_mm = 0.5;                 ///< of roughing
     std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
-    double scallop_mm = 0;
+    double scallop_mm = 0.02;
     std::string solid;  ///< empty: the only one; a number; "all"
     std::string unit;   ///< empty: as the file says
     int jobs = 0;       ///< 0: one per core
@@ -43,6 +44,9 @@ struct PlanOptions {
     bool json = false;
     bool report_import = false;
 };
+
+/// Adds the options about stock, setups, solid and unit.
+void addStockOptions(CLI::App& command, PlanOptions& options);
 
 /// Adds the part, where to write and the options about stock, setup, unit, threads and time that every
 /// command on a part has.

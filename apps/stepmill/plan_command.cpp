@@ -8,17 +8,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         app.add_subcommand("plan", "Plan a STEP part and write plan.json, report.html and programs");
     auto options = std::make_shared<PlanOptions>();
     addJobOptions(*plan, *options, "-plan");
-    plan->add_option("--finish-walls", options->finish_walls_mm,
-                     "mm that roughing leaves on walls for a finishing pass along them; 0: no such pass")
-        ->capture_default_str();
-    plan->add_option("--finish-floors", options->finish_floors_mm,
-                     "mm that roughing leaves on floors for a finishing pass over them; 0: no such pass")
-        ->capture_default_str();
-    plan->add_option(
-            "--scallop", options->scallop_mm,
-            "mm of the ridges that ball, bull-nose and chamfer cutters may leave on walls that lean, "
-            "for example 0.02; 0: none of them is used there")
-        ->capture_default_str();
+    addFinishOptions(*plan, *options);
     plan->footer(
         "Examples:\n"
         "  stepmill plan bracket.step\n"
@@ -26,7 +16,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step --no-setup -z --no-setup -x\n"
         "  stepmill plan bracket.step -o job42 --setup +z --stock-margin 2,1,0 --material steel\n"
         "  stepmill plan bracket.step --finish-walls 0.3 --finish-floors 0.2\n"
-        "  stepmill plan cavity.step --scallop 0.02\n"
+        "  stepmill plan cavity.step --scallop 0.05\n"
         "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
         "  stepmill plan bracket.step --fixtures clamps.json");
     plan->callback([options, &exit_code] { exit_code = runPlan(*options); });

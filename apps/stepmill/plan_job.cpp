@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol) {
     const bool doubtful = std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const Warning& warning) {
-        return warning.code == "unit-doubt" || warning.code == "input-doubt";
+        return warning.code == "unit-doubt" || warning.code == "input-doubt" || warning.code == "travel";
     });
     return !plan.complete(tol) || doubtful || (options.strict && !plan.warnings.empty());
 }
@@ -46,7 +46,7 @@ void tellFailures(const Verification& verification) {
 
 /// Plans, proves and writes one part, and tells what came of it.
 int planOne(const Part& part, const PlanOptions& options, const PlanRequest& request, const Shop& shop,
-            JobFolder& folder, ProgressLine& progress) {
+            JobFolder& folder, ProgressLine& progress, const PlanListener& listener) {
     const Tolerances tol;
     const ProvenPlan proven =
         planProven(part, request, shop.library, shop.machine, tol,
@@ -61,6 +61,7 @@ int planOne(const Part& part, const PlanOptions& options, const PlanRequest& req
         printOut(fmt::format("{}\nReport: {}\n", summaryText(proven.plan),
                              (asGiven(folder, options) / "report.html").string()));
     tellFailures(proven.verification);
+    if (listener.planned) listener.planned(proven, folder.path());
     return exitCodeOf(proven, options, tol);
 }
 
@@ -73,40 +74,41 @@ NewJob withSolidsOf(const Manifest& before, NewJob job) {
 
 /// Each solid is a job of its own, in a folder below; the folder above names them.
 int planSolids(const std::vector<Part>& parts, const PlanOptions& options, const PlanRequest& request,
-               const Shop& shop, Workplace& place) {
+               const Shop& shop, Workplace& place, const PlanListener& listener) {
     int exit_code = kComplete;
     NewJob all{JobWriter::Plan, parts.front().file, parts.front().sha256, "", {}, {}};
     const Manifest before = readManifest(place.folder->path()).value_or(Manifest{});
     for (const Part& part : parts) {
         all.solids.push_back(fmt::format("solid-{}", part.solid_index));
         JobFolder folder(place.folder->path() / all.solids.back());
-        exit_code = std::max(exit_code, planOne(part, options, request, shop, folder, place.progress));
+        exit_code =
+            std::max(exit_code, planOne(part, options, request, shop, folder, place.progress, listener));
         place.folder->write(withSolidsOf(before, all));  // a run that is stopped later leaves none unnamed
     }
     place.folder->write(all);
     return exit_code;
 }
 
-int planAll(const PlanOptions& options, Workplace& place) {
+}  // namespace
+
+int planFile(const PlanOptions& options, Workplace& place, const PlanListener& listener) {
     place.progress.show("reading tools and machine", 0);
     const Shop shop = loadShop(options);
     place.progress.showImport(options.part_file);
     const PlanRequest request = planRequest(options, shop.machine);
     const std::vector<Part> parts = chooseParts(options);
+    if (listener.imported) listener.imported(parts);
     reportImport(parts, options);
-    if (parts.size() > 1) return planSolids(parts, options, request, shop, place);
-    return planOne(parts.front(), options, request, shop, *place.folder, place.progress);
+    if (parts.size() > 1) return planSolids(parts, options, request, shop, place, listener);
+    return planOne(parts.front(), options, request, shop, *place.folder, place.progress, listener);
 }
-
-}  // namespace
 
 int runPlan(const PlanOptions& options) {
     return runInChild(taskOf(options, outputFolder(options, options.folder_suffix)),
-                      [&](Workplace& place) { return planAll(options, place); });
+                      [&](Workplace& place) { return planFile(options, place); });
 }
 
-void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
-    addPartOptions(command, options, folder_suffix);
+void addShopOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--tools", options.tools_file,
                        "tool library (JSON); default: a metric shop of 24 tools");
     command.add_option("--machine", options.machine_file, "machine (JSON); default: a machining centre");
@@ -129,9 +131,37 @@ void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& f
                     "the plan's times are those of its paths")
         ->check(CLI::IsMember({"paths", "yao", "lim"}))
         ->capture_default_str();
-    addImportOption(command, options);
     command.add_flag("--strict", options.strict, "exit 1 on any warning as well");
+}
+
+void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
+    addPartOptions(command, options, folder_suffix);
+    addShopOptions(command, options);
+    addImportOption(command, options);
     command.add_flag("--json", options.json, "print plan.json on standard output instead of the summary");
+}
+
+void addFinishOptions(CLI::App& command, PlanOptions& options) {
+    command
+        .add_option("--finish-walls", options.finish_walls_mm,
+                    "mm that roughing leaves on walls for a finishing pass along them; 0: no such pass")
+        ->capture_default_str();
+    command
+        .add_option("--finish-floors", options.finish_floors_mm,
+                    "mm that roughing leaves on floors for a finishing pass over them; 0: no such pass")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--scallop", options.scallop_mm,
+            "mm of the ridges that ball, bull-nose and chamfer cutters may leave on walls that lean; 0: "
+            "none of them is used there")
+        ->capture_default_str();
+}
+
+void addPlanningOptions(CLI::App& command, PlanOptions& options) {
+    addStockOptions(command, options);
+    addShopOptions(command, options);
+    addFinishOptions(command, options);
 }
 
 }  // namespace stepmill

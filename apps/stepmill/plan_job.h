@@ -1,6 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <vector>
+
 #include "options.h"
+#include "run.h"
+#include "stepmill/proven/proven_plan.h"
 
 namespace stepmill {
 
@@ -8,8 +14,25 @@ namespace stepmill {
 /// made least, what is printed.
 void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix);
 
-/// Plans, proves and writes the parts of the file that were asked for; prints what came of it. Returns the
-/// exit code. \throws Error as the stages do
+/// Adds the options about finishing passes.
+void addFinishOptions(CLI::App& command, PlanOptions& options);
+
+/// Adds all options of `stepmill plan` that change a plan: none about files, threads, limits and printing.
+void addPlanningOptions(CLI::App& command, PlanOptions& options);
+
+/// What a caller hears while the parts of a file are planned.
+struct PlanListener {
+    /// The parts that were asked for, before any is planned.
+    std::function<void(const std::vector<Part>& parts)> imported;
+    /// Each plan, once it is written into its folder.
+    std::function<void(const ProvenPlan& proven, const std::filesystem::path& folder)> planned;
+};
+
+/// Plans, proves and writes the parts of the file that were asked for into the workplace's folder; prints
+/// what came of it. Returns the exit code. \throws Error as the stages do
+int planFile(const PlanOptions& options, Workplace& place, const PlanListener& listener = {});
+
+/// The same in a child process.
 int runPlan(const PlanOptions& options);
 
 }  // namespace stepmill

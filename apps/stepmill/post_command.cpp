@@ -21,6 +21,7 @@ struct PostCommandOptions {
     std::string dialect = "linuxcnc";
     std::string units = "mm";
     std::string per = "setup";
+    bool optional_stops = false;
     RunLimits limits;
 };
 
@@ -36,8 +37,11 @@ bool isProven(const RecordedPlan& plan, const Tolerances& tol) {
 RecordedPlan postAll(const RecordedPlan& planned, const PostOptions& request) {
     RecordedPlan posted{{planned.files.plan_json, request.dialect, {}}, planned.record};
     for (const RecordedSetup& setup : planned.record.setups)
-        posted.files.programs[setup.id] =
-            post(jobOf(planned.record, setup, readPrograms(planned.files, setup)), request);
+        if (!setup.within_travel && planned.files.programs.at(setup.id).empty())
+            posted.files.programs[setup.id];  // its machine is too small: there is nothing to post
+        else
+            posted.files.programs[setup.id] =
+                post(jobOf(planned.record, setup, readPrograms(planned.files, setup)), request);
     return posted;
 }
 
@@ -79,7 +83,8 @@ int postPlan(const PostCommandOptions& options, Workplace& place) {
     requireUnchangedPlan(options.dir, planned.files.plan_json);
     place.progress.show("proving the plan's programs", 0.1);
     if (!isProven(planned, tol)) return kUnproven;
-    const PostOptions request{*dialectFrom(options.dialect), options.units == "inch", options.per == "tool"};
+    const PostOptions request{*dialectFrom(options.dialect), options.units == "inch", options.per == "tool",
+                              options.optional_stops};
     const RecordedPlan posted = postAll(planned, request);
     place.progress.show("proving the new programs", 0.5);
     if (!isProven(posted, tol)) return kBug;
@@ -109,6 +114,8 @@ void addPostCommand(CLI::App& app, int& exit_code) {
     post->add_option("--per", options->per, "one program for every setup, or for every visit of a tool")
         ->check(CLI::IsMember({"setup", "tool"}))
         ->capture_default_str();
+    post->add_flag("--optional-stop", options->optional_stops,
+                   "M1 before every operation but the first, with the spindle home");
     addLimitOptions(*post, options->limits);
     post->footer(
         "The plan's own programs are proven first, and the new ones before they are written (stepmill "

@@ -91,50 +91,50 @@ std::string killWords(int signal) {
 }
 
 /// A crash while a file is imported is the geometry kernel's answer to that file.
-int tellCrash(const Task& task, const Supervised& run, const std::string& during) {
+EndWords crashWords(const Supervised& run, const std::string& during) {
     const std::string signal = fmt::format("signal {} ({})", run.signal, ::strsignal(run.signal));
-    if (run.reads == StageBoard::Reads::Input) {
-        tell("{}: the geometry kernel crashed{}: {}", task.subject, during, signal);
-        return kBadInput;
-    }
-    tell("{}: crashed{}: {}; this is a bug in Stepmill", task.subject, during, signal);
-    return kBug;
+    if (run.reads == StageBoard::Reads::Input)
+        return {kBadInput, fmt::format("the geometry kernel crashed{}: {}", during, signal)};
+    return {kBug, fmt::format("crashed{}: {}; this is a bug in Stepmill", during, signal)};
 }
 
 int tellEnd(const Task& task, const Supervised& run) {
+    if (run.end == Supervised::End::Exited) return run.exit_code;
+    const EndWords words = endWords(run, task.limits);
+    // Whoever closed a pipe wants to hear no more.
+    const bool closed_pipe = run.end == Supervised::End::Killed && run.signal == SIGPIPE;
+    if (!closed_pipe) tell("{}: {}", task.subject, words.text);
+    return words.exit_code;
+}
+
+}  // namespace
+
+EndWords endWords(const Supervised& run, const RunLimits& limits) {
     const std::string during = run.last_stage.empty() ? "" : " while " + run.last_stage;
     switch (run.end) {
         case Supervised::End::Exited:
-            return run.exit_code;
+            return {run.exit_code, ""};
         case Supervised::End::TimedOut:
-            tell("{}: stopped after {:g} s{}; allow more with --timeout", task.subject, task.limits.timeout_s,
-                 during);
-            return kBadInput;
+            return {kBadInput, fmt::format("stopped after {:g} s{}; allow more with --timeout",
+                                           limits.timeout_s, during)};
         case Supervised::End::OutOfMemory:
-            tell("{}: ran out of memory{} (limit {:g} GB); allow more with --memory", task.subject, during,
-                 task.limits.memory_gb);
-            return kBadInput;
+            return {kBadInput, fmt::format("ran out of memory{} (limit {:g} GB); allow more with --memory",
+                                           during, limits.memory_gb)};
         case Supervised::End::Stopped:
-            tell("{}: stopped by signal {} ({}){}", task.subject, run.signal, ::strsignal(run.signal),
-                 during);
-            return kBadInput;
+            return {kBadInput,
+                    fmt::format("stopped by signal {} ({}){}", run.signal, ::strsignal(run.signal), during)};
         case Supervised::End::Killed:
-            // Whoever closed a pipe wants to hear no more.
-            if (run.signal != SIGPIPE) tell("{}: {}{}", task.subject, killWords(run.signal), during);
-            return kBadInput;
+            return {kBadInput, killWords(run.signal) + during};
         case Supervised::End::Crashed:
-            return tellCrash(task, run, during);
+            return crashWords(run, during);
     }
-    return kBug;
+    return {kBug, ""};
 }
 
-/// Ends this process as the signal would have, so that a shell sees what it knows: 130, 141, 143.
 void endBy(int signal) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
-
-}  // namespace
 
 int runInChild(const Task& task, const std::function<int(Workplace&)>& work) {
     Supervised run;

@@ -52,6 +52,16 @@ std::filesystem::path outputFolder(const PlanOptions& options, const std::string
 /// The task of a command on a part.
 Task taskOf(const PlanOptions& options, const std::filesystem::path& folder = {});
 
+/// What ended a child, for people, and the exit code that means.
+struct EndWords {
+    int exit_code = 0;
+    std::string text;  ///< empty where it exited by itself
+};
+EndWords endWords(const Supervised& run, const RunLimits& limits);
+
+/// Ends this process as the signal would have, so that a shell sees what it knows: 130, 141, 143.
+void endBy(int signal);
+
 /// Does a command's work in a child process within the task's limits and returns its exit code. Errors, a
 /// stop and a crash are told on stderr, each as what it is; what a child left half-written is removed. A
 /// signal to this process ends it by that signal once all is tidy.

@@ -58,11 +58,10 @@ void addFolder(const JobCheck& check, const std::vector<ManifestFile>& written, 
             verification.remarks.push_back({file.name, FileRemark::Kind::NotRead});
 }
 
-/// Does anything stay that was not asked to, as roughing's allowance is?
-bool leavesUnasked(const PlanRecord& record, const Verification& verification) {
-    const bool roughing = record.request && record.request->roughing;
-    return std::any_of(verification.left.begin(), verification.left.end(), [&](const ReasonVolume& entry) {
-        return !roughing || !isLeftByRoughing(entry.reason);
+/// Has the plan a setup that its machine is too small for?
+bool lacksPrograms(const RecordedPlan& plan) {
+    return std::any_of(plan.record.setups.begin(), plan.record.setups.end(), [&](const RecordedSetup& setup) {
+        return !setup.within_travel && plan.files.programs.at(setup.id).empty();
     });
 }
 
@@ -81,7 +80,8 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
     else
         printOut(verificationText(verification));
     if (!verification.proven()) return kUnproven;
-    return leavesUnasked(plan.record, verification) ? kGaps : kComplete;
+    if (lacksPrograms(plan)) return kGaps;
+    return leavesUnasked(plan.record, tol) ? kGaps : kComplete;
 }
 
 int runVerify(const VerifyOptions& options) {

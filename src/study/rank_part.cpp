@@ -4,6 +4,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/plan/deep_bands.h"
+#include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
 #include "stepmill/study/rank.h"
@@ -11,17 +12,25 @@
 namespace stepmill {
 namespace {
 
-/// As a plan would sequence them.
-std::vector<Feature> allFeatures(const Part& part, const RankRequest& request, const ToolLibrary& library,
-                                 const Tolerances& tol) {
+/// The features as they are, and as a plan would sequence them.
+struct RankedFeatures {
     std::vector<Feature> features;
+    std::vector<Feature> grown;  ///< the same on the grown stock
+};
+
+RankedFeatures allFeatures(const Part& part, const RankRequest& request, const ToolLibrary& library,
+                           const Tolerances& tol) {
+    RankedFeatures found;
     SetupWalk walk(chooseSetups(part, request.setup), request.slicing, tol);
     while (const std::optional<Stage> stage = walk.next()) {
-        for (Feature& feature : inBands(stage->found.features, library, request.sequence.material))
-            features.push_back(std::move(feature));
+        const StockGrowth growth = growthOf(stage->setup.stock, stage->setup.part_to_setup);
+        for (Feature& feature : inBands(stage->found.features, library, request.sequence.material)) {
+            found.grown.push_back(onGrownStock(feature, growth, tol));
+            found.features.push_back(std::move(feature));
+        }
         walk.cut(*stage, featurePrisms(stage->found));
     }
-    return features;
+    return found;
 }
 
 std::vector<Feature> onlyFeature(const std::vector<Feature>& features, const std::string& id) {
@@ -107,23 +116,26 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
     report.material = request.sequence.material;
     const SequenceOptions sequencing = asPlanned(request.sequence);
     tell("features", 0.1);
-    std::vector<Feature> features = allFeatures(part, request, library, tol);
-    if (!request.feature.empty()) features = onlyFeature(features, request.feature);
+    auto [features, grown] = allFeatures(part, request, library, tol);
+    if (!request.feature.empty()) {
+        features = onlyFeature(features, request.feature);
+        grown = onlyFeature(grown, request.feature);
+    }
     tell("access volumes", 0.4);
     report.ranking = rankTools(accessTable(features, library, machine, sequencing, tol),
                                request.tool_change_s.value_or(machine.tool_change_s));
     if (request.sensitivity) {
         tell("sensitivity to " + toString(*request.sensitivity), 0.5);
-        report.sensitivity = findSensitivity(features, request, library, machine, tol);
+        report.sensitivity = findSensitivity(grown, request, library, machine, tol);
     }
     if (request.purchases) {
         tell("what to buy", 0.7);
-        report.purchases.emplace(features.size());
-        tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+        report.purchases.emplace(grown.size());
+        tbb::parallel_for(std::size_t{0}, report.purchases->size(), [&, &grown = grown](std::size_t i) {
             FeaturePurchase& found = (*report.purchases)[i];
-            found.advice.feature_id = features[i].id;
+            found.advice.feature_id = grown[i].id;
             found.failure =
-                failureOf([&] { found.advice = whatToBuy(features[i], library, machine, sequencing, tol); });
+                failureOf([&] { found.advice = whatToBuy(grown[i], library, machine, sequencing, tol); });
         });
     }
     return report;

@@ -22,4 +22,13 @@ std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_s
 std::vector<View> shadedViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
                               const std::vector<int>& tints);
 
+/// Frame of smallPicture().
+inline constexpr int kSmallPictureWidth = 96;
+inline constexpr int kSmallPictureHeight = 72;
+
+/// The visible edges from above one corner, as the data of an SVG path in whole units, y down: for tables of
+/// many parts. Short edges are left out where there are many; empty where there is nothing to draw.
+/// \throws Error(GeometryKernel)
+std::string smallPicture(const Part& part);
+
 }  // namespace stepmill

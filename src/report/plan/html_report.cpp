@@ -44,10 +44,16 @@ Element partWords(const Plan& plan) {
                                          plan.machine.name, plan.library.file));
 }
 
+/// "S1.F2 and 3 more".
+std::string subjectWords(const Warning& warning) {
+    if (warning.count == 1) return warning.subject;
+    return fmt::format("{} and {} more", warning.subject, warning.count - 1);
+}
+
 std::vector<Element> warnings(const Plan& plan) {
     std::vector<Element> boxes;
     for (const Warning& warning : plan.warnings)
-        boxes.push_back(Element("div.warn", Element("b", warning.subject), ": " + warning.text));
+        boxes.push_back(Element("div.warn", Element("b", subjectWords(warning)), ": " + warning.text));
     return boxes;
 }
 
@@ -79,11 +85,16 @@ Element contents(const Plan& plan) {
     return links;
 }
 
+/// ", taken by S2".
+std::string takerWords(const Residual& residual) {
+    return residual.taken_by.empty() ? "" : ", taken by " + residual.taken_by;
+}
+
 Element booksSection(const Plan& plan) {
     const VolumeBalance& books = plan.balance;
-    Table table({"account", "reason", numbers("cm³")});
+    Table table({"account", "reason", numbers("cm³"), numbers("of it stays")});
     const auto add = [&table](const std::string& account, const std::string& reason, double volume_mm3) {
-        table.row(account, reason, cubicCentimetres(volume_mm3, 4));
+        table.row(account, reason, cubicCentimetres(volume_mm3, 4), "");
     };
     add("stock - part", "", books.stock_minus_part_mm3);
     add("planned", "", books.planned_mm3);
@@ -100,7 +111,9 @@ Element booksSection(const Plan& plan) {
     for (const PlannedSetup& setup : plan.setups)
         for (const PlannedFeature& planned : setup.features)
             for (const Residual& residual : planned.sequence.residual)
-                add("left by " + planned.feature.id, toString(residual.reason), residual.volume_mm3);
+                table.row("left by " + planned.feature.id + takerWords(residual), toString(residual.reason),
+                          cubicCentimetres(residual.volume_mm3, 4),
+                          cubicCentimetres(residual.stays_mm3.value_or(residual.volume_mm3), 4));
     return Element("section", Element("h2", "Volume books"), std::move(table).element(),
                    Element("p.soft", fmt::format("Unaccounted: {:.2e} of stock - part.", books.gapShare())))
         .at(Anchor("part", "books"));

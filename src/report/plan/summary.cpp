@@ -80,7 +80,9 @@ std::string summaryText(const Plan& plan) {
         books.stock_minus_part_mm3 / 1000, books.planned_mm3 / 1000, books.residual_mm3 / 1000,
         books.unreachable_mm3 / 1000, books.gapShare());
     for (const Warning& warning : plan.warnings)
-        text += fmt::format("warning: {}: {}\n", plainLine(warning.subject), plainLine(warning.text));
+        text += fmt::format("warning: {}{}: {}\n", plainLine(warning.subject),
+                            warning.count > 1 ? fmt::format(" and {} more", warning.count - 1) : "",
+                            plainLine(warning.text));
     return text;
 }
 

@@ -1,4 +1,5 @@
 #include "stepmill/core/file.h"
+#include "stepmill/plan/warning_order.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -14,7 +15,8 @@ void writePlan(const ProvenPlan& proven, JobFolder& folder, const Tolerances& to
     if (proven.mayRun())
         for (const auto& [setup, programs] : proven.files.programs)
             for (const PostedProgram& program : programs)
-                job.files.push_back({program.file, toString(proven.files.dialect), program.text});
+                if (isWithinTravel(proven.plan, setup))
+                    job.files.push_back({program.file, toString(proven.files.dialect), program.text});
     folder.write(job);
 }
 
