@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "support/height_map.h"
-
 namespace stepmill::test {
 namespace {
 
@@ -84,10 +82,12 @@ class SettingsJudge {
         if (event.work_offset != 1) return "another work offset";
         if (fresh_ && event.to[2] < setup_.safe_z_mm) return "comes from a tool change too low";
         const bool feeds = event.kind != Kind::Rapid;
-        const bool moves_z = fresh_ || feeds;
+        // A new tool may go across at the height it came in at before its length is said.
+        const bool stays_up = !feeds && at_ && std::abs(event.to[2] - at_->z()) < 1e-6;
+        const bool moves_z = (fresh_ && !stays_up) || feeds;
         if (moves_z && std::abs(event.length_offset - setup_.length_mm_per_tool * event.tool) > 1e-3)
             return "another length offset";
-        fresh_ = false;
+        fresh_ = fresh_ && stays_up;
         for (std::size_t i = 0; i < 3; ++i) {
             low_[i] = std::min(low_[i], event.to[i]);
             high_[i] = std::max(high_[i], event.to[i]);
@@ -133,9 +133,9 @@ StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup
     map.raise(makeRectangle(box.min(), box.max()), 0);
     StockLeft left;
     std::optional<Vec3> at;
-    std::map<int, double> radius_mm;
+    std::map<int, CutterProfile> cutters;
     for (const auto& [id, allowed] : setup.operations)
-        radius_mm[allowed.tool] = allowed.radius_mm;
+        cutters[allowed.tool] = allowed.cutter;
     for (const CanonEvent& event : events) {
         const bool moves = event.kind == Kind::Rapid || event.kind == Kind::Feed || event.kind == Kind::Arc;
         if (event.kind == Kind::ToolChange) at.reset();
@@ -143,7 +143,7 @@ StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup
         // Places far off are told as beyond the travel; sampling the way there would take for ever.
         const bool near = placeOf(event).cwiseAbs().maxCoeff() < 2000;
         if (at && near)
-            left.rapid_hits += map.run(pathOf(*at, event), radius_mm[event.tool], kRimMm).rapid_hits;
+            left.rapid_hits += map.run(pathOf(*at, event), cutters[event.tool], kRimMm).rapid_hits;
         if (near) at = placeOf(event);
     }
     const Raster& raster = map.raster();

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "support/canon_run.h"
+#include "support/height_map.h"
 
 namespace stepmill::test {
 
 /// What a tool of the plan may do in one operation.
 struct AllowedOperation {
     int tool = 0;
-    double radius_mm = 0;
+    CutterProfile cutter;  ///< as the tool is: a ball cuts no flat floor
     double speed_rpm = 0;
     double feed_mm_per_min = 0;
     bool mist = false;

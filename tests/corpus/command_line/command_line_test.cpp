@@ -102,6 +102,10 @@ TEST_F(CommandLine, RefusesUnknownOptionsAndWords) {
     expectRefused(plan({kPart, "-o", out_.string(), "--setup", "up"}), out_, {"--setup", "'up'"});
     expectRefused(plan({kPart, "-o", out_.string(), "--stock-margin", "1,2"}), out_,
                   {"--stock-margin", "'1,2'"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--stock-tolerance", "21"}), out_,
+                  {"--stock-tolerance", "0 to 20 mm", "21"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--stock-tolerance", "-1"}), out_,
+                  {"--stock-tolerance", "0 to 20 mm", "-1"});
     expectRefused(plan({kPart, "-o", out_.string(), "--objective", "fun"}), out_, {"--objective"});
     expectRefused(plan({kPart, "-o", out_.string(), "--cost-model", "guess"}), out_,
                   {"--cost-model", "guess"});

@@ -160,13 +160,19 @@ TEST_F(RankCommand, TheMachinesValueLiesInARangeThatCostsWhatThePlanSays) {
 std::map<std::string, std::vector<std::string>> unsharedTools(const Json& plan) {
     std::map<std::string, std::vector<std::string>> tools;
     if (plan.at("tool_sharing").at("features_changed") != 0) return tools;
+    // What common ground was taken out of is another feature than rank sees.
+    std::set<std::string> without_ground;
+    for (const Json& feature : plan.at("features"))
+        if (feature.contains("ground_of"))
+            for (const Json& level : feature.at("ground_of"))
+                without_ground.insert(level.get<std::string>());
     std::set<std::string> with_residual;
     for (const BandOfPlan& one : bandsOf(plan)) {
         bool below = false;
         for (const std::string& parent : one.parents)
             below = below || with_residual.count(parent) != 0;
         if (below || !one.band.at("residual").empty()) with_residual.insert(one.id);
-        if (!below) tools[one.id] = {};
+        if (!below && without_ground.count(one.id) == 0) tools[one.id] = {};
     }
     for (const Json& operation : plan.at("operations")) {
         const auto found = tools.find(bandNamed(operation, plan));
@@ -232,21 +238,24 @@ TEST_F(RankCommand, TheSequenceAtTheMachinesValueIsThePlans) {
             bands += std::count(id.begin(), id.end(), '.') > 1 ? 1 : 0;
         }
     }
-    EXPECT_GE(compared, 8);
+    EXPECT_GE(compared, 6);
     EXPECT_GE(bands, 2) << "some features should be cut in bands";
 }
 
 TEST_F(RankCommand, WhatToBuyStartsFromThePlansTimes) {
     const std::string short_tools = write("short.json", shortTools(8).dump());
     const std::string part = kSource + "/step_parts/shoulder_block.step";
-    const Json plan = Json::parse(runProgram({stepmillBinary(), "plan", part, "--tools", short_tools,
-                                              "--json", "-o", (fs::path(folder_.path()) / "plan").string()})
-                                      .out);
+    // On an exact blank no feature takes another tool than its own best for company.
+    const Json plan =
+        Json::parse(runProgram({stepmillBinary(), "plan", part, "--tools", short_tools, "--stock-tolerance",
+                                "0", "--json", "-o", (fs::path(folder_.path()) / "plan").string()})
+                        .out);
     ASSERT_FALSE(unsharedTools(plan).empty());
     std::map<std::string, double> time_s;
     for (const BandOfPlan& one : bandsOf(plan))
         time_s[one.id] = one.band.at("time_s");
-    const Json purchases = rankJson({part, "--tools", short_tools, "--buy"}).at("purchases");
+    const Json purchases =
+        rankJson({part, "--tools", short_tools, "--stock-tolerance", "0", "--buy"}).at("purchases");
     ASSERT_EQ(purchases.size(), time_s.size());
     for (const Json& purchase : purchases)
         EXPECT_NEAR(purchase.at("time_s").get<double>(), time_s.at(purchase.at("feature")), 1e-5) << purchase;

@@ -34,10 +34,10 @@ int numberOfMutations() {
 std::vector<std::string> parts() {
     std::vector<std::string> chosen;
     for (const char* name : {"rounded_pocket", "plate_with_holes", "shoulder_block", "nested_pockets",
-                             "open_slots", "bossed_pocket", "butterfly_pocket"})
+                             "open_slots", "bossed_pocket", "butterfly_pocket", "die_cavity"})
         chosen.push_back(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name + ".step");
     const std::vector<std::string> shared = sharedParts("mfcad");
-    for (std::size_t i = 0; i < shared.size() && chosen.size() < 10;
+    for (std::size_t i = 0; i < shared.size() && chosen.size() < 11;
          i += std::max<std::size_t>(1, shared.size() / 6))
         chosen.push_back(shared[i]);
     return chosen;
@@ -106,7 +106,7 @@ JudgedSetup judgedSetup(const PlanRecord& record) {
         const double feed = std::max(operation.feed_mm_per_min,
                                      operation.tool.isDrill() ? operation.plunge_feed_mm_per_min : 0);
         judged.operations[id] = {operation.tool.number,
-                                 operation.tool.radius_mm(),
+                                 profileOf(operation.tool),
                                  operation.speed_rpm,
                                  feed,
                                  operation.coolant == Coolant::Mist,

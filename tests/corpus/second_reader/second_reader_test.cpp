@@ -53,6 +53,8 @@ std::vector<CanonMotion> fromStart(const CanonOperation& canon, const ReadOperat
     Vec3 at = ours.start;
     for (std::size_t i = first; i < canon.motions.size(); ++i) {
         const CanonMotion& motion = canon.motions[i];
+        // Ways home have no number; the reader lets the program's highest place stand for their end.
+        if (motion.n_word.find_first_of("0123456789") == std::string::npos) continue;
         const bool stays = motion.kind != CanonMotion::Kind::Arc && (motion.to - at).norm() < kPrintedMm / 4;
         if (!stays) motions.push_back(motion);
         at = motion.to;
@@ -128,6 +130,8 @@ void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSet
     const SecondReader second(files.programs.at(setup.id).front().text, tableOf(record));
     ASSERT_EQ(second.exit_code, 0) << part << " " << setup.id << ": " << second.refusal;
     const ReadProgram ours = readPrograms(files, setup).front();
+    // A program without operations goes home and ends.
+    if (ours.operations.empty()) return;
     ASSERT_EQ(second.operations.size(), ours.operations.size()) << part;
     const Json plan = Json::parse(files.plan_json);
     std::map<std::string, Json> planned;
@@ -142,10 +146,12 @@ void compare(const PlanFiles& files, const PlanRecord& record, const RecordedSet
         EXPECT_EQ(canon.tool, record.operations.at(operation.id).tool.number) << where;
         const std::vector<CanonMotion> motions =
             fromStart(canon, operation, comesFromLeap(ours, operation.id));
-        ASSERT_EQ(motions.size(), operation.moves.size()) << where;
+        std::vector<ReadMove> moves = operation.moves;
+        std::erase_if(moves, [](const ReadMove& move) { return move.home; });
+        ASSERT_EQ(motions.size(), moves.size()) << where;
         for (std::size_t k = 0; k < motions.size(); ++k) {
-            expectSame(motions[k], operation.moves[k],
-                       fmt::format("{} line {} {}", where, operation.moves[k].line, motions[k].n_word));
+            expectSame(motions[k], moves[k],
+                       fmt::format("{} line {} {}", where, moves[k].line, motions[k].n_word));
             if (testing::Test::HasFatalFailure()) return;
             count.arcs += motions[k].kind == CanonMotion::Kind::Arc;
         }

@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "corpus/verify_plans/spoilt_program.h"
 #include "support/expected_outcomes.h"
-#include "support/planned_parts.h"
 #include "support/told.h"
 
 namespace stepmill::test {
@@ -18,13 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-
-using Words = std::vector<std::string>;
-
-ProgramRun verify(const fs::path& dir, std::vector<std::string> options = {}) {
-    options.insert(options.begin(), {stepmillBinary(), "verify", dir.string()});
-    return runProgram(options);
-}
 
 void expectProven(const std::string& part, const Words& options) {
     const PlannedPart planned = plannedPart(part, options);
@@ -89,80 +82,6 @@ TEST(VerifyPlans, MovesAsShortAsALastDecimalAreNoPlunges) {
                  {"--finish-walls", "0.02"});
 }
 
-/// A plan of the rounded pocket whose program can be spoilt.
-class SpoiltProgram : public testing::Test {
-  protected:
-    void SetUp() override {
-        const std::string part = std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step";
-        copyOfPlan(part, dir_, options());
-        std::ifstream file(dir_ / "S1.ngc");
-        for (std::string line; std::getline(file, line);)
-            lines_.push_back(line);
-    }
-
-    virtual Words options() const { return {}; }
-
-    /// Index of the first line from `after` on with these words.
-    std::size_t find(const std::string& words, std::size_t after = 0) const {
-        for (std::size_t i = after; i < lines_.size(); ++i)
-            if (lines_[i].find(words) != std::string::npos) return i;
-        ADD_FAILURE() << "no line with '" << words << "'";
-        return 0;
-    }
-
-    void replace(std::size_t index, const std::string& words, const std::string& by) {
-        std::string& line = lines_[index];
-        const std::size_t at = line.find(words);
-        ASSERT_NE(at, std::string::npos) << line;
-        line.replace(at, words.size(), by);
-    }
-
-    ProgramRun verifySpoilt() const {
-        std::ofstream file(dir_ / "S1.ngc");
-        for (const std::string& line : lines_)
-            file << line << '\n';
-        file.close();
-        return verify(dir_);
-    }
-
-    void expectFails(std::size_t index, const std::string& words) const {
-        const ProgramRun run = verifySpoilt();
-        EXPECT_EQ(run.exit_code, 2) << run.out << run.err;
-        const std::string place = fmt::format("S1.ngc, line {}: ", index + 1);
-        const std::size_t at = run.out.find(place);
-        ASSERT_NE(at, std::string::npos) << place << " is not named in\n" << run.out;
-        const std::string complaint = run.out.substr(at, run.out.find('\n', at) - at);
-        EXPECT_NE(complaint.find(words), std::string::npos) << complaint;
-    }
-
-    void expectRefused(std::size_t index, const std::string& words) const {
-        const ProgramRun run = verifySpoilt();
-        EXPECT_EQ(run.exit_code, 2) << run.out << run.err;
-        EXPECT_NE(run.err.find(fmt::format("S1.ngc, line {}: ", index + 1)), std::string::npos) << run.err;
-        EXPECT_NE(run.err.find(words), std::string::npos) << run.err;
-    }
-
-    /// The straight feed whose X lies farthest left, which is along the left wall; of the lines before `end`.
-    std::size_t wallLine(double& x, std::size_t end) const {
-        std::size_t found = 0;
-        x = 1e9;
-        for (std::size_t i = 0; i < end; ++i) {
-            const std::size_t at = lines_[i].find(" X");
-            if (lines_[i].find("G1 ") == std::string::npos || at == std::string::npos) continue;
-            const double here = std::stod(lines_[i].substr(at + 2));
-            if (here < x) {
-                x = here;
-                found = i;
-            }
-        }
-        return found;
-    }
-
-    TemporaryFolder folder_;
-    fs::path dir_ = fs::path(folder_.path()) / "plan";
-    std::vector<std::string> lines_;
-};
-
 TEST_F(SpoiltProgram, IsProvenAsItWas) {
     EXPECT_EQ(verifySpoilt().exit_code, 0);
 }
@@ -174,9 +93,10 @@ TEST_F(SpoiltProgram, ShowsAHundredthOfAMillimetreIntoTheWall) {
     expectFails(line, "cuts into what must stay by 0.0");
 }
 
-TEST_F(SpoiltProgram, ShowsAnArcTheOtherWayRound) {
-    const std::size_t line = find(" G2 ");
-    replace(line, " G2 ", " G3 ");
+TEST_F(SpoiltProgram, ShowsAnArcAboutAnotherCentre) {
+    // Round the island, about a point as far off on the other side of the arc's ends.
+    const std::size_t line = find(" J-", find(" G2 "));
+    replace(line, " J-", " J");
     expectFails(line, "cuts into what must stay");
 }
 
@@ -187,15 +107,23 @@ TEST_F(SpoiltProgram, ShowsARetractLeftOut) {
         line = find(" G0 Z", line + 1);
     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
     // The rapid across now runs at the depth of the cut, into the wall.
-    expectFails(line, "cuts into what must stay by 12.5");
+    expectFails(line, "cuts into what must stay by ");
 }
 
-TEST_F(SpoiltProgram, ShowsTheLastRetractLeftOut) {
-    std::size_t line = lines_.size() - 1;
-    while (lines_[line].find(" G0 Z") == std::string::npos)
-        --line;
-    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
-    expectFails(line - 1, "below the top of stock and fixtures");
+TEST_F(SpoiltProgram, ShowsAWayHomeLeftOut) {
+    const std::vector<std::string> whole = lines_;
+    const std::size_t change = find(" M6", find("(S1.O2 "));
+    for (const std::size_t before : {change, lines_.size()}) {
+        lines_ = whole;
+        std::size_t home = before - 1;
+        while (lines_[home].find("G53") == std::string::npos)
+            --home;
+        lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(home));
+        std::size_t last = home - 1;
+        while (lines_[last].find(" G0 Z") == std::string::npos)
+            --last;
+        expectFails(last, "not taken to the top of its travel");
+    }
 }
 
 TEST_F(SpoiltProgram, ShowsAFeedThatIsTooHigh) {
@@ -207,8 +135,8 @@ TEST_F(SpoiltProgram, ShowsAFeedThatIsTooHigh) {
 }
 
 TEST_F(SpoiltProgram, ShowsARapidIntoMaterial) {
-    const std::size_t line = find(" G0 Z1.0000");
-    replace(line, "Z1.0000", "Z-3.0000");
+    const std::size_t line = find(" G0 Z2.5000");
+    replace(line, "Z2.5000", "Z-3.0000");
     expectFails(line, "a rapid meets material");
 }
 
@@ -224,7 +152,9 @@ TEST_F(SpoiltProgram, ShowsAPassLeftOut) {
     std::size_t last = lines_.size() - 1;
     while (lines_[last].find(" G1 ") == std::string::npos)
         --last;
-    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(last));
+    // The last one leaves the wall.
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(last - 1),
+                 lines_.begin() + static_cast<std::ptrdiff_t>(last + 1));
     expectFails(comment, "that the plan does not name");
 }
 
@@ -237,13 +167,13 @@ TEST_F(SpoiltProgram, ShowsAWrongSpeedAndAWrongTool) {
     lines_[speed] = spindle;
     const std::size_t change = find(" M6", comment);
     lines_[change] = "T9 M6";
-    expectFails(find(" G0 X", comment) + 1, "runs with T9");
+    expectFails(find("M8", comment) + 1, "runs with T9");
 }
 
 TEST_F(SpoiltProgram, ShowsAnOperationLeftOut) {
     const std::size_t first = find("(S1.O2 ");
     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(first),
-                 lines_.begin() + static_cast<std::ptrdiff_t>(find("M30") - 2));
+                 lines_.begin() + static_cast<std::ptrdiff_t>(find("M30") - 3));
     const ProgramRun run = verifySpoilt();
     EXPECT_EQ(run.exit_code, 2);
     EXPECT_TRUE(test::tells(run.out, {"S1.ngc", "S1.O2", "not have"}));
@@ -309,17 +239,20 @@ TEST_F(SpoiltProgram, ShowsEverySettingThatIsMissingOrAnother) {
         std::string by;  ///< in its place, or before it when it ends with a line end
     };
     const std::size_t safe = find("G21 G17");
+    const std::size_t modes = find("G17 G40", change);
     for (const Slip& slip : std::vector<Slip>{{change, tool},
                                               {find("G43", change), ""},
                                               {find("G43", change), "G43 H99"},
                                               {find("G43", change) + 1, "G49\n"},
-                                              {safe, "G21"},
-                                              {safe, "G21 G17 G40 G49 G80 G90 G94"},
-                                              {safe, "G21 G17 G40 G49 G80 G94 G54"},
+                                              {safe, "G17 G40 G49 G80 G90 G94 G54"},
                                               {safe, "G21 G17 G49 G80 G90 G94 G54"},
-                                              {safe, "G21 G17 G40 G49 G80 G90 G54"},
-                                              {find("G61"), ""},
-                                              {find("G61"), "G64"},
+                                              {modes, "G17 G40 G80 G90 G94 G55"},
+                                              {modes, "G17 G40 G80 G91 G94 G54"},
+                                              {modes, "G18 G40 G80 G90 G94 G54"},
+                                              {modes, "G17 G40 G80 G90 G93 G54"},
+                                              {find("G64"), "G64 P0"},
+                                              {find("G64"), "G64"},
+                                              {find("G64"), "G64 P0.05"},
                                               {find(" G0 Z", change), "G0 Z-50\n"},
                                               {cut + 1, "M6\n"},
                                               {cut + 1, "G28 X0 Y0 Z-12\n"},
@@ -445,7 +378,7 @@ TEST_F(SpoiltProgram, ShowsCutsDeeperThanPlanned) {
 }
 
 TEST_F(SpoiltProgram, IsNotPosted) {
-    replace(find(" G0 Z1.0000"), "Z1.0000", "Z-3.0000");
+    replace(find(" G0 Z2.5000"), "Z2.5000", "Z-3.0000");
     verifySpoilt();
     const ProgramRun run = runProgram({stepmillBinary(), "post", dir_.string(), "--dialect", "fanuc"});
     EXPECT_EQ(run.exit_code, 2);

@@ -10,6 +10,7 @@
 
 #include <random>
 
+#include "stepmill/layers/section_cutter.h"
 #include "stepmill/layers/stock_after.h"
 #include "stepmill/planar/boolean.h"
 #include "support/occt_solids.h"
@@ -98,6 +99,33 @@ Vec3 axisOf(unsigned number) {
     return axes[number % 5];
 }
 
+/// Arcs of cuts askew to the setup's axis are polygons that near.
+constexpr double kAskewMm = 0.03;
+
+/// Points in what stands throughout a slab lie in the solid at all its heights, and in a thin slab that is
+/// all there is.
+void expectStandsThroughout(const StockSections& sections, const stepmill::Setup& setup,
+                            BRepClass3d_SolidClassifier& inside, RandomCuts& random) {
+    const Box3& box = setup.stock_bbox_mm;
+    const Eigen::Isometry3d to_part = setup.part_to_setup.inverse();
+    for (int slab = 0; slab < 4; ++slab) {
+        const double bottom_mm = random.number(box.min().z(), box.max().z() - 2);
+        const double top_mm = bottom_mm + random.number(0.05, 2);
+        const Region stands = sections.throughout(bottom_mm, top_mm);
+        for (int i = 0; i < 20; ++i) {
+            const Vec2 p(random.number(box.min().x(), box.max().x()),
+                         random.number(box.min().y(), box.max().y()));
+            const Vec3 q = to_part * Vec3(p.x(), p.y(), random.number(bottom_mm, top_mm));
+            if (!contains(stands, p) || distanceToBoundary(stands, p) < kAskewMm) continue;
+            inside.Perform(gp_Pnt(q.x(), q.y(), q.z()), 1e-6);
+            EXPECT_NE(inside.State(), TopAbs_OUT) << q.transpose();
+        }
+        const double thin_mm2 = area(sections.throughout(bottom_mm, bottom_mm + 0.01));
+        EXPECT_NEAR(thin_mm2, area(sections.at(bottom_mm + 0.005)), 0.02 * thin_mm2 + 1);
+        EXPECT_LE(area(stands), area(sections.between(bottom_mm, top_mm)) + 1e-3);
+    }
+}
+
 }  // namespace
 
 TEST(StockLaw, SlicesAreTheSolidAndNeverLess) {
@@ -143,6 +171,7 @@ TEST(StockLaw, SlicesAreTheSolidAndNeverLess) {
                     contains(stock, q.head<2>()) || distanceToBoundary(stock, q.head<2>()) < 0.01;
                 EXPECT_TRUE(is_stock) << p.transpose();
             }
+            expectStandsThroughout(StockSections(setup, left, kTol), setup, inside, random);
         }
     }
 }

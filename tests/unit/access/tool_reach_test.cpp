@@ -174,9 +174,21 @@ TEST(Entry, IsARampInASlotTooNarrowForAHelix) {
         EXPECT_TRUE(contains(found.cutter.free_centres, end));
 }
 
-TEST(Entry, IsAPlungeOnlyForACentreCuttingToolInATightHole) {
-    const FeatureGround ground(closedPocket(makeCircle({0, 0}, 5.5)), kTol);
-    EXPECT_EQ(access(ground, endMill(10)).cutter.entries.at(0).kind, EntryKind::Plunge);
+TEST(Entry, InATightHoleIsAPlungeWhereTheToolMayPlunge) {
+    const FeatureGround ground(closedPocket(makeCircle({0, 0}, 5.2)), kTol);
+    ToolAssembly plunger = endMill(10);
+    plunger.max_plunge_mm = 1;
+    EXPECT_EQ(access(ground, plunger).cutter.entries.at(0).kind, EntryKind::Plunge);
+    const ToolReach found = access(ground, endMill(10));
+    ASSERT_TRUE(found.exclusion());
+    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::NoEntry);
+}
+
+TEST(Entry, OfAToolWithEdgesAtItsCentreMayBeANarrowHelix) {
+    const FeatureGround ground(closedPocket(makeCircle({0, 0}, 5.6)), kTol);
+    const ToolReach centre_cutting = access(ground, endMill(10));
+    ASSERT_EQ(centre_cutting.cutter.entries.at(0).kind, EntryKind::Helix);
+    EXPECT_NEAR(centre_cutting.cutter.entries.at(0).helix_radius_mm, 0.6, 5e-3);
     ToolAssembly dead_centre = endMill(10);
     dead_centre.centre_cutting = false;
     const ToolReach found = access(ground, dead_centre);
@@ -296,6 +308,7 @@ TEST(HolderCollision, CountsAShankWiderThanTheCutter) {
 TEST(HolderCollision, CountsInASlotOfTheCuttersOwnWidth) {
     // The centres are a strip of 1 um: too little to be worth a pass by itself, but all there is.
     ToolAssembly tool = endMill(4);
+    tool.max_plunge_mm = 2;
     tool.shank = {6, 12, 60};
     for (const Region& target : {rect(0, 0, 30, 4.001), makeCircle({0, 0}, 2.0005)}) {
         const ToolReach found = access(FeatureGround(closedPocket(target, 20), kTol), tool);

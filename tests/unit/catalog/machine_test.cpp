@@ -51,6 +51,23 @@ TEST(ReadMachine, DoesWithoutAcceleration) {
     EXPECT_DOUBLE_EQ(machineFromText(machine.dump(), "mill.json").junction_deviation_mm, 0.05);
 }
 
+TEST(ReadMachine, SaysWhichClearancesItTakesByDefault) {
+    json machine = goodMachine();
+    machine.erase("side_clearance_mm");
+    machine["inside_clearance_mm"] = 0.25;
+    const Machine read = machineFromText(machine.dump(), "mill.json");
+    EXPECT_DOUBLE_EQ(read.side_clearance_mm, 2);
+    EXPECT_DOUBLE_EQ(read.inside_clearance_mm, 0.25);
+    EXPECT_EQ(read.by_default, std::vector<std::string>{"side_clearance_mm 2"});
+    EXPECT_TRUE(machineFromText(goodMachine().dump(), "mill.json").by_default.empty());
+}
+
+TEST(MachineErrors, TellAClearanceThatIsAbsurd) {
+    json machine = goodMachine();
+    machine["side_clearance_mm"] = -1;
+    EXPECT_EQ(messageOf(machine), "mill.json#/side_clearance_mm: expected a number from 0 to 100, found -1");
+}
+
 TEST(MachineErrors, TellAJunctionDeviationOfNothing) {
     json machine = goodMachine();
     machine["junction_deviation_mm"] = 0;

@@ -71,6 +71,22 @@ TEST(ReadTools, TakesAStraightShankWhenNoneIsGiven) {
     EXPECT_DOUBLE_EQ(tool.shank.top_mm, 50);
 }
 
+TEST(ReadTools, AMillPlungesHalfItsDiameterUpToSixMillimetresUnlessTheLibrarySays) {
+    ToolAssembly mill;
+    mill.centre_cutting = true;
+    mill.diameter_mm = 6;
+    EXPECT_DOUBLE_EQ(usualPlungeMm(mill), 3);
+    mill.diameter_mm = 6.1;
+    EXPECT_DOUBLE_EQ(usualPlungeMm(mill), 0);
+    mill = {};
+    mill.diameter_mm = 4;
+    EXPECT_DOUBLE_EQ(usualPlungeMm(mill), 0) << "no edges at its centre";
+    json library = goodLibrary();
+    EXPECT_DOUBLE_EQ(read(library).tool("B12").max_plunge_mm, 0);
+    library["tools"][0]["max_plunge"] = 2.5;
+    EXPECT_DOUBLE_EQ(read(library).tool("B12").max_plunge_mm, 2.5);
+}
+
 TEST(ReadTools, LetsOnlyDrillsCutAtTheCentreUnlessTold) {
     json library = goodLibrary();
     library["tools"][0].erase("centre_cutting");

@@ -48,6 +48,11 @@ TEST(ToolErrors, TellAMissingFieldWithWhatItShouldHold) {
         "tools.json#/tools/1: expected the field \"flute_length\", a number from 0.0003 to 5000, found none");
 }
 
+TEST(ToolErrors, TellAPlungeDeeperThanTheFlutes) {
+    EXPECT_EQ(messageWith("/tools/0/max_plunge", 30),
+              "tools.json#/tools/0/max_plunge: expected no more than the flute length, 26, found 30");
+}
+
 TEST(ToolErrors, TellAWrongType) {
     EXPECT_EQ(messageWith("/tools/0/flute_length", {{"min", 20}, {"max", 26}}),
               "tools.json#/tools/0/flute_length: expected a number from 0.0003 to 5000, found an object");

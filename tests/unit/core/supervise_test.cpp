@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "stepmill/core/error.h"
@@ -226,6 +227,45 @@ TEST(Supervise, SaysSoWhereTheSystemGrantsNoMoreMemory) {
     EXPECT_EQ(run.exit_code, 7);
 }
 #endif
+
+/// Asks until it has ended.
+Supervised endOf(SupervisedChild& child) {
+    while (true) {
+        if (const std::optional<Supervised> end = child.ended()) return *end;
+        ::usleep(1000);
+    }
+}
+
+TEST(SupervisedChildren, WorkBesideEachOther) {
+    const StopSignals stop;
+    SupervisedChild hangs(
+        [](StageBoard&) {
+            while (true)
+                ::pause();
+            return 0;
+        },
+        {0.5, 0}, stop);
+    SupervisedChild ends([](StageBoard&) { return 5; }, {30, 0}, stop);
+    EXPECT_EQ(endOf(ends).exit_code, 5);
+    EXPECT_FALSE(hangs.ended().has_value());
+    EXPECT_EQ(endOf(hangs).end, Supervised::End::TimedOut);
+}
+
+TEST(SupervisedChildren, EndForASignalAndWithTheirObject) {
+    const StopSignals stop;
+    const auto sleeps = [](StageBoard& stage) {
+        stage.set("sleeping");
+        while (true)
+            ::pause();
+        return 0;
+    };
+    SupervisedChild stopped(sleeps, {30, 0}, stop);
+    const Supervised end = stopped.endFor(SIGTERM);
+    EXPECT_EQ(end.end, Supervised::End::Stopped);
+    EXPECT_EQ(end.signal, SIGTERM);
+    { const SupervisedChild dropped(sleeps, {30, 0}, stop); }
+    EXPECT_EQ(::waitpid(-1, nullptr, WNOHANG), -1) << "no child is left";
+}
 
 }  // namespace
 }  // namespace stepmill

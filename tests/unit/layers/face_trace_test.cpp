@@ -98,7 +98,7 @@ TEST(FaceTraces, NeighboursKnowInnerFromOuterEdges) {
         const bool pocket_floor = trace.top_z_mm < -1;
         EXPECT_EQ(trace.neighbours.size(), pocket_floor ? 4u : 8u);
         for (const FaceNeighbour& neighbour : trace.neighbours)
-            EXPECT_EQ(neighbour.sense, pocket_floor ? EdgeSense::Concave : EdgeSense::Convex);
+            EXPECT_EQ(neighbour.bend, pocket_floor ? Bend::Concave : Bend::Convex);
     }
 }
 

@@ -19,7 +19,10 @@ PlannedFeature planPocket(const std::string& name, SurrogateRule rule) {
     request.sequence.surrogates = rule;
     const Part part = readStep(source + "/step_parts/" + name + ".step").front();
     const ToolLibrary library = readToolLibrary(source + "/samples/dsouza2006_tools.json");
-    const Plan plan = planPart(part, request, library, defaultMachine(), kTol);
+    // The paper's rapids touch.
+    Machine machine = defaultMachine();
+    machine.side_clearance_mm = machine.top_clearance_mm = machine.inside_clearance_mm = 0;
+    const Plan plan = planPart(part, request, library, machine, kTol);
     EXPECT_TRUE(plan.complete(kTol)) << name;
     return plan.setups.front().features.back();
 }
@@ -45,12 +48,11 @@ TEST_P(PaperCase, WithBossesTheNextToolIsTheSurrogateOfTheFirst) {
     EXPECT_EQ(stepsOf(planPocket("bossed_pocket", GetParam())), expected);
 }
 
-// Table 4 has other tools, too, in other places: 0.375, 0.2, 0.125 in. Here it is 0.5, 0.3125, 0.2, 0.125 in.
+// Table 4 has other tools, too, in other places: 0.375, 0.2, 0.125 in. Here it is 0.5, 0.3125, 0.125 in.
 TEST_P(PaperCase, WithoutBossesTheToolsAreOthersAndTheTimeIsLess) {
     const PlannedFeature with = planPocket("bossed_pocket", GetParam());
     const PlannedFeature without = planPocket("pocket_without_bosses", GetParam());
-    EXPECT_EQ(stepsOf(without),
-              (Steps{{"t8", Role::Rough}, {"t4", Role::Rest}, {"t2", Role::Rest}, {"t1", Role::Rest}}));
+    EXPECT_EQ(stepsOf(without), (Steps{{"t8", Role::Rough}, {"t4", Role::Rest}, {"t1", Role::Rest}}));
     EXPECT_LT(without.sequence.time_s, with.sequence.time_s);
     EXPECT_NEAR(with.feature.area_mm2, without.feature.area_mm2, 1e-6 * with.feature.area_mm2);
 }

@@ -36,6 +36,21 @@ TEST(PlanPart, MachinesTheIslandPocketWhole) {
     EXPECT_LE(plan.totals.lower_bound_s, plan.totals.time_s);
 }
 
+TEST(PlanPart, WhatStaysOfResidualsAddsUpToTheBooks) {
+    for (const char* name : {"four_setups.step", "die_cavity.step", "mold_core.step"}) {
+        const Plan plan = planSample(name);
+        double stays_mm3 = 0;
+        for (const PlannedSetup& setup : plan.setups)
+            for (const PlannedFeature& planned : setup.features)
+                for (const Residual& residual : planned.sequence.residual) {
+                    ASSERT_TRUE(residual.stays_mm3);
+                    EXPECT_LE(*residual.stays_mm3, residual.volume_mm3 * (1 + 1e-9)) << planned.feature.id;
+                    stays_mm3 += *residual.stays_mm3;
+                }
+        EXPECT_NEAR(stays_mm3, plan.balance.residual_mm3, 1e-6 * (1 + stays_mm3)) << name;
+    }
+}
+
 TEST(PlanPart, TotalsAreTheSumOfOperationsAndToolChanges) {
     const Plan plan = planSample("nested_pockets.step");
     double operations_s = 0;

@@ -64,6 +64,13 @@ TEST(UsableLibrary, LeavesOutFinishingCutsTooThinForTheStock) {
     EXPECT_EQ(usable(library, options, defaultMachine(), 20, warnings), library.tools.size() - 1);
 }
 
+TEST(UsableLibrary, StandsInTheSpindle) {
+    const ToolLibrary library = defaultToolLibrary();
+    const UsableLibrary found = usableLibrary(library, inAluminium(), defaultMachine(), 30);
+    EXPECT_EQ(found.library.tools.front().holder.size(),
+              library.tools.front().holder.size() + defaultMachine().spindle_nose.size());
+}
+
 TEST(LayersFor, RefusesMoreThanAPathCanHave) {
     EXPECT_EQ(toolpath::depthsFor(10, 0.01), 1000);
     for (const double step_down_mm : {0.009, 3e-9, 1e-300})

@@ -35,7 +35,8 @@ struct Block {
 /// A program as a controller without canned cycles sees it: words of a line, comments dropped.
 struct Program {
     std::vector<Block> blocks;
-    std::vector<std::string> others;  ///< lines without N word, comments removed, in order
+    /// Lines without a motion to a place of the work offset's, without N words and comments, in order.
+    std::vector<std::string> others;
 
     double length(bool rapids) const {
         double sum = 0;
@@ -70,14 +71,15 @@ inline Program readProgram(const std::string& text) {
     for (std::string line; std::getline(lines, line);) {
         const std::string code = withoutComment(line);
         if (code.empty()) continue;
-        if (code[0] != 'N') {
-            program.others.push_back(code);
-            continue;
-        }
         std::map<char, double> words;
         std::istringstream stream(code);
         for (std::string word; stream >> word;)
-            words[word[0]] = std::stod(word.substr(1));
+            if (const double value = std::stod(word.substr(1)); word[0] != 'G' || value < 4)
+                words[word[0]] = value;
+        if (words.count('N') == 0 || words.count('G') == 0) {
+            program.others.push_back(words.count('N') == 0 ? code : code.substr(code.find(' ') + 1));
+            continue;
+        }
         Block block;
         block.number = static_cast<int>(words.at('N'));
         block.g = static_cast<int>(words.at('G'));

@@ -38,8 +38,9 @@ TEST(Program, FeedsAsLongInTimeAsThePathsDo) {
     EXPECT_TRUE(ramp) << "the helix has its own feed";
 }
 
-TEST(Program, RapidsAsLongAsThePathsAreAndTheWayToTheFirstCut) {
+TEST(Program, RapidsAsLongAsThePathsAreAndTheWaysFromHome) {
     const Program read = sampleProgram();
+    // Over and down; the second tool starts where the first one has ended.
     const double way_in = read.blocks[0].length() + read.blocks[1].length();
     EXPECT_NEAR(read.length(true) - way_in, sampleTotals().air_length_mm, 2e-3);
 }
@@ -61,14 +62,14 @@ TEST(Program, NoArcEndsWhereItStarts) {
     }
 }
 
-TEST(Program, RisesToTheRetractHeightBeforeItCrosses) {
+TEST(Program, CrossesAtHomeBeforeItComesDown) {
     const Program read = sampleProgram();
     ASSERT_GE(read.blocks.size(), 2U);
     EXPECT_EQ(read.blocks[0].g, 0);
-    EXPECT_EQ(read.blocks[0].to[2], 5);
-    EXPECT_EQ(read.blocks[0].to[0], 0);
+    EXPECT_EQ(read.blocks[0].to[2], 0) << "no height said yet";
+    EXPECT_NE(read.blocks[0].to[0], 0);
     EXPECT_EQ(read.blocks[1].g, 0);
-    EXPECT_NE(read.blocks[1].to[0], 0);
+    EXPECT_EQ(read.blocks[1].to[2], 5);
 }
 
 TEST(Program, ChangesToolsOncePerVisit) {
@@ -84,10 +85,15 @@ TEST(Program, StartsMetricAndAbsoluteAndEndsWithM30) {
     EXPECT_EQ(others.back(), "M30");
 }
 
-TEST(Program, NumbersItsMotionBlocksFromOne) {
-    int expected = 1;
-    for (const Block& block : sampleProgram().blocks)
-        EXPECT_EQ(block.number, expected++);
+TEST(Program, NumbersItsMotionBlocksAndTheFirstOfEachOperation) {
+    int before = 1;
+    int left_out = 0;
+    for (const Block& block : sampleProgram().blocks) {
+        EXPECT_GT(block.number, before);
+        left_out += block.number - before - 1;
+        before = block.number;
+    }
+    EXPECT_EQ(left_out, 2) << "N1 and those of the second and third operation are no motions";
 }
 
 TEST(Program, IsPrintableAsciiWhateverThePartIsCalled) {
@@ -126,7 +132,7 @@ TEST(MotionWriter, WritesAnArcTooFlatForTheDecimalsAsALine) {
     path.moves = {arcTo(0.1, 0, 0, Vec2(0.05, 1000), std::hypot(0.05, 1000), true)};
     std::string text;
     MotionWriter writer(text);
-    writer.approach(Vec3(0, 0, 0));
+    writer.approach(Vec3(0, 0, 0), "", false);
     writer.write(path.start, fedMoves(path));
     EXPECT_EQ(readProgram(text).blocks.back().g, 1);
 }
@@ -137,7 +143,7 @@ TEST(MotionWriter, DropsMovesShorterThanTheDecimals) {
     path.moves = {feedTo(0.00003, 0, 0), feedTo(1, 0, 0)};
     std::string text;
     MotionWriter writer(text);
-    writer.approach(Vec3(0, 0, 0));
+    writer.approach(Vec3(0, 0, 0), "", false);
     writer.write(path.start, fedMoves(path));
     EXPECT_EQ(readProgram(text).blocks.size(), 3U);
 }
@@ -162,7 +168,7 @@ TEST(MotionWriter, KeepsRandomArcsOfEverySizeTrue) {
         path.moves = {arcTo(end.x(), end.y(), 0, centre, radius, ccw)};
         std::string text;
         MotionWriter writer(text);
-        writer.approach(path.start);
+        writer.approach(path.start, "", false);
         writer.write(path.start, fedMoves(path));
         double length = 0;
         for (const Block& block : readProgram(text).blocks) {

@@ -19,7 +19,8 @@ TEST(SecondReader, AcceptsTheProgramAndSeesEveryMotion) {
     int rapids = 0;
     for (const Block& block : read.blocks)
         ++(block.g == 0 ? rapids : block.g == 1 ? lines : arcs);
-    EXPECT_EQ(reader.count("STRAIGHT_TRAVERSE("), rapids);
+    // Home before and after both changes, and at the end.
+    EXPECT_EQ(reader.count("STRAIGHT_TRAVERSE("), rapids + 5);
     EXPECT_EQ(reader.count("STRAIGHT_FEED("), lines);
     EXPECT_EQ(reader.count("ARC_FEED("), arcs);
     EXPECT_EQ(reader.count("CHANGE_TOOL("), 2);

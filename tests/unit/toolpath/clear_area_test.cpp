@@ -103,7 +103,7 @@ TEST(ClearArea, BoresAHoleAsOneHelixAndALevelTurn) {
     ASSERT_EQ(path.depths, 3);
     expectSound(path, task, 4);
     const double helix_mm = 6.2 / std::sin(degToRad(3));
-    EXPECT_NEAR(path.totals.cut_length_mm, 0.8 + helix_mm + 2 * kPi * 2, 0.02);
+    EXPECT_NEAR(path.totals.cut_length_mm, 0.8 + helix_mm + 2 * kPi * 2 + 0.5, 0.02) << "and off the wall";
     for (const Move& move : path.moves)
         EXPECT_TRUE(move.kind != MoveKind::Feed || move.to.z() == -6);
 }
@@ -215,9 +215,10 @@ TEST(ClearArea, HasTheLengthOfItsRingsInASquarePocket) {
         rings += 4 * side;
     const double links = 4 + 4 * 4;       // from the middle to the first ring, then from ring to ring
     const double plunge = 2 + 0.2 + 0.8;  // the depth and the approach above it
-    EXPECT_NEAR(path.totals.cut_length_mm, rings + links + plunge, 0.02);
-    EXPECT_NEAR(path.totals.feed_air_length_mm, 0.8, 1e-9);
-    EXPECT_NEAR(path.totals.feed_time_s, (rings + links) / 1000 * 60 + plunge / 300 * 60, 0.01);
+    const double off_wall = 0.5;
+    EXPECT_NEAR(path.totals.cut_length_mm, rings + links + plunge + off_wall, 0.02);
+    EXPECT_NEAR(path.totals.feed_air_length_mm, 0.8 + off_wall, 1e-6);
+    EXPECT_NEAR(path.totals.feed_time_s, (rings + links + off_wall) / 1000 * 60 + plunge / 300 * 60, 0.01);
     // Down to 1 mm over the top, and up again.
     EXPECT_NEAR(path.totals.air_length_mm, 4 + 7, 1e-9);
     EXPECT_NEAR(path.totals.rapid_time_s, 11.0 / 5000 * 60, 1e-9);

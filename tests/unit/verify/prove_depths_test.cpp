@@ -14,6 +14,7 @@ class ProveDepths : public testing::Test {
   protected:
     ProveDepths() {
         planned_.tool.diameter_mm = 10;
+        planned_.tool.max_plunge_mm = kStepDownMm;
         planned_.step_down_mm = kStepDownMm;
         planned_.z_floor_mm = -10;
         state_.feature.floor_z_mm = -10;
@@ -159,6 +160,47 @@ TEST_F(ProveDepths, ADrillMayPeck) {
     prove();
     EXPECT_TRUE(failures_.empty());
     EXPECT_EQ(proof_.depth_of_cut_mm, 0);
+}
+
+TEST_F(ProveDepths, APlungeIntoTheSolidIsNoDeeperThanTheToolMayGo) {
+    planned_.tool.max_plunge_mm = 1;
+    pass(-4);
+    prove();
+    ASSERT_EQ(failures_.size(), 1U);
+    EXPECT_EQ(failures_[0].line, 1);
+    EXPECT_NE(failures_[0].text.find("more than the 1 mm it may plunge"), std::string::npos)
+        << failures_[0].text;
+}
+
+TEST_F(ProveDepths, APlungeMayGoAsDeepAsItLikesWhereNothingStands) {
+    planned_.tool.max_plunge_mm = 0;
+    state_.standing = {{-10, makeRectangle({10, -5}, {45, 5})}};
+    pass(-4);
+    pass(-8);
+    prove();
+    EXPECT_TRUE(failures_.empty());
+}
+
+TEST_F(ProveDepths, ARampNoSteeperThanPlannedIsNoPlunge) {
+    planned_.tool.max_plunge_mm = 0;
+    planned_.ramp_angle_deg = 6;  // 4 mm over 40
+    go(MoveKind::Rapid, 0, 0, 0);
+    go(MoveKind::Ramp, 40, 0, -4);
+    go(MoveKind::Feed, 0, 0, -4);
+    prove();
+    EXPECT_TRUE(failures_.empty());
+}
+
+TEST_F(ProveDepths, ARampSteeperThanPlannedIsAPlunge) {
+    planned_.tool.max_plunge_mm = 0;
+    planned_.ramp_angle_deg = 5;
+    go(MoveKind::Rapid, 0, 0, 0);
+    go(MoveKind::Ramp, 40, 0, -4);
+    go(MoveKind::Feed, 0, 0, -4);
+    prove();
+    ASSERT_EQ(failures_.size(), 1U);
+    EXPECT_EQ(failures_[0].line, 2);
+    EXPECT_NE(failures_[0].text.find("steeper"), std::string::npos) << failures_[0].text;
 }
 
 }  // namespace

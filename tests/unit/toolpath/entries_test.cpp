@@ -1,0 +1,122 @@
+// Which way a cutter goes down, and how it leaves.
+
+#include <gtest/gtest.h>
+
+#include "support/clearing_tasks.h"
+#include "support/sound_path.h"
+
+namespace stepmill {
+namespace {
+
+using namespace test;
+
+const Tolerances kTol;
+const Machine kMachine = machineWithRapid(5000);
+
+/// A blind hole of 6 mm, 20 deep, as a 4 mm cutter with a long reach clears it.
+ClearingTask deepHole() {
+    const Region hole = makeCircle({0, 0}, 3);
+    ClearingTask task = fullTask(hole, blockAround(hole, {}, kTol), 2, kTol);
+    task.floor_z_mm = -20;
+    return task;
+}
+
+Toolpath inHole(double max_plunge_mm) {
+    ToolAssembly tool = flatEndMill(4);
+    tool.max_plunge_mm = max_plunge_mm;
+    CuttingData cutting = cuttingData(1.2, 1.6);
+    cutting.feed_mm_per_min = 520;
+    cutting.plunge_feed_mm_per_min = 155;
+    cutting.ramp_angle_deg = 2;
+    return clearArea(deepHole(), tool, cutting, kMachine, kTol);
+}
+
+double deepestPlunge(const Toolpath& path) {
+    double deepest = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Plunge && !move.in_air)
+            deepest = std::max(deepest, from.z() - move.to.z());
+        from = move.to;
+    }
+    return deepest;
+}
+
+TEST(WayDown, IsStraightInAHoleWhereTheToolMayPlunge) {
+    const Toolpath plunged = inHole(2);
+    EXPECT_LE(deepestPlunge(plunged), 1.6 + 0.2 + 1e-9);
+    EXPECT_LT(plunged.totals.time_s(), 22);
+    expectSound(plunged, deepHole(), 2);
+}
+
+TEST(WayDown, TakesMoreDepthsWherePlungesOfLessThanOneAreQuickerThanRamps) {
+    const Toolpath plunged = inHole(0.5);
+    EXPECT_EQ(plunged.depths, 40);
+    EXPECT_LE(deepestPlunge(plunged), 0.5 + 0.2 + 1e-9);
+    EXPECT_LT(plunged.totals.time_s(), 60);
+    expectSound(plunged, deepHole(), 2);
+}
+
+TEST(WayDown, IsAHelixWhereTheToolMayNotPlunge) {
+    for (const double max_plunge_mm : {0.0, 0.05}) {
+        const Toolpath helix = inHole(max_plunge_mm);
+        EXPECT_EQ(deepestPlunge(helix), 0);
+        EXPECT_GT(helix.totals.time_s(), 60);
+    }
+}
+
+TEST(WayDown, TakesDepthsOfCutThatItMayPlungeWhereThereIsNoOther) {
+    const Region hole = makeCircle({0, 0}, 2.01);
+    ClearingTask task = fullTask(hole, blockAround(hole, {}, kTol), 2, kTol);
+    task.entries.front() = {EntryKind::Plunge, Vec2(0, 0), 0, Vec2::Zero()};
+    ToolAssembly tool = flatEndMill(4);
+    tool.max_plunge_mm = 1.5;
+    const Toolpath path = clearArea(task, tool, cuttingData(1.2, 3), kMachine, kTol);
+    EXPECT_EQ(path.depths, 4);
+    EXPECT_LE(deepestPlunge(path), 1.5 + 0.2 + 1e-9);
+}
+
+/// A pocket with room for several rings.
+ClearingTask pocket() {
+    const Region outline = makeRoundedRectangle({0, 0}, {70, 50}, 6);
+    ClearingTask task = fullTask(outline, blockAround(outline, {}, kTol), 5, kTol);
+    task.floor_z_mm = -12;
+    return task;
+}
+
+TEST(FirstRing, IsCutDownToTheFloorBeforeTheOthers) {
+    ClearingTask task = pocket();
+    const Toolpath at_once = clearArea(task, flatEndMill(10), cuttingData(5, 4), kMachine, kTol);
+    expectSound(at_once, task, 5);
+    task.free_reach_mm = 6;  // shank or holder would meet the rings that still stand
+    const Toolpath by_depths = clearArea(task, flatEndMill(10), cuttingData(5, 4), kMachine, kTol);
+    expectSound(by_depths, task, 5);
+    EXPECT_LT(at_once.totals.time_s(), by_depths.totals.time_s() - 2);
+    const auto firstAtFloor = [&](const Toolpath& path) {
+        const auto found = std::find_if(path.moves.begin(), path.moves.end(),
+                                        [&](const Move& move) { return move.to.z() <= task.floor_z_mm; });
+        return static_cast<double>(found - path.moves.begin()) / static_cast<double>(path.moves.size());
+    };
+    EXPECT_LT(firstAtFloor(at_once), 0.5);
+    EXPECT_GT(firstAtFloor(by_depths), 0.6);
+}
+
+TEST(WayOut, LeavesTheWallBeforeTheCutterRises) {
+    const ClearingTask task = pocket();
+    const Toolpath path = clearArea(task, flatEndMill(10), cuttingData(5, 4), kMachine, kTol);
+    Vec3 from = path.start;
+    int rises = 0;
+    for (const Move& move : path.moves) {
+        const bool rises_from_depth =
+            move.kind == MoveKind::Rapid && move.to.z() > from.z() && from.z() < task.top_z_mm;
+        if (rises_from_depth) {
+            ++rises;
+            EXPECT_GT(distanceToBoundary(task.target, Vec2(from.head<2>())), 5 + 0.3) << from.transpose();
+        }
+        from = move.to;
+    }
+    EXPECT_GT(rises, 0);
+}
+
+}  // namespace
+}  // namespace stepmill
