@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "stepmill/core/units.h"
 #include "stepmill/feature/heights.h"
@@ -81,7 +84,7 @@ class Ground {
         const double keep_mm = own_ground ? keep_.inside_mm : keep_.side_mm;
         if (!isOffWalls(a, b, radius_mm_ + keep_.inside_mm, radius_mm_ + keep_mm)) return false;
         const std::vector<CutEdge>& cuts = a == b ? near_ : cuts_;
-        return high || sweptAt(z_mm, a, b, keep_mm, cuts).isClearFor(radius_mm_ + keep_mm, a, b);
+        return high || isSweptClear(z_mm, a, b, keep_mm, cuts);
     }
 
     /// Is the straight way at that height clear of all that stands for the cutter itself, and of what keeps
@@ -91,7 +94,7 @@ class Ground {
         if (walls_.anyNearer(way, radius_mm_)) return false;
         for (const Holder& holder : holder_)
             if (holder.edges.anyNearer(way, holder.distance_mm)) return false;
-        return z_mm >= task_.top_z_mm || sweptAt(z_mm, a, b, 0, near_).isClear(a, b);
+        return z_mm >= task_.top_z_mm || isSweptClear(z_mm, a, b, 0, near_);
     }
 
     /// Over how high ground the tool may be fed down at a place from there on, ascending.
@@ -125,14 +128,27 @@ class Ground {
                !contains(task_.obstruction, b) && !contains(task_.skirt, b);
     }
 
-    /// What has been cut down to a height around a way.
-    toolpath::SweptGround sweptAt(double z_mm, const Vec2& a, const Vec2& b, double keep_mm,
-                                  const std::vector<CutEdge>& cuts) const {
-        toolpath::SweptGround ground = swept_;
+    /// Is the straight way clear of what has not been cut down to that height? Most depths of cut are like
+    /// each other, and so are their questions: answers are kept.
+    bool isSweptClear(double z_mm, const Vec2& a, const Vec2& b, double keep_mm,
+                      const std::vector<CutEdge>& cuts) const {
         const Box2 box = grown(makeLine(a, b).box, 2 * radius_mm_ + keep_mm);
-        for (const CutEdge& cut : cuts)
-            if (cut.top_z_mm <= z_mm && cut.edge.box.intersects(box)) ground.add(cut.edge);
-        return ground;
+        std::vector<double> question{a.x(), a.y(), b.x(), b.y(), keep_mm};
+        toolpath::SweptGround ground = swept_;
+        for (const CutEdge& cut : cuts) {
+            if (cut.top_z_mm > z_mm || !cut.edge.box.intersects(box)) continue;
+            ground.add(cut.edge);
+            addTo(question, cut.edge);
+        }
+        const auto [answer, is_new] = answers_.try_emplace(std::move(question), false);
+        if (is_new) answer->second = ground.isClearFor(radius_mm_ + keep_mm, a, b);
+        return answer->second;
+    }
+
+    static void addTo(std::vector<double>& question, const Edge& edge) {
+        const Arc arc = edge.segment.arc.value_or(Arc{Vec2::Zero(), 0, true});
+        question.insert(question.end(), {edge.from.x(), edge.from.y(), edge.to().x(), edge.to().y(),
+                                         arc.centre.x(), arc.centre.y(), arc.ccw ? 1.0 : -1.0});
     }
 
     const ClearingTask& task_;
@@ -146,6 +162,7 @@ class Ground {
     std::vector<CutEdge> cuts_;
     std::vector<CutEdge> near_;    ///< those near the place that is looked at
     std::vector<double> heights_;  ///< of the level cuts, each once
+    mutable std::map<std::vector<double>, bool> answers_;
 };
 
 /// Where a rapid down ends; from there the tool is fed across, and then down.

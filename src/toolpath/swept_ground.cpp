@@ -7,7 +7,18 @@
 #include <limits>
 #include <numbers>
 
+#include "stepmill/core/units.h"
+
 namespace stepmill::toolpath {
+
+namespace {
+
+/// So many points of a disc's rim are looked at before its ground is proven to be clear ...
+constexpr int kLookedAt = 12;
+/// ... at this share of the radius: those on the rim itself rounding may put outside.
+constexpr double kLookedAtShare = 0.99;
+
+}  // namespace
 
 SweptGround::SweptGround(const ClearingTask& task, double radius_mm)
     : boundaries_(std::make_shared<const Boundaries>(
@@ -24,6 +35,8 @@ bool SweptGround::isClearFor(double disc_mm, const Vec2& a, const Vec2& b) const
 }
 
 bool SweptGround::isClear(const Edge& way, double disc_mm, double cusp_mm) const {
+    const bool beside_target = !boundaries_->target.anyNearer(way, disc_mm);
+    if (beside_target && !contains(task_->target, way.from)) return true;
     const Box2 box = grown(way.box, disc_mm);
     Near near;
     near.disc_mm = disc_mm;
@@ -38,7 +51,28 @@ bool SweptGround::isClear(const Edge& way, double disc_mm, double cusp_mm) const
     boundaries_->cleared.forEachIn(grown(square, radius_mm_),
                                    [&](const Edge& edge) { near.cleared.push_back(&edge); });
     near.off_cleared = task_->cleared_centres.empty();
-    return isClear(way, {centre, half}, near);
+    return !meetsAtOnce(way, near) && isClear(way, {centre, half}, near);
+}
+
+bool SweptGround::meetsAtOnce(const Edge& way, const Near& near) const {
+    const double rim_mm = kLookedAtShare * (near.disc_mm - near.cusp_mm);
+    for (const double share : {1.0, 0.5, 0.0}) {
+        const Vec2 at = pointAt(way, share);
+        if (isMaterial(at, near)) return true;
+        for (int i = 0; i < kLookedAt; ++i) {
+            const double angle_rad = 2 * kPi * i / kLookedAt;
+            if (isMaterial(at + rim_mm * Vec2(std::cos(angle_rad), std::sin(angle_rad)), near)) return true;
+        }
+        if (way.from == way.to()) break;
+    }
+    return false;
+}
+
+bool SweptGround::isMaterial(const Vec2& p, const Near& near) const {
+    const auto covers = [&](const Edge* edge) { return distanceTo(p, *edge) <= radius_mm_; };
+    return std::none_of(near.swept.begin(), near.swept.end(), covers) &&
+           std::none_of(near.cleared.begin(), near.cleared.end(), covers) && contains(task_->target, p) &&
+           (near.off_cleared || !contains(task_->cleared_centres, p));
 }
 
 bool SweptGround::isClear(const Edge& way, const Square& square, const Near& near) const {

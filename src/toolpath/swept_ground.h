@@ -54,6 +54,9 @@ class SweptGround {
     };
     bool isClear(const Edge& way, double disc_mm, double cusp_mm) const;
     bool isClear(const Edge& way, const Square& square, const Near& near) const;
+    /// A quick look for material on a way that is blocked; most of those that are asked for are.
+    bool meetsAtOnce(const Edge& way, const Near& near) const;
+    bool isMaterial(const Vec2& p, const Near& near) const;
 
     /// Boundaries of the target and the cleared centres; copies share them.
     struct Boundaries {
