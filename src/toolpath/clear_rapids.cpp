@@ -79,7 +79,8 @@ class Ground {
         const bool high = z_mm >= top_mm_ - kSameHeightMm;
         // Over all that stands a way across still keeps its proof, which looks at walls below the retract
         // height whatever their height.
-        if (high && z_mm >= task_.stands_to_mm) return a == b || !walls_.anyNearer(makeLine(a, b), radius_mm_);
+        if (high && z_mm >= task_.stands_to_mm)
+            return a == b || !walls_.anyNearer(makeLine(a, b), radius_mm_);
         const bool own_ground = a != b || contains(task_.target, a);
         const double keep_mm = own_ground ? keep_.inside_mm : keep_.side_mm;
         if (!isOffWalls(a, b, radius_mm_ + keep_.inside_mm, radius_mm_ + keep_mm)) return false;

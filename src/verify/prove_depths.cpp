@@ -11,6 +11,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"
 #include "verify/prove_operation.h"
@@ -44,6 +45,8 @@ constexpr int kLooksPerPiece = 3;
 /// Slopes may be steeper by this share, and heights by their rounding [mm].
 constexpr double kSlopeShare = 1e-3;
 constexpr double kSlopeRoundingMm = 3e-4;
+/// Pieces of an arc are put together up to here: a whole turn ends where it begins, and is none.
+constexpr double kLongestArcRad = 1.9 * kPi;
 /// A ramp begins this much over the material, so that turn by turn it sinks as much more than the step-down
 /// [mm].
 constexpr double kRampStartMm = 0.2;
@@ -63,6 +66,43 @@ WayKey keyOf(const Path& way) {
         key[6] = segment.arc->ccw ? 1 : -1;
     }
     return key;
+}
+
+/// Is the second edge, which starts where the first ends, another piece of the same line or arc?
+bool goesOn(const Vec2& from, const Segment& first, const Segment& second) {
+    if (first.arc != second.arc) return false;
+    if (first.arc) {
+        return std::abs(sweepAngle(from, first.to, *first.arc)) +
+                   std::abs(sweepAngle(first.to, second.to, *second.arc)) <
+               kLongestArcRad;
+    }
+    const Vec2 way = second.to - from;
+    return way.dot(first.to - from) > 0 && way.dot(second.to - first.to) > 0 &&
+           distanceTo(first.to, makeLine(from, second.to)) <= kGridMm;
+}
+
+/// Adds an edge to a chain; a piece of the line or arc that the chain ends with makes that longer.
+void extend(Path& chain, const Segment& segment) {
+    const std::size_t count = chain.segments.size();
+    const Vec2 from = count > 1 ? chain.segments[count - 2].to : chain.start;
+    if (count > 0 && goesOn(from, chain.segments.back(), segment)) {
+        chain.segments.back().to = segment.to;
+    } else {
+        chain.segments.push_back(segment);
+    }
+}
+
+/// The same ways, those that go on where the one before ended as one: what they sweep has fewer pieces.
+std::vector<Path> chained(const std::vector<Path>& ways) {
+    std::vector<Path> chains;
+    for (const Path& way : ways) {
+        if (chains.empty() || way.segments.empty() || chains.back().end() != way.start) {
+            chains.push_back(way);
+        } else {
+            extend(chains.back(), way.segments.front());
+        }
+    }
+    return chains;
 }
 
 /// What was cut down to one height, or below, so far.
@@ -227,17 +267,17 @@ class DepthProver {
     /// What the ways sweep of standing material that no level they may count on has been taken off.
     std::vector<Region> tooDeep(const std::vector<Path>& ways) const {
         const Region& standing = state_.standingAt(asked_reach_mm_);
-        Region left = intersect(sweptRegion(ways, planned_.tool.radius_mm(), tol_), standing, tol_);
+        Region left = intersect(sweptRegion(chained(ways), planned_.tool.radius_mm(), tol_), standing, tol_);
         if (left.empty()) return {};
         const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
         const Box2 around = grown(boundingBox(left), radius_mm);
         std::vector<Path> before;
-        for (const auto& [z_mm, level] : levels_) {
-            if (!counts_on_ || z_mm > *counts_on_) break;
-            for (const Path& way : level.ways)
+        // From above: what was cut first of a ramp comes first.
+        auto level = counts_on_ ? levels_.upper_bound(*counts_on_) : levels_.begin();
+        while (level != levels_.begin())
+            for (const Path& way : (--level)->second.ways)
                 if (boundingBox(way).intersects(around)) before.push_back(way);
-        }
-        if (!before.empty()) left = subtract(left, sweptRegion(before, radius_mm, tol_), tol_);
+        if (!before.empty()) left = subtract(left, sweptRegion(chained(before), radius_mm, tol_), tol_);
         return piecesBeyondSkins(left, tol_);
     }
 

@@ -107,10 +107,10 @@ TEST(WithClearRapids, GoAcrossHigherWhereALandingBesideLeadsThemTooNearToAWall) 
     // Just over the target the straight way between the two places is clear; landing beside them, between the
     // post and the step, turns it into the post.
     ClearingTask task = slot();
-    task.obstruction = unite(task.obstruction,
-                             unite(makeRectangle(Vec2(18, 20.05), Vec2(20, 30)),
-                                   makeRectangle(Vec2(26, 0), Vec2(60, 9.7)), kTol),
-                             kTol);
+    task.obstruction = unite(
+        task.obstruction,
+        unite(makeRectangle(Vec2(18, 20.05), Vec2(20, 30)), makeRectangle(Vec2(26, 0), Vec2(60, 9.7)), kTol),
+        kTol);
     task.target = subtract(task.target, task.obstruction, kTol);
     task.free_centres = freeCentres(task.obstruction, kRadiusMm, kTol);
     task.cleared_centres = task.free_centres;
