@@ -106,16 +106,14 @@ TEST(WithClearRapids, GoesNoLowerOverARawTopThanTheClearance) {
 TEST(WithClearRapids, GoAcrossHigherWhereALandingBesideLeadsThemTooNearToAWall) {
     // Just over the target the straight way between the two places is clear; landing beside them, between the
     // post and the step, turns it into the post.
-    ClearingTask task = slot();
-    task.obstruction = unite(
-        task.obstruction,
-        unite(makeRectangle(Vec2(18, 20.05), Vec2(20, 30)), makeRectangle(Vec2(26, 0), Vec2(60, 9.7)), kTol),
-        kTol);
-    task.target = subtract(task.target, task.obstruction, kTol);
-    task.free_centres = freeCentres(task.obstruction, kRadiusMm, kTol);
+    const Region target = makeRectangle(Vec2(0, 0), Vec2(60, 30));
+    const Region stand =
+        unite(makeRectangle(Vec2(18, 20.05), Vec2(20, 30)), makeRectangle(Vec2(26, 0), Vec2(60, 9.7)), kTol);
+    ClearingTask task =
+        fullTask(subtract(target, stand, kTol), unite(slot().obstruction, stand, kTol), kRadiusMm, kTol);
     task.cleared_centres = task.free_centres;
     task.stands_to_mm = 0;
-    Toolpath path = pathFrom({12, 15}, {28, 15});
+    const Toolpath path = pathFrom({12, 15}, {28, 15});
     const Toolpath clear = withClearRapids(path, task, kRadiusMm, carefulMachine());
     EXPECT_TRUE(prove(clear, task, kRadiusMm, kTol).rapids_clear);
     EXPECT_GE(prove(clear, task, kRadiusMm, kTol).least_clearance_mm, -kTol.gouge_mm);
