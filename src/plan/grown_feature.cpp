@@ -8,6 +8,7 @@
 
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
@@ -73,10 +74,6 @@ Region withSurplus(const Region& section, const Surplus& surplus, const Toleranc
     return more.empty() ? section : unite(section, more, tol);
 }
 
-bool isRawTop(double z_mm) {
-    return z_mm > -kOnTopMm;
-}
-
 void grow(std::vector<Obstacle>& obstacles, const Surplus& surplus, double top_mm, const Tolerances& tol) {
     for (Obstacle& obstacle : obstacles) {
         obstacle.section = withSurplus(obstacle.section, surplus, tol);
@@ -102,7 +99,7 @@ Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerance
     feature.skirt = surplus.beside(feature.obstruction);
     if (!feature.skirt.empty()) feature.skirt = subtract(feature.skirt, feature.target, tol);
     grow(feature.obstacles, surplus, growth.top_mm, tol);
-    if (isRawTop(feature.top_z_mm)) feature.top_z_mm += growth.top_mm;
+    if (toolpath::isRawTop(feature.top_z_mm)) feature.top_z_mm += growth.top_mm;
     feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
     return feature;
 }

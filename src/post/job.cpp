@@ -21,6 +21,7 @@ Job jobOf(const Plan& plan, const PlannedSetup& setup) {
     job.material = plan.material;
     job.machine = plan.machine;
     job.stock_size_mm = setup.setup.stock_bbox_mm.sizes();
+    job.stock_tolerance_mm = setup.setup.stock.tolerance_mm;
     job.time_s = setup.time_s;
     for (const Operation& operation : setup.operations)
         job.operations.push_back(

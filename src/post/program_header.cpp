@@ -25,6 +25,11 @@ std::string toolText(const ToolAssembly& tool, bool inch) {
                        lengthText(tool.stick_out_mm, inch), unitName(inch));
 }
 
+std::string toleranceText(double tolerance_mm, bool inch) {
+    if (tolerance_mm <= 0) return {};
+    return fmt::format(", raw sides at most {} {} larger", lengthText(tolerance_mm, inch), unitName(inch));
+}
+
 std::string startText(const StartBlock& start) {
     return fmt::format("From {}{}", start.number, start.operation_id);
 }
@@ -62,8 +67,8 @@ std::string programHeader(const Job& job, const std::vector<StartBlock>& starts,
         fmt::format("Part {} from {}", job.part_name.empty() ? job.part_file : job.part_name, job.part_file),
         fmt::format("Setup {}, tool axis {} of the part, material {}", job.setup_id, job.axis_name,
                     job.material),
-        fmt::format("Stock {} x {} x {} {}", lengthText(size.x(), inch), lengthText(size.y(), inch),
-                    lengthText(size.z(), inch), unitName(inch)),
+        fmt::format("Stock {} x {} x {} {}{}", lengthText(size.x(), inch), lengthText(size.y(), inch),
+                    lengthText(size.z(), inch), unitName(inch), toleranceText(job.stock_tolerance_mm, inch)),
         "Work offset G54: X0 Y0 at the lower-left corner, Z0 at the top of the stock",
         "Machine " + job.machine.name};
     for (const ToolAssembly* tool : toolsOf(job))

@@ -101,6 +101,7 @@ Job jobOf(const PlanRecord& record, const RecordedSetup& setup, const std::vecto
     job.material = record.material;
     job.machine = record.machine;
     job.stock_size_mm = setup.stock_size_mm;
+    job.stock_tolerance_mm = record.stock.tolerance_mm;
     job.time_s = setup.time_s;
     for (const ReadProgram& program : programs) {
         for (const ReadOperation& read : program.operations) {

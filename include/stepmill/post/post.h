@@ -44,6 +44,7 @@ struct Job {
     std::string material;
     Machine machine;
     Vec3 stock_size_mm = Vec3::Zero();
+    double stock_tolerance_mm = 0;  ///< raw sides may stand out so far
     double time_s = 0;
     std::vector<JobOperation> operations;  ///< in machining order
 };

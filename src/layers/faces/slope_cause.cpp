@@ -8,7 +8,7 @@ namespace stepmill::layers {
 namespace {
 
 /// Heights closer than that are the same [mm].
-constexpr double kSameHeightMm = 2e-3;
+constexpr double kSameMeshMm = 2e-3;
 /// Leaning that much or less from the vertical is draft.
 const double kDraftNormal = std::sin(20 * kPi / 180);
 /// Steeper than that from the horizontal, a bevel is a chamfer rather than a nearly level face.
@@ -54,7 +54,7 @@ class Namer {
             trace.neighbours.begin(), trace.neighbours.end(), [&](const FaceNeighbour& neighbour) {
                 const FaceTrace& other = traces_[neighbour.face];
                 return neighbour.bend == Bend::Smooth && isAcross(other) &&
-                       std::abs(other.radius_mm - trace.radius_mm) < kSameHeightMm &&
+                       std::abs(other.radius_mm - trace.radius_mm) < kSameMeshMm &&
                        (trace.stand == FaceStand::Overhang) != (other.stand == FaceStand::Overhang);
             });
     }
@@ -76,7 +76,7 @@ class Namer {
 
     bool closesToPoint(const FaceTrace& trace) const {
         return trace.surface == SurfaceKind::Cone && trace.axis_point && trace.hollow &&
-               mesh_.faces()[trace.face].radiusAt(trace.bottom_z_mm, 0) < kSameHeightMm;
+               mesh_.faces()[trace.face].radiusAt(trace.bottom_z_mm, 0) < kSameMeshMm;
     }
 
     /// A bevel from a floor's outer edge down to a vertical wall's.
@@ -86,7 +86,7 @@ class Namer {
         for (const FaceNeighbour& neighbour : trace.neighbours) {
             const FaceTrace& other = traces_[neighbour.face];
             wall = wall || (other.stand == FaceStand::Wall && neighbour.bend == Bend::Convex &&
-                            other.top_z_mm < trace.top_z_mm - kSameHeightMm / 2);
+                            other.top_z_mm < trace.top_z_mm - kSameMeshMm / 2);
         }
         return wall && meets(trace, Bend::Convex, FaceStand::Floor, trace.top_z_mm);
     }
@@ -96,7 +96,7 @@ class Namer {
                            [&](const FaceNeighbour& neighbour) {
                                const FaceTrace& other = traces_[neighbour.face];
                                return neighbour.bend == bend && other.stand == stand &&
-                                      std::abs(other.top_z_mm - z_mm) < kSameHeightMm;
+                                      std::abs(other.top_z_mm - z_mm) < kSameMeshMm;
                            });
     }
 
@@ -124,9 +124,9 @@ class Namer {
             const FaceTrace& other = traces_[neighbour.face];
             if (neighbour.bend != Bend::Smooth || !other.cause) continue;
             const bool floor = *other.cause == SlopeCause::FloorFillet && flattensBelow(trace) &&
-                               std::abs(other.bottom_z_mm - trace.bottom_z_mm) < kSameHeightMm;
+                               std::abs(other.bottom_z_mm - trace.bottom_z_mm) < kSameMeshMm;
             const bool edge = *other.cause == SlopeCause::EdgeFillet && !flattensBelow(trace) &&
-                              std::abs(other.top_z_mm - trace.top_z_mm) < kSameHeightMm;
+                              std::abs(other.top_z_mm - trace.top_z_mm) < kSameMeshMm;
             if (!floor && !edge) continue;
             trace.cause = *other.cause;
             return true;

@@ -19,7 +19,7 @@ namespace {
 /// Level walls and ends of cuts this near to an end of a slab lie on it [mm]: levels that near are one.
 constexpr double kIntoSlabMm = 1e-3;
 /// Heights nearer than this are one [mm]: turned points are rounded to the grid, which tilts level walls.
-constexpr double kSameHeightMm = 10 * kGridMm;
+constexpr double kSameZMm = 10 * kGridMm;
 
 struct Interval {
     double from = 0;
@@ -75,7 +75,7 @@ std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolera
     std::vector<Prism> found;
     for (auto low = heights.begin(); low != heights.end() && std::next(low) != heights.end(); ++low) {
         const double high = *std::next(low);
-        if (high - *low < kSameHeightMm) continue;
+        if (high - *low < kSameZMm) continue;
         const double middle = (*low + high) / 2;
         std::vector<Region> gone;
         for (const Prism& prism : prisms)
@@ -86,7 +86,7 @@ std::vector<Prism> betweenHeights(const std::vector<Prism>& prisms, const Tolera
 }
 
 bool isLevel(const MonotonePiece& piece) {
-    return piece.high() - piece.low() < kSameHeightMm;
+    return piece.high() - piece.low() < kSameZMm;
 }
 
 /// The heights of a slab, for what lies on its ends to within rounding.
@@ -96,8 +96,8 @@ struct Slab {
     double margin_mm;
 
     Slab(double bottom_mm, double top_mm)
-        : low_mm(bottom_mm + std::min(kSameHeightMm, (top_mm - bottom_mm) / 4)),
-          high_mm(top_mm - std::min(kSameHeightMm, (top_mm - bottom_mm) / 4)),
+        : low_mm(bottom_mm + std::min(kSameZMm, (top_mm - bottom_mm) / 4)),
+          high_mm(top_mm - std::min(kSameZMm, (top_mm - bottom_mm) / 4)),
           margin_mm(std::min(kIntoSlabMm, (top_mm - bottom_mm) / 4)) {}
 
     bool holds(const MonotonePiece& piece) const {
@@ -339,7 +339,7 @@ void StockAir::addLyingBoxes(double bottom_mm, double top_mm, AtHeights which, A
             if (place.to - place.from <= tol_.linear_mm) continue;
             const auto same = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
                 return run.lying->cut == lying.cut && run.place == place &&
-                       std::abs(run.to_mm - lying.from_mm) < kSameHeightMm;
+                       std::abs(run.to_mm - lying.from_mm) < kSameZMm;
             });
             if (same == runs.end()) {
                 going_on.push_back({&lying, place, lying.to_mm});

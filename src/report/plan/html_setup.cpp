@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -15,13 +16,19 @@
 namespace stepmill::report {
 namespace {
 
+std::string toleranceWords(const Stock& stock) {
+    if (stock.tolerance_mm <= 0) return {};
+    return fmt::format(" (sides that are still raw may each stand out {} mm more)",
+                       fixed(stock.tolerance_mm, 2));
+}
+
 std::string setupWords(const PlannedSetup& setup, Dialect dialect) {
     return fmt::format(
-        "Tool axis {}{} of the part. Stock {} as it arrives. Work offset G54: x and y zero at the stock's "
+        "Tool axis {}{} of the part. Stock {} as it arrives{}. Work offset G54: x and y zero at the stock's "
         "lower left corner seen from the spindle, z zero on its top. Program {}, {}. Clamping: {}.",
         axisName(setup.setup.axis), setup.setup.indexed ? " (indexed: not along the box)" : "",
-        sizeWords(setup.setup.stock_bbox_mm.sizes()), programName(setup.setup.id, dialect),
-        clockTime(setup.time_s), setup.clamping.text);
+        sizeWords(setup.setup.stock_bbox_mm.sizes()), toleranceWords(setup.setup.stock),
+        programName(setup.setup.id, dialect), clockTime(setup.time_s), setup.clamping.text);
 }
 
 Element setupFigure(const PlannedSetup& setup) {
@@ -69,11 +76,15 @@ std::string stickOutWords(const ToolAssembly& tool) {
                        tool.stick_out_range->longest_mm);
 }
 
-std::string holderWords(const ToolAssembly& tool) {
+/// The holder's cylinders; a plan's tools stand in the machine, so the nose's follow them.
+std::string holderWords(const ToolAssembly& tool, const Machine& machine) {
     std::vector<std::string> cylinders;
-    for (const HolderCylinder& cylinder : tool.holder)
+    const std::size_t own = tool.holder.size() - std::min(tool.holder.size(), machine.spindle_nose.size());
+    for (const HolderCylinder& cylinder : std::span(tool.holder).first(own))
         cylinders.push_back(
             fmt::format("{:.1f}: {:.1f}–{:.1f}", cylinder.diameter_mm, cylinder.bottom_mm, cylinder.top_mm));
+    if (own < tool.holder.size())
+        cylinders.push_back(fmt::format("spindle nose from {:.1f}", tool.holder[own].bottom_mm));
     return listed(cylinders);
 }
 
@@ -86,7 +97,7 @@ Element toolsTable(const Plan& plan, const PlannedSetup& setup) {
         if (!seen.insert(tool.number).second) continue;
         table.row(std::to_string(tool.number), tool.id, tool.description, fixed(tool.diameter_mm, 3),
                   fixed(tool.corner_radius_mm, 2), fixed(tool.flute_length_mm, 1), stickOutWords(tool),
-                  holderWords(tool));
+                  holderWords(tool, plan.machine));
     }
     return std::move(table).element();
 }
