@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "stepmill/core/error.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -12,6 +13,9 @@
 namespace stepmill {
 
 namespace {
+
+/// What keeping clear may add to a region's time at most, as a share of it.
+constexpr double kRivalShare = 0.01;
 
 /// Where the cutter can go down no way but straight, no depth of cut is more than it may plunge.
 CuttingData withinPlunges(const ClearingTask& task, const ToolAssembly& tool, CuttingData cutting) {
@@ -115,6 +119,32 @@ Toolpath inDepths(const ClearingTask& task, const RingFamily& rings, const ToolA
     return withClearRapids(path, task, tool.radius_mm(), machine);
 }
 
+/// Patterns that hardly took longer in some region than the one taken there.
+std::set<Pattern> closeRivals(const Toolpath& path) {
+    std::set<Pattern> rivals;
+    for (const RegionPatterns& region : path.regions)
+        for (const PatternTime& weighed : region.weighed)
+            if (weighed.pattern != region.weighed.front().pattern &&
+                weighed.time_s <= region.weighed.front().time_s * (1 + kRivalShare))
+                rivals.insert(weighed.pattern);
+    return rivals;
+}
+
+/// The same with the best pattern for each region, or with a close rival in all of them: rapids keep clear
+/// after the regions have chosen, which may turn the order round.
+Toolpath quickestInDepths(const ClearingTask& task, const RingFamily& rings, const ToolAssembly& tool,
+                          const CuttingData& cutting, const Machine& machine, const Tolerances& tol) {
+    Toolpath best = inDepths(task, rings, tool, cutting, machine, tol);
+    if (task.pattern != Pattern::Best) return best;
+    ClearingTask one_pattern = task;
+    for (const Pattern pattern : closeRivals(best)) {
+        one_pattern.pattern = pattern;
+        Toolpath rival = inDepths(one_pattern, rings, tool, cutting, machine, tol);
+        if (rival.totals.time_s() < best.totals.time_s()) best = std::move(rival);
+    }
+    return best;
+}
+
 /// Could depths of cut that the tool may plunge take less time? Only where its ramps take longer than the
 /// depths that would come in addition.
 bool mayPlungeInstead(const Toolpath& path, const ToolAssembly& tool) {
@@ -150,11 +180,11 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
     STEPMILL_CHECK(task.entries.size() == rings->components().size(),
                    "a clearing task has one entry per component of its free centres");
     const CuttingData usual = withinPlunges(task, tool, cutting);
-    Toolpath path = inDepths(task, *rings, tool, usual, machine, tol);
+    Toolpath path = quickestInDepths(task, *rings, tool, usual, machine, tol);
     if (!mayPlungeInstead(path, tool)) return path;
     CuttingData shallow = usual;
     shallow.step_down_mm = tool.max_plunge_mm;
-    Toolpath plunged = inDepths(task, *rings, tool, shallow, machine, tol);
+    Toolpath plunged = quickestInDepths(task, *rings, tool, shallow, machine, tol);
     return plunged.totals.time_s() < path.totals.time_s() ? plunged : path;
 }
 

@@ -21,6 +21,10 @@ inline ProgramRun verify(const std::filesystem::path& dir, Words options = {}) {
     return runProgram(options);
 }
 
+/// A library with which the rounded pocket takes a roughing and a rest operation.
+inline const Words kWithTwoTools{
+    "--tools", std::string(STEPMILL_SOURCE_DIR) + "/tests/corpus/verify_plans/two_tools.json"};
+
 /// A plan of the rounded pocket whose program can be spoilt.
 class SpoiltProgram : public testing::Test {
   protected:
@@ -32,7 +36,7 @@ class SpoiltProgram : public testing::Test {
     }
 
     virtual std::string part() const { return "rounded_pocket.step"; }
-    virtual Words options() const { return {}; }
+    virtual Words options() const { return kWithTwoTools; }
 
     /// Index of the first line from `after` on with these words.
     std::size_t find(const std::string& words, std::size_t after = 0) const {
