@@ -52,6 +52,7 @@ ExpectedOutcome rowFrom(const std::string& part, const Json& fields) {
     if (fields.contains("import")) row.refusal = refusalFrom(fields.at("import"));
     row.solids = fields.value("solids", 1);
     row.slow = fields.value("slow", false);
+    row.slow_finishing = fields.value("slow_finishing", false);
     return row;
 }
 
@@ -109,6 +110,11 @@ std::vector<ExpectedOutcome> slowPlans() {
     std::vector<ExpectedOutcome> rows;
     for (const ExpectedOutcome& expected : expectedOutcomes())
         if (expected.hasPlan() && expected.slow) rows.push_back(expected);
+    return rows;
+}
+
+std::vector<ExpectedOutcome> withFinishing(std::vector<ExpectedOutcome> rows, bool slow) {
+    std::erase_if(rows, [slow](const ExpectedOutcome& row) { return row.slow_finishing != slow; });
     return rows;
 }
 

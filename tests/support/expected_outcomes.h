@@ -26,7 +26,8 @@ struct ExpectedOutcome {
     double cpu_s = 0;
     std::optional<ErrorCode> refusal;  ///< why the file is not even read; nothing: it is
     int solids = 1;                    ///< in the file, repeats counted
-    bool slow = false;  ///< for `make test-all` alone: in suites named Slow, which CI leaves out
+    bool slow = false;            ///< for `make test-all` alone: in suites named Slow, which CI leaves out
+    bool slow_finishing = false;  ///< the same of its plan with finishing passes
 
     bool hasPlan() const { return outcome == Outcome::Planned || outcome == Outcome::Gaps; }
 };
@@ -41,6 +42,9 @@ const std::vector<ExpectedOutcome>& expectedOutcomes();
 std::vector<ExpectedOutcome> expectedPlans(const std::vector<std::string>& folders);
 /// All rows that get a plan and are slow.
 std::vector<ExpectedOutcome> slowPlans();
+
+/// Of some rows those that are, or are not, slow with finishing passes.
+std::vector<ExpectedOutcome> withFinishing(std::vector<ExpectedOutcome> rows, bool slow);
 
 /// The rows of a folder.
 std::vector<ExpectedOutcome> expectedOf(const std::string& folder);

@@ -72,7 +72,10 @@ const std::vector<ExpectedOutcome> kRealParts = expectedPlans({"machined", "nist
 INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyPlan, testing::ValuesIn(kSampleParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(RealParts, VerifyPlan, testing::ValuesIn(kRealParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(Slow, VerifyPlan, testing::ValuesIn(slowPlans()), kPartName);
-INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyFinishing, testing::ValuesIn(kSampleParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyFinishing, testing::ValuesIn(withFinishing(kSampleParts, false)),
+                         kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, VerifyFinishing, testing::ValuesIn(withFinishing(kSampleParts, true)),
+                         kPartName);
 INSTANTIATE_TEST_SUITE_P(RealParts, VerifyFinishing, testing::ValuesIn(kRealParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyDialects, testing::ValuesIn(kSampleParts), kPartName);
 
