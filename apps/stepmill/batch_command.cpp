@@ -48,7 +48,11 @@ std::pair<int, int> runBatch(const BatchOptions& options) {
     ledger.setParts(plan.parts);
     const std::vector<BatchJob> to_do = jobsToDo(plan, options, ledger);
     BatchProgress progress(plan, to_do);
-    const JobLimits limits = jobLimits(options, options.at_once);
+    JobLimits limits = jobLimits(options, options.at_once);
+    const std::unique_ptr<MemoryGroups> groups = MemoryGroups::take(ownGroupFolder());
+    limits.each.groups = groups.get();
+    tell("each part may take {:g} GB of memory ({})", options.limits.memory_gb,
+         groups ? "cgroup v2 and RLIMIT_DATA" : "RLIMIT_DATA");
     const int signal = runJobs(to_do, out, limits, jobWork(options, plan, limits, progress), ledger);
     progress.end();
     if (signal == 0) {
