@@ -34,6 +34,9 @@ constexpr std::size_t kMostTasks = 1000;
 /// What a task takes beside the memory of its parts: the process that watches over them.
 constexpr std::uint64_t kWatchingMb = 256;
 
+/// What the collecting job takes for each part of the batch: twice what was measured [docs/batch.md].
+constexpr double kCollectingMbPerPart = 0.02;
+
 /// Tasks that are kept from the same nodes.
 struct TaskGroup {
     std::string without;  ///< nodes
@@ -76,11 +79,13 @@ std::string submitTasks(const fs::path& round_folder, const TaskGroup& group, st
     return submitWherePossible(job);
 }
 
-/// \return the job's number
+/// \param parts  of the whole batch \return the job's number
 std::string submitCollecting(const fs::path& round_folder, const ClusterTask& any,
-                             const std::vector<std::string>& arrays) {
+                             const std::vector<std::string>& arrays, std::size_t parts) {
     SlurmJob job = slurmJob(round_folder, any);
     job.cpus = 1;
+    job.memory_mb =
+        kWatchingMb + static_cast<std::uint64_t>(kCollectingMbPerPart * static_cast<double>(parts));
     job.after = arrays;
     job.again_where_lost = true;
     job.words.insert(job.words.end(), {"--collect", round_folder.string()});
@@ -98,8 +103,8 @@ void makeRound(const fs::path& round_folder, const std::vector<TaskGroup>& group
     if (why) throw Error(ErrorCode::OutputUnwritable, round_folder.string(), why.message());
 }
 
-/// \pre some group has tasks
-void submitRound(const fs::path& round_folder, const std::vector<TaskGroup>& groups) {
+/// \param parts  of the whole batch \pre some group has tasks
+void submitRound(const fs::path& round_folder, const std::vector<TaskGroup>& groups, std::size_t parts) {
     makeRound(round_folder, groups);
     std::vector<std::string> arrays;
     std::size_t first = 0;
@@ -107,7 +112,8 @@ void submitRound(const fs::path& round_folder, const std::vector<TaskGroup>& gro
         arrays.push_back(submitTasks(round_folder, group, first));
         first += group.tasks.size();
     }
-    const std::string collecting = submitCollecting(round_folder, groups.front().tasks.front(), arrays);
+    const std::string collecting =
+        submitCollecting(round_folder, groups.front().tasks.front(), arrays, parts);
     printOut(
         fmt::format("Submitted to Slurm: {} tasks (jobs {}), then one that collects what they did ({})\n",
                     first, fmt::join(arrays, ", "), collecting));
@@ -249,7 +255,7 @@ int submitBatch(const BatchOptions& options) {
         beginJobs(out, jobsToDo(plan, options, shared.ledger()), shared.ledger());
     shared.publish();
     if (left.empty()) return tellBatch(options, shared.ledger());
-    submitRound(roundFolder(out, 1), {firstTasks(options, plan, left)});
+    submitRound(roundFolder(out, 1), {firstTasks(options, plan, left)}, plan.parts.size());
     printOut(
         fmt::format("How far it is: stepmill batch --status {0}; its end: {0}/index.html\n", out.string()));
     return kComplete;
@@ -287,7 +293,7 @@ int collectRound(const fs::path& round_folder) {
     printOut(fmt::format("{} parts: {}\n", rows.size(), countWords(outcomesOf(rows))));
     std::error_code ignored;
     if (!collected.again().empty())
-        submitRound(roundFolder(out, numberOfRound(round_folder) + 1), collected.again());
+        submitRound(roundFolder(out, numberOfRound(round_folder) + 1), collected.again(), rows.size());
     else
         for (int round = 1; round <= kRounds; ++round)
             fs::remove_all(roundFolder(out, round), ignored);
