@@ -143,8 +143,9 @@ std::string slurmName(const fs::path& batch) {
 
 void endOldRounds(const fs::path& batch) {
     std::error_code ignored;
-    if (!fs::exists(roundFolder(batch, 1), ignored)) return;
-    const std::vector<std::string> jobs = slurmJobsNamed(slurmName(batch));
+    const bool may_run = fs::exists(roundFolder(batch, 1), ignored);
+    const std::vector<std::string> jobs =
+        may_run ? slurmJobsNamed(slurmName(batch)) : std::vector<std::string>();
     if (!jobs.empty())
         throw Error(ErrorCode::Usage, batch.string(),
                     fmt::format("is being planned by Slurm's jobs {}; wait for them, or end them (scancel "

@@ -37,7 +37,7 @@ std::vector<ClusterTask> readTasks(const std::filesystem::path& round_folder);
 /// Under which Slurm knows the jobs of this batch.
 std::string slurmName(const std::filesystem::path& batch);
 
-/// Removes rounds whose tasks have all ended. \pre the batch's folder is locked
+/// Removes rounds whose tasks have all ended, and what these told. \pre the batch's folder is locked
 /// \throws Error(Usage) where some wait or run, or Slurm does not say
 void endOldRounds(const std::filesystem::path& batch);
 
