@@ -13,10 +13,9 @@
 
 namespace stepmill {
 
-/// What planning a part takes on one core, as far as its file tells, by its faces and its size. Of the corpus'
-/// parts half are within a factor of two of it, and nine of ten within five: enough to share work out, no
-/// promise.
-/// \param step  the file's text
+/// What planning a part takes on one core, as far as its file tells, by its faces and its size. Of the
+/// corpus' parts half are within a factor of two of it, and nine of ten within seven: enough to share work
+/// out, no promise. \param step  the file's text
 double expectedSeconds(std::string_view step);
 
 /// Shares jobs out among as few tasks as keep to a length, so that the longest is as short as can be had

@@ -69,7 +69,8 @@ class Ledger {
     void finish(const BatchJob& job);
     /// Several whose turn is over, all or none.
     void finish(const std::vector<BatchJob>& jobs);
-    /// The file alone holds all from now on, without a log beside it, and readers make none: it may be copied.
+    /// The file alone holds all from now on, without a log beside it, and readers make none: it may be
+    /// copied.
     void settle();
     /// The same for a ledger that nobody has open.
     static void settle(const std::filesystem::path& file);
