@@ -3,19 +3,18 @@
 
 #include <fmt/core.h>
 
-#include "batch_list.h"
+#include "batch_cluster.h"
+#include "batch_folder.h"
 #include "batch_progress.h"
 #include "batch_work.h"
 #include "commands.h"
 #include "output.h"
 #include "plan_job.h"
 #include "run.h"
-#include "stepmill/batch/batch_rows.h"
 #include "stepmill/batch/tidy_batch.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/core/plain_text.h"
-#include "stepmill/job/folder_lock.h"
 #include "stepmill/report/batch_page.h"
 
 namespace stepmill {
@@ -24,54 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kLedgerName = "ledger.sqlite";
-
 int cores() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-/// The batch's folder, locked. What a killed batch was doing may need a moment to end: its parts hold the
-/// lock until then.
-std::unique_ptr<FolderLock> lockBatch(const fs::path& out) {
-    std::error_code why;
-    fs::create_directories(out, why);
-    if (why) throw Error(ErrorCode::OutputUnwritable, out.string(), "cannot be made: " + why.message());
-    constexpr int kTries = 20;
-    constexpr std::chrono::milliseconds kPause{100};
-    for (int tried = 1;; ++tried) {
-        try {
-            return std::make_unique<FolderLock>(out / ".stepmill-batch-lock", out);
-        } catch (const Error&) {
-            if (tried == kTries) throw;
-            std::this_thread::sleep_for(kPause);
-        }
-    }
-}
-
-/// Jobs that have no outcome yet, or one that is to be had again.
-std::vector<BatchJob> jobsToDo(const BatchPlan& plan, const BatchOptions& options, const Ledger& ledger) {
-    const std::map<std::string, BatchJob> known = ledger.jobs();
-    std::vector<BatchJob> to_do;
-    for (const BatchJob& listed : plan.jobs) {
-        const auto before = known.find(listed.key.text());
-        BatchJob job = before != known.end() ? before->second : listed;
-        const bool gone = hasPlan(job.outcome) && !isPlanned(options.out_dir, job);
-        if (gone || isDoneAgain(job.outcome, options.retry)) to_do.push_back(std::move(job));
-    }
-    return to_do;
-}
-
-void writeTables(const fs::path& out, const std::vector<BatchRow>& rows) {
-    writeFile(out / "index.html", batchHtml(rows));
-    writeFile(out / "parts.csv", partsCsv(rows));
-    writeFile(out / "tools.csv", toolsCsv(rows));
-}
-
-JobLimits jobLimits(const BatchOptions& options) {
-    JobLimits limits;
-    limits.at_once = options.at_once > 0 ? options.at_once : cores();
-    limits.each = {options.limits.timeout_s, options.limits.memoryBytes()};
-    return limits;
 }
 
 /// What jobs tell while they run and how they are planned.
@@ -85,31 +38,21 @@ JobWork jobWork(const BatchOptions& options, const BatchPlan& plan, const JobLim
             [&progress](const BatchJob& job) { progress.done(job); }};
 }
 
-int tellBatch(const BatchOptions& options, const Ledger& ledger) {
-    const std::vector<BatchRow> rows = rowsOf(ledger);
-    const std::vector<Outcome> outcomes = outcomesOf(rows);
-    const fs::path out = options.out_dir;
-    writeTables(out, rows);
-    printOut(fmt::format("{} parts: {}\nReport: {}\n", rows.size(), countWords(outcomes),
-                         (out / "index.html").string()));
-    return exitCodeOf(outcomes);
-}
-
 /// \return the signal that stopped it, 0 for none, and the exit code
 std::pair<int, int> runBatch(const BatchOptions& options) {
     const BatchPlan plan = listBatch(options, programIdentity());
     const fs::path out = options.out_dir;
-    const std::unique_ptr<FolderLock> lock = lockBatch(out);
-    std::error_code ignored;
-    if (!options.resume && fs::exists(out / kLedgerName, ignored))
-        throw Error(ErrorCode::Usage, out.string(),
-                    "holds a batch already; --resume goes on with it, or choose another folder");
+    const std::unique_ptr<FolderLock> lock = takeBatchFolder(options);
     tidyBatch(out);
-    Ledger ledger(out / kLedgerName);
+    Ledger ledger(ledgerFile(out));
     ledger.setParts(plan.parts);
     const std::vector<BatchJob> to_do = jobsToDo(plan, options, ledger);
     BatchProgress progress(plan, to_do);
-    const JobLimits limits = jobLimits(options);
+    JobLimits limits = jobLimits(options, options.at_once);
+    const std::unique_ptr<MemoryGroups> groups = MemoryGroups::take(ownGroupFolder());
+    limits.each.groups = groups.get();
+    tell("each part may take {:g} GB of memory ({})", options.limits.memory_gb,
+         groups ? "cgroup v2 and RLIMIT_DATA" : "RLIMIT_DATA");
     const int signal = runJobs(to_do, out, limits, jobWork(options, plan, limits, progress), ledger);
     progress.end();
     if (signal == 0) {
@@ -128,9 +71,9 @@ int runAndEnd(const BatchOptions& options) {
 
 std::vector<BatchRow> readRows(const fs::path& out) {
     std::error_code ignored;
-    if (!fs::exists(out / kLedgerName, ignored))
+    if (!fs::exists(ledgerFile(out), ignored))
         throw Error(ErrorCode::FileUnreadable, out.string(), "holds no batch");
-    return rowsOf(Ledger::forReading(out / kLedgerName));
+    return rowsOf(Ledger::forReading(ledgerFile(out)), out);
 }
 
 /// What came of the parts so far, and which have no plan.
@@ -171,16 +114,32 @@ struct BatchLook {
     MagazineTerms terms;
 };
 
-int runBatchCommand(const CLI::App& command, BatchOptions options, const BatchLook& look) {
+/// What a job of Slurm's does on a node: folder of a round; empty: not asked for.
+struct OnNode {
+    std::string task;
+    std::string collect;
+};
+
+/// Slurm tells a task its number.
+int runTaskOfSlurm(const std::string& round_folder) {
+    const char* number = std::getenv("SLURM_ARRAY_TASK_ID");
+    if (number == nullptr) throw Error(ErrorCode::Usage, "--task", "is for tasks of an array of Slurm's");
+    return runTask(round_folder, std::atoi(number));
+}
+
+int runBatchCommand(const CLI::App& command, BatchOptions options, const BatchLook& look,
+                    const OnNode& on_node) {
+    if (!on_node.task.empty()) return runTaskOfSlurm(on_node.task);
+    if (!on_node.collect.empty()) return collectRound(on_node.collect);
     if (!look.status.empty()) return tellStatus(look.status);
     if (!look.magazine.empty()) return tellMagazine(look.magazine, look.terms);
     if (options.source.empty() || options.out_dir.empty())
         throw Error(ErrorCode::Usage, "batch", "expected a folder or a list, and -o OUT; or --status OUT");
     options.plan = optionWords(command);
     options.resume = options.resume || options.retry;
-    const int at_once = options.at_once > 0 ? options.at_once : cores();
-    if (command.get_option("--memory")->empty()) options.limits.memory_gb = defaultMemoryGb(at_once);
-    return runAndEnd(options);
+    if (options.at_once == 0) options.at_once = options.on_slurm ? 1 : cores();
+    if (command.get_option("--memory")->empty()) options.limits.memory_gb = defaultMemoryGb(options.at_once);
+    return options.on_slurm ? submitBatch(options) : runAndEnd(options);
 }
 
 void addLookOptions(CLI::App& batch, BatchLook& look) {
@@ -198,6 +157,22 @@ void addLookOptions(CLI::App& batch, BatchLook& look) {
         ->check(numberFrom(0, 1e6, ""));
 }
 
+void addClusterOptions(CLI::App& batch, BatchOptions& options, OnNode& on_node) {
+    batch.add_flag("--slurm", options.on_slurm,
+                   "let the nodes of a Slurm cluster plan the parts; all of them share SOURCE and OUT");
+    batch.add_option("--partition", options.slurm.partition, "of the cluster");
+    batch
+        .add_option("--sbatch", options.slurm.more, "a word for sbatch, for example --sbatch=--account=shop")
+        ->type_name("WORD")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    batch.add_option("--task-seconds", options.task_s, "what a task is to take; small parts share one")
+        ->check(numberFrom(0.1, 1e6, "s"))
+        ->capture_default_str();
+    batch.add_option("--task", on_node.task)->group("");
+    batch.add_option("--collect", on_node.collect)->group("");
+}
+
 }  // namespace
 
 void addBatchCommand(CLI::App& app, int& exit_code) {
@@ -207,6 +182,7 @@ void addBatchCommand(CLI::App& app, int& exit_code) {
         "others are planned");
     auto options = std::make_shared<BatchOptions>();
     auto look = std::make_shared<BatchLook>();
+    auto on_node = std::make_shared<OnNode>();
     auto plan = std::make_shared<PlanOptions>();  // its words are read part by part
     batch->add_option("SOURCE", options->source,
                       "folder, with all below it; or a CSV list with the columns file, material, quantity, "
@@ -218,8 +194,11 @@ void addBatchCommand(CLI::App& app, int& exit_code) {
     batch->add_flag("--retry", options->retry,
                     "the same, and plan again what limits of time and memory, crashes and bugs ended");
     addLookOptions(*batch, *look);
-    batch->add_option("--jobs", options->at_once, "parts at once; 0: one per core")
+    batch
+        ->add_option("--jobs", options->at_once,
+                     "parts at once; 0: one per core. With --slurm: at once in each task; 0: one")
         ->check(numberFrom(0, 1024, ""));
+    addClusterOptions(*batch, *options, *on_node);
     addLimitOptions(*batch, options->limits);
     addPlanningOptions(*batch, *plan);
     batch->add_option("--fault", options->faults)->group("");
@@ -231,10 +210,12 @@ void addBatchCommand(CLI::App& app, int& exit_code) {
         "  stepmill batch parts -o night\n"
         "  stepmill batch parts -o night --resume\n"
         "  stepmill batch orders.csv -o orders --material steel --jobs 8\n"
+        "  stepmill batch parts -o /shared/night --slurm --partition cpu\n"
         "  stepmill batch --status night\n"
         "  stepmill batch --magazine night --places 16 --load-tool 120");
-    batch->callback(
-        [batch, options, plan, look, &exit_code] { exit_code = runBatchCommand(*batch, *options, *look); });
+    batch->callback([batch, options, plan, look, on_node, &exit_code] {
+        exit_code = runBatchCommand(*batch, *options, *look, *on_node);
+    });
 }
 
 }  // namespace stepmill

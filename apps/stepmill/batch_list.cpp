@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/batch/batch_list.h"
+#include "stepmill/batch/cluster_jobs.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 
@@ -32,8 +33,9 @@ class Lister {
             entry.options = fmt::format("--material={} ", part.material) + part.options;
         const Words& words = wordsOf(own, part);
         try {
-            const std::string sha = sha256(readFile(part.file, options_.limits.maxFileBytes()));
-            entry.key = addJob(part, {sha, words.sha256, program_}, own, words.all);
+            const std::string step = readFile(part.file, options_.limits.maxFileBytes());
+            entry.key = addJob(part, {sha256(step), words.sha256, program_}, own, words.all);
+            plan_.sources[entry.key].expected_s = expectedSeconds(step);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::FileUnreadable) throw;
             entry.trouble = error.what();

@@ -18,6 +18,7 @@ struct BatchPlan {
     struct Source {
         std::vector<std::filesystem::path> files;
         OptionWords options;
+        double expected_s = 0;  ///< expectedSeconds()
     };
     std::map<std::string, Source> sources;
 };

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "option_words.h"
+#include "slurm.h"
 
 namespace stepmill {
 
@@ -15,7 +16,11 @@ struct BatchOptions {
     int at_once = 0;      ///< parts; 0: one per core
     bool resume = false;
     bool retry = false;
-    /// For tests: "NAME:hang", "NAME:memory" or "NAME:crash" has the part of that file name do so.
+    bool on_slurm = false;
+    SlurmOptions slurm;
+    double task_s = 300;  ///< what a task on the cluster is to take
+    /// For tests, what the part of a file name does wrong: "NAME:hang", "NAME:memory", "NAME:crash",
+    /// "NAME:task" (kills the process above its own), "NAME:wait:FILE" (until there is such a file).
     std::vector<std::string> faults;
 };
 

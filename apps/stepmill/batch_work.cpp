@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <new>
+#include <thread>
 
 #include <unistd.h>
 
@@ -40,6 +41,10 @@ void sufferFault(const std::vector<std::string>& faults, const std::string& name
                 ::pause();
         if (fault == name + ":memory") takeMemory();
         if (fault == name + ":crash") std::raise(SIGSEGV);
+        const std::string wait = name + ":wait:";
+        while (fault.starts_with(wait) && !fs::exists(fault.substr(wait.size())))
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        if (fault == name + ":task") ::kill(::getppid(), SIGKILL);
     }
 }
 

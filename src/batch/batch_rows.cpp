@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/batch/cluster_jobs.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {
@@ -43,8 +44,11 @@ BatchRow rowOf(LedgerPart part, const std::map<std::string, BatchJob>& jobs) {
 
 }  // namespace
 
-std::vector<BatchRow> rowsOf(const Ledger& ledger) {
-    const std::map<std::string, BatchJob> jobs = ledger.jobs();
+std::vector<BatchRow> rowsOf(const Ledger& ledger, const std::filesystem::path& recorded) {
+    std::map<std::string, BatchJob> jobs = ledger.jobs();
+    if (!recorded.empty())
+        for (auto& [key, job] : jobs)
+            if (job.outcome == Outcome::Waiting) job = recordedJob(recorded, job).job;
     std::vector<BatchRow> rows;
     for (LedgerPart& part : ledger.parts())
         rows.push_back(rowOf(std::move(part), jobs));

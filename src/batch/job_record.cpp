@@ -17,6 +17,42 @@ fs::path recordFile(const fs::path& batch, const JobKey& key) {
     return batch / "records" / (key.text() + ".json");
 }
 
+fs::path taskRecordFile(const fs::path& batch, const JobKey& key) {
+    return batch / "records" / (key.text() + ".task.json");
+}
+
+void makeFolderOf(const fs::path& file) {
+    std::error_code why;
+    fs::create_directories(file.parent_path(), why);
+    if (why) throw Error(ErrorCode::OutputUnwritable, file.parent_path().string(), why.message());
+}
+
+/// Messages repeat names of files, and these are any bytes.
+std::string lineOf(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json jsonOf(const TaskRecord& record) {
+    const BatchJob& job = record.job;
+    return {{"outcome", toString(job.outcome)},
+            {"exit_code", job.exit_code},
+            {"message", job.message},
+            {"tries", job.tries},
+            {"started", job.started},
+            {"seconds", job.seconds},
+            {"node", record.node}};
+}
+
+TaskRecord taskRecordFrom(const Json& json, BatchJob job) {
+    job.outcome = outcomeFrom(json.at("outcome").get<std::string>()).value_or(Outcome::Waiting);
+    job.exit_code = json.at("exit_code");
+    job.message = json.at("message");
+    job.tries = json.at("tries");
+    job.started = json.at("started");
+    job.seconds = json.at("seconds");
+    return {std::move(job), json.at("node")};
+}
+
 /// The manifests name every file of the job, and of its solids, with its SHA-256.
 std::string sealOf(const fs::path& batch, const BatchJob& job) {
     const fs::path folder = jobFolder(batch, job);
@@ -35,9 +71,7 @@ fs::path jobFolder(const fs::path& batch, const BatchJob& job) {
 
 void writeRecord(const fs::path& batch, const BatchJob& job, const JobRecord& record) {
     const fs::path file = recordFile(batch, job.key);
-    std::error_code why;
-    fs::create_directories(file.parent_path(), why);
-    if (why) throw Error(ErrorCode::OutputUnwritable, file.parent_path().string(), why.message());
+    makeFolderOf(file);
     const Json json{{"manifest_sha256", sealOf(batch, job)},
                     {"exit_code", record.exit_code},
                     {"figures", record.figures}};
@@ -61,9 +95,29 @@ std::optional<JobRecord> readRecord(const fs::path& batch, const BatchJob& job) 
     }
 }
 
+void writeTaskRecord(const fs::path& batch, const TaskRecord& record) {
+    const fs::path file = taskRecordFile(batch, record.job.key);
+    makeFolderOf(file);
+    writeFile(file, lineOf(jsonOf(record)));
+}
+
+std::optional<TaskRecord> readTaskRecord(const fs::path& batch, const BatchJob& job) {
+    const fs::path file = taskRecordFile(batch, job.key);
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return std::nullopt;
+    try {
+        return taskRecordFrom(Json::parse(readFile(file)), job);
+    } catch (const Error&) {
+        return std::nullopt;
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    }
+}
+
 void removeRecord(const fs::path& batch, const BatchJob& job) {
     std::error_code ignored;
     fs::remove(recordFile(batch, job.key), ignored);
+    fs::remove(taskRecordFile(batch, job.key), ignored);
 }
 
 }  // namespace stepmill

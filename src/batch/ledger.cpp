@@ -21,6 +21,8 @@ namespace {
 /// Of the tables below; stands in the file as its user_version.
 constexpr int kFormat = 1;
 
+constexpr const char* kWithoutLog = "PRAGMA journal_mode = DELETE";
+
 constexpr const char* kTables = R"(
 CREATE TABLE jobs(key TEXT PRIMARY KEY, part_sha256 TEXT NOT NULL, options_sha256 TEXT NOT NULL, program TEXT NOT NULL,
   folder TEXT NOT NULL, outcome TEXT NOT NULL, exit_code INTEGER NOT NULL, message TEXT NOT NULL, figures TEXT NOT NULL,
@@ -172,6 +174,21 @@ void Ledger::begin(const BatchJob& job) {
 
 void Ledger::finish(const BatchJob& job) {
     store(state_->database, job);
+}
+
+void Ledger::finish(const std::vector<BatchJob>& jobs) {
+    Transaction together(state_->database);
+    for (const BatchJob& job : jobs)
+        store(state_->database, job);
+    together.commit();
+}
+
+void Ledger::settle() {
+    state_->database.execute(kWithoutLog);
+}
+
+void Ledger::settle(const std::filesystem::path& file) {
+    Database(file, Database::Mode::ReadAndWrite).execute(kWithoutLog);
 }
 
 }  // namespace stepmill

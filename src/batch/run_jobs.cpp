@@ -29,8 +29,8 @@ std::string nowInUtc() {
 
 class Runner {
   public:
-    Runner(const fs::path& batch, const JobLimits& limits, const JobWork& work, Ledger& ledger)
-        : batch_(batch), limits_(limits), work_(work), ledger_(ledger) {}
+    Runner(const fs::path& batch, const JobLimits& limits, const JobWork& work, JobBook& book)
+        : batch_(batch), limits_(limits), work_(work), book_(book) {}
 
     int run(const std::vector<BatchJob>& jobs) {
         auto next = jobs.begin();
@@ -47,8 +47,8 @@ class Runner {
     void start(BatchJob job) {
         ++job.tries;
         job.started = nowInUtc();
-        if (const std::optional<JobRecord> record = readRecord(batch_, job)) return adopt(job, *record);
-        ledger_.begin(job);
+        if (const std::optional<BatchJob> planned = plannedJob(batch_, job)) return enter(*planned);
+        book_.begin(job);
         try {
             running_.push_back(std::make_unique<JobRun>(job, batch_, limits_.each, work_, stop_));
         } catch (const Error& error) {
@@ -58,14 +58,6 @@ class Runner {
             job.message = error.what();
             enter(job);
         }
-    }
-
-    /// A run that was killed had planned it, and the plan is there still.
-    void adopt(BatchJob& job, const JobRecord& record) {
-        job.outcome = batch::outcomeOfExit(record.exit_code);
-        job.exit_code = record.exit_code;
-        job.figures = record.figures;
-        enter(job);
     }
 
     /// Has any of them ended?
@@ -83,17 +75,30 @@ class Runner {
     }
 
     void enter(const BatchJob& job) {
-        ledger_.finish(job);
-        removeRecord(batch_, job);
+        book_.finish(job);
         work_.done(job);
     }
 
     const fs::path& batch_;
     const JobLimits& limits_;
     const JobWork& work_;
-    Ledger& ledger_;
+    JobBook& book_;
     const StopSignals stop_;
     std::list<std::unique_ptr<JobRun>> running_;
+};
+
+class LedgerBook : public JobBook {
+  public:
+    LedgerBook(Ledger& ledger, const fs::path& batch) : ledger_(ledger), batch_(batch) {}
+    void begin(const BatchJob& job) override { ledger_.begin(job); }
+    void finish(const BatchJob& job) override {
+        ledger_.finish(job);
+        removeRecord(batch_, job);
+    }
+
+  private:
+    Ledger& ledger_;
+    const fs::path& batch_;
 };
 
 }  // namespace
@@ -104,8 +109,23 @@ bool isPlanned(const fs::path& batch, const BatchJob& job) {
 }
 
 int runJobs(const std::vector<BatchJob>& jobs, const fs::path& batch, const JobLimits& limits,
+            const JobWork& work, JobBook& book) {
+    return Runner(batch, limits, work, book).run(jobs);
+}
+
+int runJobs(const std::vector<BatchJob>& jobs, const fs::path& batch, const JobLimits& limits,
             const JobWork& work, Ledger& ledger) {
-    return Runner(batch, limits, work, ledger).run(jobs);
+    LedgerBook book(ledger, batch);
+    return runJobs(jobs, batch, limits, work, book);
+}
+
+std::optional<BatchJob> plannedJob(const fs::path& batch, BatchJob job) {
+    const std::optional<JobRecord> record = readRecord(batch, job);
+    if (!record) return std::nullopt;
+    job.outcome = batch::outcomeOfExit(record->exit_code);
+    job.exit_code = record->exit_code;
+    job.figures = record->figures;
+    return job;
 }
 
 }  // namespace stepmill

@@ -34,7 +34,7 @@ void tidyBatch(const fs::path& batch) {
     removeFiles(batch, [](const std::string& name) {
         return isHalfWritten(name, "index.html") || isHalfWritten(name, "parts.csv") ||
                isHalfWritten(name, "tools.csv") || isHalfWritten(name, "magazine.csv") ||
-               isHalfWritten(name, "order.csv");
+               isHalfWritten(name, "order.csv") || isHalfWritten(name, "ledger.sqlite");
     });
     tidyFoldersBelow(batch / "jobs");
 }

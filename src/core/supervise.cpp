@@ -188,6 +188,8 @@ SupervisedChild::SupervisedChild(const std::function<int(StageBoard&)>& work, co
                                  const StopSignals& stop)
     : board_(newBoard(), unmapBoard), timeout_s_(limits.timeout_s), start_(std::chrono::steady_clock::now()) {
     STEPMILL_CHECK(timeout_s_ > 0, "a time limit is a number");
+    if (limits.groups != nullptr && limits.memory_bytes > 0)
+        group_ = limits.groups->make(limits.memory_bytes);
     flushStreams();  // else the child would write the parent's unwritten output again
     const pid_t parent = ::getpid();
     child_ = ::fork();
@@ -195,7 +197,9 @@ SupervisedChild::SupervisedChild(const std::function<int(StageBoard&)>& work, co
     if (child_ == 0) {
         stop.letThrough();
         std::signal(SIGXFSZ, SIG_IGN);
+        // Both: an allocation beyond the first limit fails, which the child can tell; the second counts all.
         limitMemory(limits.memory_bytes);
+        if (group_ && !group_->enter()) ::_exit(kExitBug);
         StageBoard stage = SupervisedProcess::stageOn(board_.get());
         childMain(work, stage, board_.get(), parent);
     }
@@ -218,7 +222,7 @@ Supervised SupervisedChild::finish() {
     Supervised result;
     result.last_stage = board_->text();
     result.reads = board_->reads;
-    if (board_->out_of_memory)
+    if (board_->out_of_memory || (group_ && group_->ranOut()))
         result.end = Supervised::End::OutOfMemory;
     else
         describeEnd(status, result);

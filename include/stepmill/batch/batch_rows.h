@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +19,9 @@ struct BatchRow {
     std::optional<PartFigures> figures;  ///< of its plan; nothing without one
 };
 
-/// In the list's order.
-std::vector<BatchRow> rowsOf(const Ledger& ledger);
+/// In the list's order. \param recorded  the batch's folder, where records that are not in the ledger yet
+/// count too; empty: they do not
+std::vector<BatchRow> rowsOf(const Ledger& ledger, const std::filesystem::path& recorded = {});
 
 /// The features of all planned parts, each as often as its part's quantity says.
 /// \throws Error(Usage) where some parts were planned for the least time and others for the least cost

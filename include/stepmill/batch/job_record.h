@@ -25,7 +25,21 @@ void writeRecord(const std::filesystem::path& batch, const BatchJob& job, const 
 /// Nothing where there is none, or the job's folder does not hold the job that it was written for.
 std::optional<JobRecord> readRecord(const std::filesystem::path& batch, const BatchJob& job);
 
-/// Once it stands in the ledger.
+/// What a task on a cluster leaves of a job for the one that keeps the ledger, beside the record of the
+/// job's own process: how the job is just now, and where.
+struct TaskRecord {
+    BatchJob job;  ///< without its figures; Outcome::Waiting: begun, and perhaps under way
+    std::string node;
+};
+
+/// Whole or not at all. \throws Error(OutputUnwritable)
+void writeTaskRecord(const std::filesystem::path& batch, const TaskRecord& record);
+
+/// Nothing where the job has not begun in any task, or its last record is damaged. A job that is told to be
+/// planned but whose plan is not there (plannedJob()) is one that has begun.
+std::optional<TaskRecord> readTaskRecord(const std::filesystem::path& batch, const BatchJob& job);
+
+/// All records of a job, once it stands in the ledger.
 void removeRecord(const std::filesystem::path& batch, const BatchJob& job);
 
 }  // namespace stepmill

@@ -67,6 +67,13 @@ class Ledger {
     void begin(const BatchJob& job);
     /// Its turn is over.
     void finish(const BatchJob& job);
+    /// Several whose turn is over, all or none.
+    void finish(const std::vector<BatchJob>& jobs);
+    /// The file alone holds all from now on, without a log beside it, and readers make none: it may be
+    /// copied.
+    void settle();
+    /// The same for a ledger that nobody has open.
+    static void settle(const std::filesystem::path& file);
 
   private:
     struct State;

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,14 +39,32 @@ struct JobLimits {
 /// Is there a whole job in its folder?
 bool isPlanned(const std::filesystem::path& batch, const BatchJob& job);
 
-/// Plans jobs, several at once, each in a supervised process of its own, and enters in the ledger what came
+/// Where it is entered what came of each job. What a call has entered stays whatever ends the program.
+class JobBook {
+  public:
+    virtual ~JobBook() = default;
+    /// A job's turn has come. \throws Error(OutputUnwritable), as does finish()
+    virtual void begin(const BatchJob& job) = 0;
+    /// Its turn is over.
+    virtual void finish(const BatchJob& job) = 0;
+};
+
+/// Plans jobs, several at once, each in a supervised process of its own, and enters in the book what came
 /// of each. Whatever a job does, the others are not harmed. Jobs that a killed run had planned, but not
 /// entered, are entered alone.
 /// \return the signal that stopped it; 0 when all have had their turn
-/// \throws Error(OutputUnwritable) where the ledger cannot be written, Error(SystemLimit): jobs under way are
+/// \throws Error(OutputUnwritable) where the book cannot be written, Error(SystemLimit): jobs under way are
 ///         ended
 /// \pre no other thread runs
 int runJobs(const std::vector<BatchJob>& jobs, const std::filesystem::path& batch, const JobLimits& limits,
+            const JobWork& work, JobBook& book);
+
+/// The same with the ledger as the book.
+int runJobs(const std::vector<BatchJob>& jobs, const std::filesystem::path& batch, const JobLimits& limits,
             const JobWork& work, Ledger& ledger);
+
+/// The job with the outcome that its own process recorded, whatever ended the run above it; nothing where
+/// there is no such record, or the job's folder does not hold that plan.
+std::optional<BatchJob> plannedJob(const std::filesystem::path& batch, BatchJob job);
 
 }  // namespace stepmill

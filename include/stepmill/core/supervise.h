@@ -10,6 +10,8 @@
 
 #include <sys/types.h>
 
+#include "stepmill/core/memory_groups.h"
+
 namespace stepmill {
 
 /// What supervisor and child both see; lives in shared memory, so that the parent can read it after the child
@@ -72,6 +74,8 @@ struct SupervisedLimits {
     double timeout_s = 0;            ///< infinite: no limit
     std::uint64_t memory_bytes = 0;  ///< private memory (RLIMIT_DATA: heap and stacks, not what is merely
                                      ///< mapped); 0: no limit but the caller's own
+    MemoryGroups* groups =
+        nullptr;  ///< where the child's group is made, so that all it takes counts; or none
 };
 
 /// A child process that works under supervision, beside others where a caller has several. It is really ended
@@ -100,7 +104,8 @@ class SupervisedChild {
     Supervised finish();
 
     std::unique_ptr<SharedBoard, void (*)(SharedBoard*)> board_;
-    pid_t child_ = 0;  ///< 0: reaped
+    std::unique_ptr<MemoryGroup> group_;  ///< of the child; null without a limit by group
+    pid_t child_ = 0;                     ///< 0: reaped
     double timeout_s_;
     std::chrono::steady_clock::time_point start_;
 };

@@ -7,17 +7,22 @@
   const kSvg = "http://www.w3.org/2000/svg";
   const data = JSON.parse(document.getElementById("data-parts").textContent);
   const columns = data.columns;
+  const rows = data.rows;
   const frame = document.getElementById("table-frame");
   const body = document.getElementById("table-rows");
   const search = document.getElementById("table-search");
   const filter = document.getElementById("table-outcome");
   const count = document.getElementById("table-count");
   const outcomeColumn = columns.findIndex((column) => column.kind === "outcome");
-  const parts = data.rows.map((cells, place) => ({
-    cells, place, words: cells.filter((cell) => typeof cell === "string").join(" ").toLowerCase(),
-  }));
-  let shown = parts;
+
+  // What a reader sees as words: neither pictures nor links. No word reaches over a line's end.
+  const kWordKinds = ["part", "outcome", "text"];
+  const wordColumns = [...columns.keys()].filter((at) => kWordKinds.includes(columns[at].kind));
+  const words = rows.map((cells) => wordColumns.map((at) => cells[at]).join("\n").toLowerCase());
+
+  let shown = rows.map((cells, place) => place);
   let sorted = { column: -1, down: false };
+  let drawn = { shown: null, first: 0, last: 0 };
 
   const filled = (tag, child) => {
     const element = document.createElement(tag);
@@ -58,44 +63,72 @@
     return cell;
   };
 
-  const spacer = (rows) => {
+  const rowOf = (place) => {
     const row = document.createElement("tr");
-    row.style.height = rows * kRowHeight + "px";
+    row.className = "part";
+    row.append(...columns.map((column, at) => cellOf(rows[place], column, at)));
     return row;
   };
 
-  const draw = () => {
-    const first = Math.max(0, Math.floor(frame.scrollTop / kRowHeight) - kRowsBeyond);
-    const seen = Math.ceil(frame.clientHeight / kRowHeight) + 2 * kRowsBeyond;
-    const last = Math.min(shown.length, first + seen);
-    const rows = shown.slice(first, last).map((part) => {
-      const row = document.createElement("tr");
-      row.className = "part";
-      row.append(...columns.map((column, at) => cellOf(part.cells, column, at)));
-      return row;
-    });
-    body.replaceChildren(spacer(first), ...rows, spacer(shown.length - last));
+  const spacer = (length) => {
+    const row = document.createElement("tr");
+    row.style.height = length * kRowHeight + "px";
+    return row;
   };
 
-  // Empty cells come last whichever way is sorted.
-  const compare = (a, b) => {
-    const one = a.cells[sorted.column];
-    const other = b.cells[sorted.column];
-    if (one === other) return a.place - b.place;
-    if (one === null || one === "") return 1;
-    if (other === null || other === "") return -1;
-    return (one > other ? 1 : -1) * (sorted.down ? -1 : 1);
+  // Measured when the window changes alone: asking for it lays the whole page out.
+  let seen = 0;
+  const measure = () => {
+    seen = Math.ceil(frame.clientHeight / kRowHeight) + 2 * kRowsBeyond;
+  };
+
+  const draw = (top) => {
+    const first = Math.max(0, Math.min(Math.floor(top / kRowHeight) - kRowsBeyond, shown.length - seen));
+    const last = Math.min(shown.length, first + seen);
+    if (drawn.shown === shown) if (drawn.first === first) if (drawn.last === last) return;
+    drawn = { shown, first, last };
+    body.replaceChildren(spacer(first), ...shown.slice(first, last).map(rowOf), spacer(shown.length - last));
+  };
+
+  const isEmpty = (cell) => cell === null || cell === "";
+
+  // Of each row, the place of its value among the column's different values: what is sorted is numbers. Empty
+  // cells have the place behind the last.
+  const ranksOf = (column) => {
+    const values = [...new Set(rows.map((cells) => cells[column]))].filter((cell) => !isEmpty(cell));
+    if (columns[column].kind === "number") values.sort((a, b) => a - b);
+    else values.sort();
+    const places = new Map(values.map((value, place) => [value, place]));
+    const ranks = rows.map((cells) => (isEmpty(cells[column]) ? values.length : places.get(cells[column])));
+    return { ranks, values: values.length };
+  };
+  const known = new Map();
+  const knownRanks = (column) => {
+    if (!known.has(column)) known.set(column, ranksOf(column));
+    return known.get(column);
+  };
+
+  // Empty cells come last whichever way is sorted; equal ones stay in the list's order.
+  const inOrder = (places) => {
+    if (sorted.column === -1) return places;
+    const { ranks, values } = knownRanks(sorted.column);
+    const turned = (rank) => (!sorted.down || rank === values ? rank : values - 1 - rank);
+    const keys = Float64Array.from(places, (place) => turned(ranks[place]) * rows.length + place);
+    return Array.from(keys.sort(), (key) => key % rows.length);
   };
 
   const choose = () => {
-    const words = search.value.toLowerCase().split(" ").filter((word) => word !== "");
-    const fits = (part) => (filter.value === "" || part.cells[outcomeColumn] === filter.value)
-      ? words.every((word) => part.words.includes(word)) : false;
-    shown = parts.filter(fits);
-    if (sorted.column > -1) shown.sort(compare);
-    count.textContent = shown.length + " of " + parts.length + " parts";
+    const wanted = search.value.toLowerCase().split(" ").filter((word) => word !== "");
+    const places = [];
+    const outcome = filter.value;
+    rows.forEach((cells, place) => {
+      if (outcome === "" || cells[outcomeColumn] === outcome)
+        if (wanted.every((word) => words[place].includes(word))) places.push(place);
+    });
+    shown = inOrder(places);
+    count.textContent = shown.length + " of " + rows.length + " parts";
+    draw(0);
     frame.scrollTop = 0;
-    draw();
   };
 
   const sortBy = (column, heads) => {
@@ -112,7 +145,11 @@
   });
   search.addEventListener("input", choose);
   filter.addEventListener("input", choose);
-  frame.addEventListener("scroll", () => requestAnimationFrame(draw));
-  window.addEventListener("resize", draw);
+  frame.addEventListener("scroll", () => requestAnimationFrame(() => draw(frame.scrollTop)));
+  window.addEventListener("resize", () => {
+    measure();
+    draw(frame.scrollTop);
+  });
+  measure();
   choose();
 })();

@@ -1,6 +1,7 @@
 #include "sequence/dag/ways.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "stepmill/sequence/tool_dag.h"
 
@@ -20,9 +21,27 @@ bool isWithin(const Visits& few, const Visits& many) {
     return next == few.end();
 }
 
-/// Is b no better than a, whatever other features call?
-bool isNoBetter(const Way& b, const Way& a) {
-    return a.paths <= b.paths && isWithin(a.visits, b.visits);
+/// A bit for each tool, the same for some others: visits whose bits are not among another's are not within
+/// them. Which bits those are changes no answer.
+std::uint64_t bitsOf(const Visits& visits) {
+    constexpr std::uintptr_t kBits = 64;
+    std::uint64_t bits = 0;
+    for (const ToolAssembly* tool : visits)
+        bits |= std::uint64_t{1} << (reinterpret_cast<std::uintptr_t>(tool) / sizeof(ToolAssembly) % kBits);
+    return bits;
+}
+
+/// What most pairs of ways are told apart by, side by side in memory.
+struct Gist {
+    double paths = 0;
+    std::uint64_t bits = 0;
+};
+
+/// May b be no better than a, whatever other features call?
+bool mayBeNoBetter(const Gist& b, const Gist& a) {
+    // Both asked always: which of them fails cannot be foretold, and a wrong guess costs more than the
+    // question.
+    return static_cast<int>(a.paths <= b.paths) & static_cast<int>((a.bits & ~b.bits) == 0);
 }
 
 class WayLister {
@@ -65,9 +84,16 @@ class WayLister {
     void add(const std::vector<int>& path, double weight) {
         Way way{visitsOn(path), 0, path};
         way.paths = weight - changes(way.visits);
-        const bool known =
-            std::any_of(ways_.begin(), ways_.end(), [&](const Way& other) { return isNoBetter(way, other); });
-        if (!known && source_.leaves_the_same(path)) ways_.push_back(std::move(way));
+        const Gist gist{way.paths, bitsOf(way.visits)};
+        if (isNoBetterThanKnown(way, gist) || !source_.leaves_the_same(path)) return;
+        ways_.push_back(std::move(way));
+        gists_.push_back(gist);
+    }
+
+    bool isNoBetterThanKnown(const Way& way, const Gist& gist) const {
+        for (std::size_t i = 0; i < gists_.size(); ++i)
+            if (mayBeNoBetter(gist, gists_[i]) && isWithin(ways_[i].visits, way.visits)) return true;
+        return false;
     }
 
     /// All ways on from `path`, whose edges but the last weigh `weight`, as long as their paths alone take no
@@ -92,6 +118,7 @@ class WayLister {
 
     const WaySource& source_;
     std::vector<Way> ways_;
+    std::vector<Gist> gists_;  ///< of each of them
     int seen_ = 0;
 };
 

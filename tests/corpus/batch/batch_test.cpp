@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/batch/ledger.h"
+#include "support/expected_outcomes.h"
 #include "support/run_program.h"
 #include "support/text_file.h"
 #include "support/told.h"
@@ -308,6 +309,27 @@ TEST_F(Batches, OneMagazineServesAllParts) {
                       {"tools are put in", "no order puts in fewer"}));
     EXPECT_TRUE(tells(slurp(out_ / "order.csv"), {"3,", ".step", "EM"}));
     EXPECT_EQ(runProgram(words({"--magazine", parts_.string()})).exit_code, 2);
+}
+
+std::string wordOf(test::Outcome expected) {
+    return expected == test::Outcome::Planned ? "complete"
+           : expected == test::Outcome::Gaps  ? "gaps"
+                                              : "refused";
+}
+
+TEST_F(Batches, BadFilesComeOutAsTheCorpusTableSays) {
+    const std::vector<ExpectedOutcome> all = expectedOf("bad");
+    for (const ExpectedOutcome& expected : all) {
+        STEPMILL_NEEDS_PART(expected);
+        fs::copy_file(expected.path, parts_ / fs::path(expected.part).filename());
+    }
+    EXPECT_EQ(batch().exit_code, 1);
+    const std::map<std::string, BatchJob> jobs = entries(out_);
+    ASSERT_EQ(jobs.size(), all.size());
+    for (const ExpectedOutcome& expected : all) {
+        const BatchJob& job = jobs.at(fs::path(expected.part).filename().string());
+        EXPECT_EQ(toString(job.outcome), wordOf(expected.outcome)) << expected.part << job.message;
+    }
 }
 
 /// Bad files and MFCAD parts beside the checkout.
