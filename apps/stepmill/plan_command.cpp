@@ -4,8 +4,8 @@
 namespace stepmill {
 
 void addPlanCommand(CLI::App& app, int& exit_code) {
-    CLI::App* plan =
-        app.add_subcommand("plan", "Plan a STEP part and write plan.json, report.html, setup sheets and programs");
+    CLI::App* plan = app.add_subcommand(
+        "plan", "Plan a STEP part and write plan.json, report.html, setup sheets and programs");
     auto options = std::make_shared<PlanOptions>();
     addJobOptions(*plan, *options, "-plan");
     addFinishOptions(*plan, *options);

@@ -24,9 +24,10 @@ constexpr int kMargin = 46;
 constexpr double kChordShare = 3e-5;
 constexpr double kFinestChordMm = 0.003;
 constexpr double kFacetAngle = 0.12;
-/// How far around the stock fixtures are shown, length of the work offset's axes, and how far over the stock
-/// the tool's arrow begins, as shares of the stock's diagonal.
+/// As shares of the stock's diagonal: how far around the stock fixtures are shown, the empty rim of a
+/// picture, length of the work offset's axes, and from where to where over the stock the tool's arrow goes.
 constexpr double kFixturesShown = 0.16;
+constexpr double kRim = 0.01;
 constexpr double kAxisShare = 0.17;
 constexpr double kArrowFrom = 0.24;
 constexpr double kArrowTo = 0.06;
@@ -67,7 +68,9 @@ Box3 shownBox(const Setup& setup) {
     const Box3& stock = setup.stock_bbox_mm;
     const Vec3 near = Vec3::Constant(kFixturesShown * stock.diagonal().norm());
     const Box3 around(stock.min() - near, stock.max() + near);
-    Box3 shown = stock;
+    // The outline is drawn between cells of the stock and empty ones.
+    const Vec3 rim = Vec3::Constant(kRim * stock.diagonal().norm());
+    Box3 shown(stock.min() - rim, stock.max() + rim);
     for (const Fixture& fixture : setup.fixtures) {
         const Box2 flat = boundingBox(fixture.section);
         const Box3 block(Vec3(flat.min().x(), flat.min().y(), fixture.bottom_z_mm),
