@@ -1,5 +1,5 @@
-// A whole plan from a STEP file: setups, features, operations, times, and the folder with programs and
-// report. Usage: plan_a_part PART.step FOLDER
+// A whole plan from a STEP file: setups, features, operations, times, and the folder with programs,
+// report and sheets. Usage: plan_a_part PART.step FOLDER
 
 #include <cstdio>
 #include <exception>
@@ -25,7 +25,7 @@ int planPartFile(const char* file, const char* folder) {
     std::printf("total %.1f s, %s\n", proven.plan.totals.time_s,
                 proven.verification.proven() ? "proven" : "not proven");
     JobFolder job(folder);
-    writePlan(proven, job, tol);
+    writePlan(proven, makeSheets(proven, SheetOptions(), false, tol), job, tol);
     return proven.mayRun() ? 0 : 3;
 }
 

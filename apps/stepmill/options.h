@@ -40,6 +40,9 @@ struct PlanOptions {
     std::string unit;   ///< empty: as the file says
     int jobs = 0;       ///< 0: one per core
     RunLimits limits;
+    std::string job_file;        ///< what the shop says of the job; empty: nothing
+    std::string display = "mm";  ///< of setup sheets
+    bool pdf = false;            ///< setup sheets as a PDF too
     bool strict = false;
     bool json = false;
     bool report_import = false;

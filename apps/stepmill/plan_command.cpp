@@ -4,8 +4,8 @@
 namespace stepmill {
 
 void addPlanCommand(CLI::App& app, int& exit_code) {
-    CLI::App* plan =
-        app.add_subcommand("plan", "Plan a STEP part and write plan.json, report.html and programs");
+    CLI::App* plan = app.add_subcommand(
+        "plan", "Plan a STEP part and write plan.json, report.html, setup sheets and programs");
     auto options = std::make_shared<PlanOptions>();
     addJobOptions(*plan, *options, "-plan");
     addFinishOptions(*plan, *options);
@@ -18,7 +18,8 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step --finish-walls 0.3 --finish-floors 0.2\n"
         "  stepmill plan cavity.step --scallop 0.05\n"
         "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
-        "  stepmill plan bracket.step --fixtures clamps.json");
+        "  stepmill plan bracket.step --fixtures clamps.json\n"
+        "  stepmill plan bracket.step --job job42.json --display inch --pdf");
     plan->callback([options, &exit_code] { exit_code = runPlan(*options); });
 }
 

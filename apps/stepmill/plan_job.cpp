@@ -36,6 +36,15 @@ fs::path asGiven(const JobFolder& folder, const PlanOptions& options) {
     return fs::equivalent(folder.path(), given, ignored) ? given : given / name;
 }
 
+/// What the words of the command line mean for setup sheets. \throws what readJobDetails does
+SheetOptions sheetOptions(const PlanOptions& options) {
+    SheetOptions sheets;
+    if (!options.job_file.empty())
+        sheets.job = readJobDetails(options.job_file, options.limits.maxFileBytes());
+    sheets.inch = options.display == "inch";
+    return sheets;
+}
+
 void tellFailures(const Verification& verification) {
     for (const ProofFailure& failure : verification.failures) {
         const std::string operation = failure.operation.empty() ? "" : failure.operation + " of ";
@@ -48,18 +57,22 @@ void tellFailures(const Verification& verification) {
 int planOne(const Part& part, const PlanOptions& options, const PlanRequest& request, const Shop& shop,
             JobFolder& folder, ProgressLine& progress, const PlanListener& listener) {
     const Tolerances tol;
+    const SheetOptions sheet_options = sheetOptions(options);
     const ProvenPlan proven =
         planProven(part, request, shop.library, shop.machine, tol,
                    [&](const std::string& stage, double share) { progress.show(stage, share); });
     progress.show("writing the report", 1);
-    writePlan(proven, folder, tol);
+    const Sheets sheets = makeSheets(proven, sheet_options, options.pdf, tol);
+    writePlan(proven, sheets, folder, tol);
+    if (!sheets.why_no_pdf.empty()) tell("sheets.pdf is not written: {}", sheets.why_no_pdf);
     tellReplacedEdits(folder);
     progress.show("done", 1);
     if (options.json)
         printData(proven.files.plan_json + "\n");
     else
-        printOut(fmt::format("{}\nReport: {}\n", summaryText(proven.plan),
-                             (asGiven(folder, options) / "report.html").string()));
+        printOut(fmt::format("{}\nReport: {}\nSheets: {}\n", summaryText(proven.plan),
+                             (asGiven(folder, options) / "report.html").string(),
+                             (asGiven(folder, options) / "sheets.html").string()));
     tellFailures(proven.verification);
     if (listener.planned) listener.planned(proven, folder.path());
     return exitCodeOf(proven, options, tol);
@@ -96,6 +109,7 @@ int planFile(const PlanOptions& options, Workplace& place, const PlanListener& l
     const Shop shop = loadShop(options);
     place.progress.showImport(options.part_file);
     const PlanRequest request = planRequest(options, shop.machine);
+    sheetOptions(options);  // a job file with a slip of the pen costs no plan
     const std::vector<Part> parts = chooseParts(options);
     if (listener.imported) listener.imported(parts);
     reportImport(parts, options);
@@ -134,10 +148,22 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
     command.add_flag("--strict", options.strict, "exit 1 on any warning as well");
 }
 
+void addSheetOptions(CLI::App& command, PlanOptions& options) {
+    command.add_option("--job", options.job_file,
+                       "what the head of the setup sheets says: customer, programmer, quantity, ... (JSON)");
+    command.add_option("--display", options.display, "unit of the setup sheets")
+        ->check(CLI::IsMember({"mm", "inch"}))
+        ->capture_default_str();
+    command.add_flag(
+        "--pdf", options.pdf,
+        "write sheets.pdf too, where Chromium or WeasyPrint is installed; A4, with inches Letter");
+}
+
 void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
     addPartOptions(command, options, folder_suffix);
     addShopOptions(command, options);
     addImportOption(command, options);
+    addSheetOptions(command, options);
     command.add_flag("--json", options.json, "print plan.json on standard output instead of the summary");
 }
 

@@ -15,6 +15,7 @@ extern const std::string_view kFixturesSchema;
 extern const std::string_view kVerifySchema;
 extern const std::string_view kManifestSchema;
 extern const std::string_view kQuoteSchema;
+extern const std::string_view kJobSchema;
 extern const std::string_view kDefaultTools;
 extern const std::string_view kDefaultMachine;
 

@@ -79,7 +79,8 @@ constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kT
                                     {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
                                     {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
                                     {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema},
-                                    {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema}};
+                                    {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema},
+                                    {SchemaName::Job, "job", 1, embedded::kJobSchema}};
 
 const NamedSchema& schemaOf(SchemaName name) {
     for (const NamedSchema& schema : kSchemas)

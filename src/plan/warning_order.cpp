@@ -6,9 +6,6 @@
 namespace stepmill {
 namespace {
 
-/// What comes of not heeding a warning, the gravest first.
-enum class Consequence { Danger, MissingOnThePart, Cost, Note };
-
 struct CodeConsequence {
     std::string_view code;
     Consequence consequence;
@@ -29,17 +26,17 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"slow", Consequence::Cost},
                                              {"tool-unusable", Consequence::Cost}};
 
-Consequence consequenceOf(const Warning& warning) {
-    for (const CodeConsequence& known : kConsequences)
-        if (known.code == warning.code) return known.consequence;
-    return Consequence::Note;
-}
-
 bool staysAlone(const Warning& warning) {
     return warning.code == "travel" || warning.code == "proof";
 }
 
 }  // namespace
+
+Consequence consequenceOf(const Warning& warning) {
+    for (const CodeConsequence& known : kConsequences)
+        if (known.code == warning.code) return known.consequence;
+    return Consequence::Note;
+}
 
 std::vector<Warning> byConsequence(std::vector<Warning> warnings) {
     std::vector<Warning> grouped;

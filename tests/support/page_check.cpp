@@ -16,9 +16,9 @@ const std::set<std::string> kHarmlessTags{
     "th",   "td",   "b",    "i",     "figure", "figcaption", "details", "summary", "span",    "a",
     "svg",  "g",    "path", "text",  "rect",   "circle",     "line"};
 const std::set<std::string> kHarmlessAttributes{
-    "aria-label", "charset", "class", "content", "cx", "cy",   "d",     "href",
-    "http-equiv", "id",      "lang",  "name",    "r",  "role", "scope", "transform",
-    "viewBox",    "x",       "x1",    "x2",      "y",  "y1",   "y2",    "xmlns"};
+    "aria-label", "charset", "class", "content", "cx",   "cy",    "d",         "href",    "http-equiv",
+    "id",         "lang",    "name",  "r",       "role", "scope", "transform", "viewBox", "x",
+    "x1",         "x2",      "y",     "y1",      "y2",   "xmlns", "width",     "height"};
 
 struct Reading {
     PageContent content;

@@ -9,7 +9,7 @@
 namespace stepmill {
 
 /// Names of the schemas compiled in from schemas/.
-enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify, Manifest, Quote };
+enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify, Manifest, Quote, Job };
 std::string_view schemaText(SchemaName name);
 /// The version of the files that it describes: their "format".
 int schemaFormat(SchemaName name);

@@ -6,6 +6,10 @@
 
 namespace stepmill {
 
+/// What comes of not heeding a warning, the gravest first.
+enum class Consequence { Danger, MissingOnThePart, Cost, Note };
+Consequence consequenceOf(const Warning& warning);
+
 /// Warnings as a reader wants them: those alike as one with a count, the gravest first. Danger comes before
 /// what is missing on the part, that before cost, that before notes; among equals the order stays. Alike are
 /// those of one code that say the same of several features or tools; a setup that the machine is too small

@@ -44,11 +44,11 @@ Element policy(std::string_view style, std::string_view script) {
                              "; base-uri 'none'; form-action 'none'");
 }
 
-Element headElement(const std::string& title, std::string_view script) {
+Element headElement(const std::string& title, std::string_view style, std::string_view script) {
     return Element(
-        "head", Element("meta").with("charset", "utf-8"), policy(kPageStyle, script),
+        "head", Element("meta").with("charset", "utf-8"), policy(style, script),
         Element("meta").with("name", "viewport").with("content", "width=device-width, initial-scale=1"),
-        Element("title", title), styleElement(kPageStyle));
+        Element("title", title), styleElement(style));
 }
 
 std::string documentOf(Element head, Element body) {
@@ -59,11 +59,15 @@ std::string documentOf(Element head, Element body) {
 }  // namespace
 
 std::string htmlDocument(const std::string& title, Element main) {
-    return documentOf(headElement(title, ""), Element("body", std::move(main)));
+    return documentOf(headElement(title, kPageStyle, ""), Element("body", std::move(main)));
+}
+
+std::string printedDocument(const std::string& title, Element main, std::string_view style) {
+    return documentOf(headElement(title, style, ""), Element("body", std::move(main)));
 }
 
 std::string partTableDocument(const std::string& title, Element main, Element data) {
-    return documentOf(headElement(title, kPartTableScript),
+    return documentOf(headElement(title, kPageStyle, kPartTableScript),
                       Element("body", std::move(main), std::move(data), scriptElement(kPartTableScript)));
 }
 

@@ -13,6 +13,9 @@ namespace stepmill::report {
 /// \param main   a <main> with all that the page shows
 std::string htmlDocument(const std::string& title, Element main);
 
+/// The same with a style sheet of its own in place of page.css.
+std::string printedDocument(const std::string& title, Element main, std::string_view style);
+
 /// The same with a table of many parts (part_table.js), which the policy allows by hash too.
 /// \param data  dataElement() of what the script shows
 std::string partTableDocument(const std::string& title, Element main, Element data);

@@ -81,9 +81,12 @@ Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
     return sharpAndOutlines(shapes, deflection_mm);
 }
 
-/// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.
+TopoDS_Shape solidIn(const PartShape& shape, const Eigen::Isometry3d& part_to_setup) {
+    return BRepBuilderAPI_Transform(shape.solid, toTrsf(part_to_setup), true).Shape();
+}
+
 TopoDS_Shape solidIn(const Part& part, const Eigen::Isometry3d& part_to_setup) {
-    return BRepBuilderAPI_Transform(part.shape->solid, toTrsf(part_to_setup), true).Shape();
+    return solidIn(*part.shape, part_to_setup);
 }
 
 }  // namespace stepmill::report

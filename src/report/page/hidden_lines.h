@@ -26,6 +26,7 @@ Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
 Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
 
 /// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.
+TopoDS_Shape solidIn(const PartShape& shape, const Eigen::Isometry3d& part_to_setup);
 TopoDS_Shape solidIn(const Part& part, const Eigen::Isometry3d& part_to_setup);
 
 }  // namespace stepmill::report

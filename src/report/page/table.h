@@ -11,6 +11,7 @@ namespace stepmill::report {
 /// A column of a table by its head. A plain string is the head of a column of words.
 struct Column {
     Column(const char* text) : head(text) {}  // not explicit: stands for its head
+    Column(std::string text) : head(std::move(text)) {}
     Column(std::string text, bool has_numbers) : head(std::move(text)), numbers(has_numbers) {}
 
     std::string head;

@@ -36,6 +36,11 @@ std::string clockTime(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+std::string subjectWords(const Warning& warning) {
+    if (warning.count == 1) return warning.subject;
+    return fmt::format("{} and {} more", warning.subject, warning.count - 1);
+}
+
 std::string toolWords(const ToolSequence& sequence) {
     std::string words;
     bool in_brackets = false;

@@ -26,6 +26,9 @@ std::string timesBound(double value_s, double bound_s);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
+/// "S1.F2 and 3 more".
+std::string subjectWords(const Warning& warning);
+
 /// The tools of a band in order: "EM25 (+ EM10) > EM4", surrogates in brackets after the tool they help;
 /// "none fits" without any.
 std::string toolWords(const ToolSequence& sequence);

@@ -1,11 +1,10 @@
 // The section of report.html about one feature: its steps, what stays, and why these tools.
 
-#include <set>
-
 #include <fmt/format.h>
 
 #include "report/page/table.h"
 #include "report/page/words.h"
+#include "report/plan/dag_drawing.h"
 #include "report/plan/feature_drawing.h"
 #include "report/plan/html_sections.h"
 #include "stepmill/core/error.h"
@@ -59,22 +58,10 @@ std::string surrogateWords(const DagEdge& edge) {
     return words;
 }
 
-/// The edges of the cheapest path: the tool before and the tool.
-std::set<std::pair<std::string, std::string>> chosenEdges(const ToolSequence& sequence) {
-    std::set<std::pair<std::string, std::string>> chosen;
-    std::string previous;
-    for (const SequenceStep& step : sequence.steps) {
-        if (step.role == Role::Surrogate || step.tool_id == previous) continue;
-        chosen.insert({previous, step.tool_id});
-        previous = step.tool_id;
-    }
-    return chosen;
-}
-
 Element edgesTable(const ToolSequence& sequence) {
     Table table({"after", "tool", numbers("area mm²"), numbers("cut m"), numbers("rapid m"), "surrogates",
                  numbers("time"), numbers("cost")});
-    const auto chosen = chosenEdges(sequence);
+    const DagWay chosen = chosenWay(sequence);
     for (const DagEdge& edge : sequence.edges) {
         Element& row =
             table.row(edge.from.empty() ? "nothing yet" : edge.from, edge.to.empty() ? "done" : edge.to,
@@ -154,6 +141,7 @@ std::vector<Element> bandContent(const PlannedSetup& setup, const PlannedFeature
     const std::vector<const Operation*> operations = operationsOf(setup, planned.feature.id);
     std::vector<Element> content{stepFigures(planned, operations)};
     if (std::optional<Element> patterns = patternsTable(operations)) content.push_back(std::move(*patterns));
+    if (std::optional<Element> dag = dagDrawing(planned.sequence)) content.push_back(std::move(*dag));
     content.push_back(choiceTables(planned.sequence));
     return content;
 }

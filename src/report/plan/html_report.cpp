@@ -6,6 +6,7 @@
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/plan/html_sections.h"
+#include "stepmill/plan/warning_order.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill::report {
@@ -44,17 +45,31 @@ Element partWords(const Plan& plan) {
                                          plan.machine.name, plan.library.file));
 }
 
-/// "S1.F2 and 3 more".
-std::string subjectWords(const Warning& warning) {
-    if (warning.count == 1) return warning.subject;
-    return fmt::format("{} and {} more", warning.subject, warning.count - 1);
+Element warningBox(const Warning& warning) {
+    return Element("div.warn", Element("b", subjectWords(warning)), ": " + warning.text);
 }
 
-std::vector<Element> warnings(const Plan& plan) {
+bool isGrave(const Warning& warning) {
+    const Consequence consequence = consequenceOf(warning);
+    return consequence == Consequence::Danger || consequence == Consequence::MissingOnThePart;
+}
+
+/// What is dangerous or missing on the part.
+std::vector<Element> graveWarnings(const Plan& plan) {
     std::vector<Element> boxes;
     for (const Warning& warning : plan.warnings)
-        boxes.push_back(Element("div.warn", Element("b", subjectWords(warning)), ": " + warning.text));
+        if (isGrave(warning)) boxes.push_back(warningBox(warning));
     return boxes;
+}
+
+/// What costs more or is good to know, folded; nothing without any.
+std::optional<Element> otherWarnings(const Plan& plan) {
+    std::vector<Element> boxes;
+    for (const Warning& warning : plan.warnings)
+        if (!isGrave(warning)) boxes.push_back(warningBox(warning));
+    if (boxes.empty()) return std::nullopt;
+    const std::string words = fmt::format("{} more about cost, and notes", boxes.size());
+    return Element("details.band", Element("summary", words), std::move(boxes));
 }
 
 /// What choosing the features' tools together brought; nothing where it changed nothing.
@@ -138,8 +153,8 @@ Anchor operationAnchor(const std::string& operation_id) {
 
 std::string stepmill::reportHtml(const Plan& plan, const Tolerances& tol) {
     using namespace report;
-    Element main("main", Element("h1", plan.part.name), partWords(plan), cards(plan), warnings(plan),
-                 sharingWords(plan), gapsWords(plan, tol), contents(plan));
+    Element main("main", Element("h1", plan.part.name), partWords(plan), cards(plan), gapsWords(plan, tol),
+                 graveWarnings(plan), sharingWords(plan), otherWarnings(plan), contents(plan));
     for (const PlannedSetup& setup : plan.setups)
         main.add(setupSection(plan, setup, dialectOf(plan.machine)));
     main.add(booksSection(plan));

@@ -4,7 +4,7 @@
 
 namespace stepmill {
 
-void writePlan(const ProvenPlan& proven, JobFolder& folder, const Tolerances& tol) {
+void writePlan(const ProvenPlan& proven, const Sheets& sheets, JobFolder& folder, const Tolerances& tol) {
     NewJob job;
     job.by = JobWriter::Plan;
     job.part_file = proven.plan.part.file;
@@ -12,6 +12,8 @@ void writePlan(const ProvenPlan& proven, JobFolder& folder, const Tolerances& to
     job.plan_sha256 = sha256(proven.files.plan_json);
     job.files.push_back({"plan.json", "", proven.files.plan_json});
     job.files.push_back({"report.html", "", reportHtml(proven.plan, tol)});
+    job.files.push_back({"sheets.html", "", sheets.html});
+    if (!sheets.pdf.empty()) job.files.push_back({"sheets.pdf", "", sheets.pdf});
     if (proven.mayRun())
         for (const auto& [setup, programs] : proven.files.programs)
             for (const PostedProgram& program : programs)

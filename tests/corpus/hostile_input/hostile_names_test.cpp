@@ -142,6 +142,7 @@ TEST_P(HostileNames, SteerNeitherPageNorTerminal) {
     EXPECT_TRUE(plan.exit_code == 0 || plan.exit_code == 1) << plan.err;
     expectHarmlessText(plan, "plan");
     expectHarmlessPage(readFile(job.out() / "report.html"), "report.html");
+    expectHarmlessPage(readFile(job.out() / "sheets.html"), "sheets.html");
     const std::string plan_json = readFile(job.out() / "plan.json");
     EXPECT_FALSE(json::parse(plan_json, nullptr, false).is_discarded());
     const ProgramRun verify = runProgram({stepmillBinary(), "verify", job.out().string()});

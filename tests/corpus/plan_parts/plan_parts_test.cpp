@@ -37,6 +37,7 @@ void checkPlan(const fs::path& folder) {
     const Json plan = Json::parse(slurp(folder / "plan.json"));
     EXPECT_LE(booksGap(plan.at("volume_balance")), kBooksShare);
     EXPECT_TRUE(fs::exists(folder / "report.html"));
+    EXPECT_TRUE(fs::exists(folder / "sheets.html"));
     // A setup beyond the machine's travel has no program.
     std::set<std::string> beyond_travel;
     for (const Json& warning : plan.at("warnings"))

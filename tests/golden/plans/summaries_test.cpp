@@ -46,6 +46,10 @@ TEST_P(GoldenFiles, HoldWhatItsReportSays) {
     expectGolden("reports/" + stem() + ".txt", pageText(slurp(planned_.folder / "report.html")));
 }
 
+TEST_P(GoldenFiles, HoldWhatItsSheetsSay) {
+    expectGolden("sheets/" + stem() + ".txt", pageText(slurp(planned_.folder / "sheets.html")));
+}
+
 std::vector<ExpectedOutcome> fewParts() {
     std::vector<ExpectedOutcome> few = expectedOf("step_parts");
     std::erase_if(few, [](const ExpectedOutcome& row) {

@@ -94,21 +94,21 @@ TEST(SummaryText, NamesToolsTimesAndBooks) {
 TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     const test::TemporaryFolder folder;
     JobFolder job(fs::path(folder.path()) / "a" / "job");
-    writePlan(provenShoulder(), job, Tolerances());
+    writePlan(provenShoulder(), {"a page", "", ""}, job, Tolerances());
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) names.insert(entry.path().filename().string());
-    EXPECT_EQ(names, (std::set<std::string>{"plan.json", "report.html", "S1.ngc", "manifest.json",
-                                            ".job.stepmill-lock"}));
+    EXPECT_EQ(names, (std::set<std::string>{"plan.json", "report.html", "sheets.html", "S1.ngc",
+                                            "manifest.json", ".job.stepmill-lock"}));
 }
 
 TEST(WritePlan, WithoutAProofThereIsNoProgramAndNoneOfAnEarlierPlan) {
     const test::TemporaryFolder folder;
     JobFolder job(fs::path(folder.path()) / "job");
-    writePlan(provenShoulder(), job, Tolerances());
+    writePlan(provenShoulder(), {"a page", "", ""}, job, Tolerances());
     ProvenPlan failed = provenShoulder();
     failed.verification.failures.push_back({"S1.ngc", 1, "S1.O1", "cuts too deep"});
-    writePlan(failed, job, Tolerances());
+    writePlan(failed, {"a page", "", ""}, job, Tolerances());
     EXPECT_TRUE(fs::exists(job.path() / "plan.json"));
     EXPECT_FALSE(fs::exists(job.path() / "S1.ngc"));
 }

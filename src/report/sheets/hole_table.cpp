@@ -1,0 +1,111 @@
+// Equal holes of a setup.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "report/page/table.h"
+#include "report/page/words.h"
+#include "report/sheets/sheet_sections.h"
+#include "stepmill/core/units.h"
+#include "stepmill/feature/whole_feature.h"
+
+namespace stepmill::report {
+namespace {
+
+/// Holes that differ less in diameter or height are equal [mm].
+constexpr double kEqualMm = 1e-3;
+
+struct HoleWork {
+    std::string way;
+    int last = -1;  ///< place of its last operation
+};
+
+/// Tools of the feature's operations in their order, each once, with what they do.
+HoleWork workOn(const Plan& plan, const PlannedSetup& setup, const WholeFeature<PlannedFeature>& hole) {
+    std::vector<std::string> ways;
+    HoleWork work;
+    for (std::size_t i = 0; i < setup.operations.size(); ++i)
+        for (const PlannedFeature* band : hole.bands) {
+            const Operation& operation = setup.operations[i];
+            if (operation.feature_id != band->feature.id) continue;
+            std::string way = fmt::format("{} T{}", operation.role == Role::Drill ? "drilled" : "milled",
+                                          plan.library.tool(operation.tool_id).number);
+            if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(std::move(way));
+            work.last = static_cast<int>(i);
+        }
+    work.way = ways.empty() ? "not made" : listed(ways);
+    return work;
+}
+
+long rounded(double value_mm) {
+    return std::lround(value_mm / kEqualMm);
+}
+
+/// "A" to "Z", then "A1" and so on.
+std::string groupName(std::size_t number) {
+    const std::string letter(1, static_cast<char>('A' + number % 26));
+    return number < 26 ? letter : letter + std::to_string(number / 26);
+}
+
+std::string placesWords(const std::vector<Vec2>& centres, const Measures& in) {
+    std::vector<std::string> places;
+    for (const Vec2& centre : centres)
+        places.push_back(
+            fmt::format("X\u00a0{} Y\u00a0{}", in.number(centre.x(), 3), in.number(centre.y(), 3)));
+    return fmt::format("{}", fmt::join(places, "; "));
+}
+
+}  // namespace
+
+std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetup& setup) {
+    std::vector<HoleGroup> groups;
+    std::map<std::tuple<long, long, long, bool, std::string>, std::size_t> known;
+    for (const WholeFeature<PlannedFeature>& whole : wholeFeatures(setup.features)) {
+        if (!isHole(whole.featureClass()) || whole.lowest().target.empty()) continue;
+        const Region& section = whole.lowest().target;
+        const HoleWork work = workOn(subject.plan(), setup, whole);
+        HoleGroup hole;
+        hole.diameter_mm = 2 * std::sqrt(area(section) / kPi);
+        hole.top_mm = whole.uppermost().top_z_mm;
+        hole.floor_mm = whole.lowest().floor_z_mm;
+        hole.through = !hasFloor(whole.featureClass());
+        const auto [found, is_new] = known.emplace(std::tuple(rounded(hole.diameter_mm), rounded(hole.top_mm),
+                                                              rounded(hole.floor_mm), hole.through, work.way),
+                                                   groups.size());
+        if (is_new) {
+            hole.name = groupName(groups.size());
+            hole.way = work.way;
+            groups.push_back(std::move(hole));
+        }
+        groups[found->second].centres.push_back(centroid(section));
+        groups[found->second].last = std::max(groups[found->second].last, work.last);
+    }
+    return groups;
+}
+
+std::optional<Element> holeTable(const SheetSubject& subject, const std::vector<HoleGroup>& groups) {
+    const Measures& in = subject.measures;
+    const std::string unit = in.unit();
+    Table table({"group",
+                 numbers("count"),
+                 {"Ø " + unit, true},
+                 {"Z from, to " + unit, true},
+                 {"depth " + unit, true},
+                 "way",
+                 "centres " + unit});
+    for (const HoleGroup& hole : groups)
+        table.row(Element("b", hole.name), std::to_string(hole.centres.size()),
+                  in.number(hole.diameter_mm, 3),
+                  fmt::format("{}, {}", in.number(hole.top_mm), in.number(hole.floor_mm)),
+                  in.number(hole.top_mm - hole.floor_mm) + (hole.through ? " through" : ""), hole.way,
+                  placesWords(hole.centres, in));
+    if (table.empty()) return std::nullopt;
+    return titled("Holes", std::move(table).element());
+}
+
+}  // namespace stepmill::report

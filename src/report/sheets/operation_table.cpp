@@ -1,0 +1,116 @@
+// The operations of a setup, in machining order.
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "report/page/table.h"
+#include "report/page/words.h"
+#include "report/sheets/sheet_sections.h"
+
+namespace stepmill::report {
+namespace {
+
+std::string featureWords(const PlannedSetup& setup, const Operation& operation) {
+    if (operation.role == Role::Form) return "leaning walls";
+    for (const PlannedFeature& planned : setup.features)
+        if (planned.feature.id == operation.feature_id)
+            return shortId(operation.feature_id) + " " + toString(planned.feature.feature_class);
+    return shortId(operation.feature_id);
+}
+
+std::string whatWords(const Operation& operation) {
+    const std::string role = toString(operation.role);
+    return role == operation.path.pattern ? role : role + ", " + operation.path.pattern;
+}
+
+std::string depthWords(const Operation& operation, const Measures& in) {
+    const Toolpath& path = operation.path;
+    return path.depths > 1 ? fmt::format("{} × {}", path.depths, in.number(path.step_down_mm))
+                           : in.number(path.step_down_mm);
+}
+
+std::string leavesWords(const FinishAllowance& leaves, const Measures& in) {
+    if (!leaves.any()) return "0";
+    return fmt::format("{}, {}", in.number(leaves.walls_mm), in.number(leaves.floors_mm));
+}
+
+/// Numbers of the blocks that operations start with, by operation id: each is the first after the comment
+/// that verify knows the operation by.
+std::map<std::string, std::string> firstBlocks(const PostedProgram* program) {
+    std::map<std::string, std::string> blocks;
+    std::istringstream lines(program == nullptr ? std::string() : program->text);
+    std::string operation;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string word = line.substr(0, line.find(' '));
+        if (line.starts_with("(S"))
+            operation = word.substr(1);
+        else if (!operation.empty() && line.starts_with("N"))
+            blocks.emplace(std::exchange(operation, ""), word);
+    }
+    return blocks;
+}
+
+std::string firstBlock(const std::map<std::string, std::string>& blocks, const std::string& operation_id) {
+    const auto found = blocks.find(operation_id);
+    return found == blocks.end() ? "-" : found->second;
+}
+
+std::string shareWords(double time_s, double all_s) {
+    return all_s > 0 ? fixed(100 * time_s / all_s, 0) + " %" : "-";
+}
+
+}  // namespace
+
+double timeOf(const Operation& operation) {
+    return operation.path.totals.motion_time_s + operation.dwell_s;
+}
+
+double lowestMm(const Operation& operation) {
+    double lowest_mm = operation.path.start.z();
+    for (const Move& move : operation.path.moves)
+        lowest_mm = std::min(lowest_mm, move.to.z());
+    return lowest_mm;
+}
+
+Element operationTable(const SheetSubject& subject, const PlannedSetup& setup) {
+    const Measures& in = subject.measures;
+    const std::map<std::string, std::string> blocks = firstBlocks(programOf(subject, setup));
+    const std::string unit = in.unit();
+    Table table({numbers("no."),
+                 "feature",
+                 "T",
+                 "what",
+                 {"Z from, to " + unit, true},
+                 {"step-over " + unit, true},
+                 {"step-down " + unit, true},
+                 {"leaves " + unit, true},
+                 {std::string("feed, plunge ") + in.feedUnit(), true},
+                 numbers("rpm"),
+                 "coolant",
+                 numbers("time"),
+                 numbers("share"),
+                 "from block"});
+    for (const Operation& operation : setup.operations) {
+        const Toolpath& path = operation.path;
+        table.row(shortId(operation.id), featureWords(setup, operation),
+                  fmt::format("T{}", subject.plan().library.tool(operation.tool_id).number),
+                  whatWords(operation),
+                  fmt::format("{}, {}", in.number(operation.z_top_mm), in.number(lowestMm(operation))),
+                  path.step_over_mm > 0 ? in.number(path.step_over_mm) : "-", depthWords(operation, in),
+                  leavesWords(operation.leaves, in),
+                  fmt::format("{}, {}", in.feed(path.feed_mm_per_min), in.feed(path.plunge_feed_mm_per_min)),
+                  fixed(operation.speed_rpm, 0), toString(operation.coolant), clockTime(timeOf(operation)),
+                  shareWords(timeOf(operation), setup.motion_s), firstBlock(blocks, operation.id));
+    }
+    const std::string more = fmt::format(
+        "{} operation{}, {} with tool changes. Climb milling; the tool's centre is programmed, D is not "
+        "called.",
+        setup.operations.size(), setup.operations.size() == 1 ? "" : "s", clockTime(setup.motion_s));
+    return titled("Operations", Element("div", std::move(table).element(), Element("p.soft", more)));
+}
+
+}  // namespace stepmill::report

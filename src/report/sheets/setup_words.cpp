@@ -1,0 +1,120 @@
+// Datum, flip, blank and clamping of a setup, in words.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "report/sheets/flip.h"
+#include "report/sheets/sheet_sections.h"
+#include "stepmill/core/units.h"
+#include "stepmill/setup/stock_growth.h"
+
+namespace stepmill::report {
+namespace {
+
+/// A point as near to a corner of the stock's box stands for it [mm].
+constexpr double kBesideCornerMm = 0.01;
+constexpr double kAlongAxis = 1e-6;
+
+Element told(const std::string& label, const std::string& text) {
+    return Element("p", Element("b", label), " " + text);
+}
+
+bool isIn(const Prism& prism, const Vec3& p) {
+    return p.z() <= prism.top_z_mm && p.z() >= prism.bottom_z_mm && contains(prism.region, p.head<2>());
+}
+
+/// Does the stock reach the corner of its box that is the work offset? Of a stock from a file nobody knows.
+bool standsAtZero(const Setup& setup) {
+    if (setup.stock.kind != Stock::Kind::Box) return false;
+    const Vec3 corner(kBesideCornerMm, kBesideCornerMm, -kBesideCornerMm);
+    const Vec3 in_part = setup.part_to_setup.inverse() * corner;
+    if (!setup.stock.raw_bbox_mm.contains(in_part)) return false;
+    for (const CutPrisms& cut : setup.stock.cuts)
+        for (const Prism& prism : cut.prisms)
+            if (isIn(prism, cut.part_to_setup * in_part)) return false;
+    return true;
+}
+
+std::string datumWords(const Measures& in, const Setup& setup) {
+    const StockGrowth growth = growthOf(setup.stock, setup.part_to_setup);
+    std::string words = fmt::format(
+        "G54. X0 Y0: {}. Z0: {} over what the stock rests on, its top as it arrives.",
+        standsAtZero(setup)
+            ? "the stock's front left corner"
+            : "left of the leftmost and in front of the foremost the stock has; its corner is gone",
+        in.length(setup.stock_bbox_mm.sizes().z()));
+    if (growth.side_mm > 0)
+        words += fmt::format(" Of a larger blank share what is too much: at most {} a side beyond X0 and Y0.",
+                             in.length(growth.side_mm));
+    if (growth.top_mm > 0) words += fmt::format(" A raw top may stand {} over Z0.", in.length(growth.top_mm));
+    return words;
+}
+
+std::string blankWords(const Measures& in, const Setup& setup) {
+    const Box3& stock = setup.stock_bbox_mm;
+    const double extra_mm = 2 * setup.stock.tolerance_mm;
+    std::string words = fmt::format("{} as it arrives (X × Y × Z), ", in.size(stock.sizes()));
+    if (!setup.stock.isRaw())
+        words += "raw sides as they were";
+    else if (extra_mm > 0)
+        words += fmt::format("raw, each size up to {} larger", in.length(extra_mm));
+    else
+        words += "raw, no larger";
+    return fmt::format("{}; from {} to {}.", words, in.place(stock.min()), in.place(stock.max()));
+}
+
+std::string partWords(const Measures& in, const Plan& plan, const Setup& setup) {
+    const Box3 part = plan.part.bbox_mm.transformed(setup.part_to_setup);
+    return fmt::format("{} in it, from {} to {}.", in.size(part.sizes()), in.place(part.min()),
+                       in.place(part.max()));
+}
+
+std::string acrossWords(const Vec3& across) {
+    if (std::abs(across.y()) < kAlongAxis) return "X";
+    if (std::abs(across.x()) < kAlongAxis) return "Y";
+    return fmt::format("{:.2f}° from X", std::atan2(across.y(), across.x()) * 180 / kPi);
+}
+
+std::string viseWords(const Measures& in, const PlannedSetup& planned) {
+    const Clamping& held = planned.clamping;
+    const double to_mm = held.from_mm + held.depth_mm;
+    const double jaw_top_mm = planned.setup.stock_bbox_mm.min().z() + to_mm;
+    std::string words =
+        fmt::format("vise, {} open across {}, grip {} deep on {} of length, ", in.length(held.opening_mm),
+                    acrossWords(held.across), in.length(held.depth_mm), in.length(held.length_mm));
+    if (held.from_mm > kAlongAxis)
+        words += fmt::format("from {} over the bottom up, ", in.length(held.from_mm));
+    return words + fmt::format("jaw tops at Z {}. Parallels: as high as the jaws less {}. Stop: at the left.",
+                               in.length(jaw_top_mm), in.length(to_mm));
+}
+
+std::string fixtureWords(const Measures& in, const Plan& plan, const Setup& setup) {
+    std::string words = fmt::format("as {} says:", plan.request.fixtures.file);
+    for (const Fixture& fixture : setup.fixtures)
+        words += fmt::format(" {} up to Z {};", fixture.name, in.length(fixture.top_z_mm));
+    if (setup.fixtures.empty()) words += " nothing stands in the way;";
+    words.back() = '.';
+    return words;
+}
+
+std::string clampingWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
+    if (plan.request.fixtures.setups.contains(planned.setup.id)) return fixtureWords(in, plan, planned.setup);
+    if (planned.clamping.vise) return viseWords(in, planned);
+    return planned.clamping.text + ". To be held otherwise: ______________________________";
+}
+
+}  // namespace
+
+Element setupWords(const SheetSubject& subject, const PlannedSetup& planned, const Setup* before) {
+    const Measures& in = subject.measures;
+    const Setup& setup = planned.setup;
+    Element words("div.words");
+    words.add(told("Datum", datumWords(in, setup)));
+    if (before != nullptr) words.add(told("Turn from " + before->id, flipWords(*before, setup)));
+    words.add(told("Stock", blankWords(in, setup)), told("Part", partWords(in, subject.plan(), setup)),
+              told("Hold", clampingWords(in, subject.plan(), planned)));
+    return words;
+}
+
+}  // namespace stepmill::report

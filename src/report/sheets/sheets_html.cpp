@@ -1,0 +1,98 @@
+// sheets.html: a sheet or two for each setup.
+
+#include <fmt/format.h>
+
+#include "report/page/document.h"
+#include "report/page/page_style.h"
+#include "report/page/words.h"
+#include "report/sheets/setup_pictures.h"
+#include "report/sheets/sheet_sections.h"
+
+namespace stepmill::report {
+
+Element titled(const char* title, Element content) {
+    return Element("section", Element("h2", title), std::move(content));
+}
+
+std::string shortId(const std::string& id) {
+    const std::size_t point = id.find('.');
+    if (point == std::string::npos) return id;
+    return id[point + 1] == 'O' ? id.substr(point + 2) : id.substr(point + 1);
+}
+
+namespace {
+
+Element sheetHead(const SheetSubject& subject, const PlannedSetup& setup) {
+    const Plan& plan = subject.plan();
+    const PostedProgram* program = programOf(subject, setup);
+    const std::string name = subject.job.part.empty() ? plan.part.name : subject.job.part;
+    return Element("div.head",
+                   Element("h1", fmt::format("Setup {} of {}", setup.setup.id, plan.setups.size())),
+                   Element("b.part-name", name),
+                   Element("b.program", program == nullptr ? "no program" : program->file));
+}
+
+/// What tells a later sheet's job, should it come loose from the first.
+Element jobLine(const SheetSubject& subject) {
+    const Plan& plan = subject.plan();
+    std::vector<std::string> words{plan.part.file, "sha256 " + plan.part.sha256.substr(0, 12), plan.material,
+                                   plan.machine.name};
+    for (const std::string* more : {&subject.job.document, &subject.job.revision, &subject.job.order})
+        if (!more->empty()) words.push_back(*more);
+    return Element("p.soft", listed(words));
+}
+
+Element picturesOf(const SheetSubject& subject, const PlannedSetup& setup, const Setup* before) {
+    SetupPictures pictures = setupPictures(setup, before, subject.tol);
+    return Element("div.pictures",
+                   Element("figure", std::move(pictures.arriving),
+                           Element("figcaption", "As it arrives; shaded: is cut here")),
+                   Element("figure", std::move(pictures.leaving),
+                           Element("figcaption", "When all is cut; shaded: was cut here")));
+}
+
+Element sheetOf(const SheetSubject& subject, std::size_t index) {
+    const std::vector<PlannedSetup>& setups = subject.plan().setups;
+    const PlannedSetup& setup = setups[index];
+    const Setup* before = index > 0 ? &setups[index - 1].setup : nullptr;
+    const std::vector<HoleGroup> holes = holeGroups(subject, setup);
+    Element sheet("section.sheet", sheetHead(subject, setup));
+    sheet.mark(Anchor("sheet", setup.setup.id));
+    if (index == 0)
+        sheet.add(jobBlock(subject));
+    else
+        sheet.add(jobLine(subject));
+    sheet.add(squawks(subject, setup, index == 0), picturesOf(subject, setup, before),
+              setupWords(subject, setup, before), toolSections(subject, setup),
+              operationTable(subject, setup), holeTable(subject, holes),
+              checkTable(subject, setup, holes, index + 1 == setups.size()));
+    if (index == 0) sheet.add(runTable(subject));
+    return sheet;
+}
+
+std::string paperStyle(Paper paper) {
+    switch (paper) {
+        case Paper::A4:
+            return "@page { size:A4; }\n";
+        case Paper::Letter:
+            return "@page { size:letter; }\n";
+        case Paper::AsPrinter:
+            break;
+    }
+    return {};
+}
+
+}  // namespace
+
+}  // namespace stepmill::report
+
+std::string stepmill::sheetsHtml(const ProvenPlan& proven, const SheetOptions& options,
+                                 const Tolerances& tol) {
+    using namespace report;
+    const SheetSubject subject{proven, options.job, Measures(options.inch), tol};
+    Element main("main.sheets");
+    for (std::size_t i = 0; i < proven.plan.setups.size(); ++i)
+        main.add(sheetOf(subject, i));
+    return printedDocument(proven.plan.part.name + ": setup sheets", std::move(main),
+                           std::string(kPageStyle) + std::string(kSheetStyle) + paperStyle(options.paper));
+}

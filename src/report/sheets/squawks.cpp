@@ -1,0 +1,89 @@
+// What the setter must know, graded.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "report/page/words.h"
+#include "report/sheets/sheet_sections.h"
+#include "stepmill/core/enum_words.h"
+#include "stepmill/plan/warning_order.h"
+
+namespace stepmill::report {
+namespace {
+
+enum class Grade { Danger, Caution, Note };
+
+constexpr EnumWord<Grade> kGrades[] = {
+    {Grade::Danger, "danger"}, {Grade::Caution, "caution"}, {Grade::Note, "note"}};
+
+Grade gradeOf(const Warning& warning) {
+    switch (consequenceOf(warning)) {
+        case Consequence::Danger:
+            return Grade::Danger;
+        case Consequence::MissingOnThePart:
+        case Consequence::Cost:
+            return Grade::Caution;
+        case Consequence::Note:
+            break;
+    }
+    return Grade::Note;
+}
+
+struct Squawk {
+    Grade grade = Grade::Note;
+    std::string text;
+};
+
+/// "S1" of "S1.F2.3"; all of a subject that is no setup's.
+std::string setupOf(const std::string& subject) {
+    return subject.substr(0, subject.find('.'));
+}
+
+bool isOfASetup(const Plan& plan, const Warning& warning) {
+    return std::any_of(plan.setups.begin(), plan.setups.end(),
+                       [&](const PlannedSetup& setup) { return setup.setup.id == setupOf(warning.subject); });
+}
+
+std::string warningText(const Warning& warning) {
+    return fmt::format("{}: {}", subjectWords(warning), warning.text);
+}
+
+std::vector<Squawk> ownSquawks(const SheetSubject& subject, const PlannedSetup& setup) {
+    std::vector<Squawk> own;
+    const Plan& plan = subject.plan();
+    if (programOf(subject, setup) == nullptr)
+        own.push_back({Grade::Danger, "No program is written for this setup: run none that lies about."});
+    if (!setup.clamping.vise && !plan.request.fixtures.setups.contains(setup.setup.id))
+        own.push_back({Grade::Caution, "No way to hold it is known; the paths keep clear of no clamp (" +
+                                           setup.clamping.text + ")."});
+    if (setup.setup.indexed)
+        own.push_back(
+            {Grade::Caution, "The tool axis is not along the part's box: sine vise or rotary axis."});
+    return own;
+}
+
+Element row(const Squawk& squawk) {
+    const std::string grade = wordOf(kGrades, squawk.grade);
+    return Element("p", Element("b", grade), " " + squawk.text).with("class", "squawk " + grade);
+}
+
+}  // namespace
+
+Element squawks(const SheetSubject& subject, const PlannedSetup& setup, bool first) {
+    std::vector<Squawk> all = ownSquawks(subject, setup);
+    for (const Warning& warning : subject.plan().warnings) {
+        const bool of_a_setup = isOfASetup(subject.plan(), warning);
+        if (of_a_setup ? setupOf(warning.subject) == setup.setup.id : first)
+            all.push_back({gradeOf(warning), warningText(warning)});
+    }
+    if (all.empty()) all.push_back({Grade::Note, "nothing to heed in this setup."});
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Squawk& a, const Squawk& b) { return a.grade < b.grade; });
+    Element list("div.squawks");
+    for (const Squawk& squawk : all)
+        list.add(row(squawk));
+    return titled("Squawks", std::move(list));
+}
+
+}  // namespace stepmill::report

@@ -1,0 +1,185 @@
+#include "report/sheets/traced_lines.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace stepmill::report {
+namespace {
+
+/// Faces that meet at less are drawn as one: chords of an arc do [cos].
+constexpr double kSmoothCos = 0.87;
+/// A surface that goes on this many cells nearer or farther than it should begins anew.
+constexpr double kStepCells = 1.6;
+/// How far straightened lines may leave the cells' corners [cells].
+constexpr double kStraightCells = 0.95;
+/// Shorter lines are crumbs of the raster [cells].
+constexpr std::size_t kLeastCells = 4;
+
+/// A corner of cells.
+using Corner = std::array<int, 2>;
+
+/// Sides of cells, put together to lines.
+class Sides {
+  public:
+    void add(const Corner& a, const Corner& b) {
+        ends_[a].insert(b);
+        ends_[b].insert(a);
+    }
+
+    /// Closed lines alone. \pre an even number of sides meet at every corner, as around areas
+    std::vector<std::vector<Corner>> loops() {
+        std::vector<std::vector<Corner>> loops;
+        for (auto& [corner, others] : ends_)
+            while (!others.empty())
+                loops.push_back(lineFrom(corner, {}));
+        return loops;
+    }
+
+    /// Lines between corners where others meet or end, then closed ones.
+    std::vector<std::vector<Corner>> lines() {
+        std::vector<Corner> forks;
+        for (const auto& [corner, others] : ends_)
+            if (others.size() != 2) forks.push_back(corner);
+        std::vector<std::vector<Corner>> lines;
+        const std::set<Corner> stops(forks.begin(), forks.end());
+        for (const Corner& fork : forks)
+            while (!ends_[fork].empty())
+                lines.push_back(lineFrom(fork, stops));
+        for (auto& [corner, others] : ends_)
+            if (!others.empty()) lines.push_back(lineFrom(corner, stops));
+        return lines;
+    }
+
+  private:
+    std::vector<Corner> lineFrom(const Corner& start, const std::set<Corner>& stops) {
+        std::vector<Corner> line{start};
+        while (!ends_[line.back()].empty()) {
+            const Corner from = line.back();
+            const Corner to = *ends_[from].begin();
+            ends_[from].erase(to);
+            ends_[to].erase(from);
+            line.push_back(to);
+            if (stops.contains(to)) break;
+        }
+        return line;
+    }
+
+    std::map<Corner, std::set<Corner>> ends_;
+};
+
+/// Middles of the sides, which lie nearer to a slanting line than the corners do; ends stay.
+std::vector<Vec2> middlesOf(const std::vector<Corner>& line) {
+    const bool closed = line.front() == line.back();
+    std::vector<Vec2> points;
+    if (!closed) points.emplace_back(line.front()[0], line.front()[1]);
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        points.emplace_back((line[i][0] + line[i + 1][0]) / 2.0, (line[i][1] + line[i + 1][1]) / 2.0);
+    if (closed)
+        points.push_back(points.front());
+    else
+        points.emplace_back(line.back()[0], line.back()[1]);
+    return points;
+}
+
+double offLine(const Vec2& p, const Vec2& a, const Vec2& b) {
+    const Vec2 along = b - a;
+    const double length = along.norm();
+    return length > 0 ? std::abs(cross(along, p - a)) / length : (p - a).norm();
+}
+
+/// Keeps the points that the straight line between two kept ones would miss, the farthest first.
+void keepBetween(const std::vector<Vec2>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+    double farthest = kStraightCells;
+    std::size_t at = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+        const double off = offLine(points[i], points[from], points[to]);
+        if (off <= farthest) continue;
+        farthest = off;
+        at = i;
+    }
+    if (at == from) return;
+    kept[at] = true;
+    keepBetween(points, from, at, kept);
+    keepBetween(points, at, to, kept);
+}
+
+std::vector<Vec2> straightened(const std::vector<Vec2>& points) {
+    std::vector<bool> kept(points.size(), false);
+    kept.front() = kept.back() = true;
+    keepBetween(points, 0, points.size() - 1, kept);
+    std::vector<Vec2> line;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (kept[i]) line.push_back(points[i]);
+    return line;
+}
+
+std::string pathOf(const std::vector<std::vector<Corner>>& lines, std::size_t least_corners) {
+    std::string data;
+    for (const std::vector<Corner>& corners : lines) {
+        if (corners.size() <= least_corners) continue;
+        const std::vector<Vec2> line = straightened(middlesOf(corners));
+        for (std::size_t i = 0; i < line.size(); ++i)
+            fmt::format_to(std::back_inserter(data), "{}{:.1f} {:.1f}", i == 0 ? "M" : "L", line[i].x(),
+                           line[i].y());
+    }
+    return data;
+}
+
+/// Where the surface of `a` would be, as deep as it goes on, beside by (columns, rows).
+double goesOnTo(const SeenCell& a, int columns, int rows, double cell_mm) {
+    return a.depth_mm + (-a.normal.x() * columns + a.normal.y() * rows) / a.normal.z() * cell_mm;
+}
+
+bool isOneSurface(const SeenCell& a, const SeenCell& b, int columns, int rows, double cell_mm) {
+    if (a.normal.dot(b.normal) < kSmoothCos) return false;
+    const double most_mm = kStepCells * cell_mm;
+    return std::abs(goesOnTo(a, columns, rows, cell_mm) - b.depth_mm) < most_mm ||
+           std::abs(goesOnTo(b, -columns, -rows, cell_mm) - a.depth_mm) < most_mm;
+}
+
+Stroke strokeBetween(const SeenCell& a, const SeenCell& b, int columns, int rows, double cell_mm) {
+    const bool fixture_a = a.what == Shown::Fixture;
+    const bool fixture_b = b.what == Shown::Fixture;
+    if (a.what == Shown::Nothing || b.what == Shown::Nothing)
+        return a.what == b.what ? Stroke::None : fixture_a || fixture_b ? Stroke::Fixture : Stroke::Edge;
+    if (fixture_a != fixture_b) return Stroke::Edge;
+    if (!isOneSurface(a, b, columns, rows, cell_mm)) return fixture_a ? Stroke::Fixture : Stroke::Edge;
+    return a.what == b.what ? Stroke::None : Stroke::Cut;
+}
+
+}  // namespace
+
+std::string strokesOf(const Image& image, double cell_mm, Stroke stroke) {
+    Sides sides;
+    for (int row = 0; row < image.rows; ++row)
+        for (int column = 0; column < image.columns; ++column) {
+            const SeenCell& cell = image.at(column, row);
+            if (column + 1 < image.columns &&
+                strokeBetween(cell, image.at(column + 1, row), 1, 0, cell_mm) == stroke)
+                sides.add({column + 1, row}, {column + 1, row + 1});
+            if (row + 1 < image.rows &&
+                strokeBetween(cell, image.at(column, row + 1), 0, 1, cell_mm) == stroke)
+                sides.add({column, row + 1}, {column + 1, row + 1});
+        }
+    return pathOf(sides.lines(), kLeastCells);
+}
+
+std::string areaOf(const Image& image, const std::function<bool(const SeenCell&)>& is_in) {
+    Sides sides;
+    const auto in = [&](int column, int row) {
+        return column >= 0 && row >= 0 && column < image.columns && row < image.rows &&
+               is_in(image.at(column, row));
+    };
+    for (int row = 0; row <= image.rows; ++row)
+        for (int column = 0; column <= image.columns; ++column) {
+            if (in(column - 1, row) != in(column, row)) sides.add({column, row}, {column, row + 1});
+            if (in(column, row - 1) != in(column, row)) sides.add({column, row}, {column + 1, row});
+        }
+    return pathOf(sides.loops(), 0);
+}
+
+}  // namespace stepmill::report
