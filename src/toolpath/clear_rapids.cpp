@@ -9,6 +9,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/feature/heights.h"
+#include "stepmill/planar/chain.h"
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/emit.h"
@@ -58,7 +59,12 @@ class Ground {
 
     void add(const Edge& edge, const Vec3& from, const Vec3& to) {
         const double top_z_mm = std::max(from.z(), to.z());
-        cuts_.push_back({edge, top_z_mm});
+        if (!cuts_.empty() && cuts_.back().top_z_mm == top_z_mm && cuts_.back().edge.to() == edge.from &&
+            goesOn(cuts_.back().edge.from, cuts_.back().edge.segment, edge.segment)) {
+            cuts_.back().edge = makeEdge(cuts_.back().edge.from, edge.segment);
+        } else {
+            cuts_.push_back({edge, top_z_mm});
+        }
         const auto same = [&](double height) { return std::abs(height - top_z_mm) < kSameHeightMm; };
         if (from.z() == to.z() && std::none_of(heights_.begin(), heights_.end(), same))
             heights_.push_back(top_z_mm);

@@ -11,7 +11,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/edge.h"
+#include "stepmill/planar/chain.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"
 #include "verify/prove_operation.h"
@@ -45,8 +45,6 @@ constexpr int kLooksPerPiece = 3;
 /// Slopes may be steeper by this share, and heights by their rounding [mm].
 constexpr double kSlopeShare = 1e-3;
 constexpr double kSlopeRoundingMm = 3e-4;
-/// Pieces of an arc are put together up to here: a whole turn ends where it begins, and is none.
-constexpr double kLongestArcRad = 1.9 * kPi;
 /// A ramp begins this much over the material, so that turn by turn it sinks as much more than the step-down
 /// [mm].
 constexpr double kRampStartMm = 0.2;
@@ -66,43 +64,6 @@ WayKey keyOf(const Path& way) {
         key[6] = segment.arc->ccw ? 1 : -1;
     }
     return key;
-}
-
-/// Is the second edge, which starts where the first ends, another piece of the same line or arc?
-bool goesOn(const Vec2& from, const Segment& first, const Segment& second) {
-    if (first.arc != second.arc) return false;
-    if (first.arc) {
-        return std::abs(sweepAngle(from, first.to, *first.arc)) +
-                   std::abs(sweepAngle(first.to, second.to, *second.arc)) <
-               kLongestArcRad;
-    }
-    const Vec2 way = second.to - from;
-    return way.dot(first.to - from) > 0 && way.dot(second.to - first.to) > 0 &&
-           distanceTo(first.to, makeLine(from, second.to)) <= kGridMm;
-}
-
-/// Adds an edge to a chain; a piece of the line or arc that the chain ends with makes that longer.
-void extend(Path& chain, const Segment& segment) {
-    const std::size_t count = chain.segments.size();
-    const Vec2 from = count > 1 ? chain.segments[count - 2].to : chain.start;
-    if (count > 0 && goesOn(from, chain.segments.back(), segment)) {
-        chain.segments.back().to = segment.to;
-    } else {
-        chain.segments.push_back(segment);
-    }
-}
-
-/// The same ways, those that go on where the one before ended as one: what they sweep has fewer pieces.
-std::vector<Path> chained(const std::vector<Path>& ways) {
-    std::vector<Path> chains;
-    for (const Path& way : ways) {
-        if (chains.empty() || way.segments.empty() || chains.back().end() != way.start) {
-            chains.push_back(way);
-        } else {
-            extend(chains.back(), way.segments.front());
-        }
-    }
-    return chains;
 }
 
 /// What was cut down to one height, or below, so far.
