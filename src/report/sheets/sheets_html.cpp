@@ -51,7 +51,7 @@ Element picturesOf(const SheetSubject& subject, const PlannedSetup& setup, const
                            Element("figcaption", "When all is cut; shaded: was cut here")));
 }
 
-Element sheetOf(const SheetSubject& subject, std::size_t index) {
+Element setupSheet(const SheetSubject& subject, std::size_t index) {
     const std::vector<PlannedSetup>& setups = subject.plan().setups;
     const PlannedSetup& setup = setups[index];
     const Setup* before = index > 0 ? &setups[index - 1].setup : nullptr;
@@ -92,7 +92,7 @@ std::string stepmill::sheetsHtml(const ProvenPlan& proven, const SheetOptions& o
     const SheetSubject subject{proven, options.job, Measures(options.inch), tol};
     Element main("main.sheets");
     for (std::size_t i = 0; i < proven.plan.setups.size(); ++i)
-        main.add(sheetOf(subject, i));
+        main.add(setupSheet(subject, i));
     return printedDocument(proven.plan.part.name + ": setup sheets", std::move(main),
                            std::string(kPageStyle) + std::string(kSheetStyle) + paperStyle(options.paper));
 }
