@@ -5,7 +5,7 @@ OUT ?= out/$(basename $(notdir $(PART)))
 PREFIX ?= /usr/local
 STEPMILL = build/release/bin/stepmill
 # Whole plans and every fault of a disk take two thirds of the sanitizers' time; PlanPart stands for the plans.
-WHOLE_PLANS = 'JobFaults|PaperCase|Fixtures\.|FinishingPlan|PlanProven|CutTogether|RoughedSample'
+WHOLE_PLANS = 'JobFaults|PaperCase|Fixtures\.|FinishingPlan|PlanProven|CutTogether|RoughedSample|StickOuts\.|ChangedGround|Quote\.|WhatStaysOfResiduals'
 SOURCES = $$(git ls-files '*.h' '*.cpp')
 
 all: build/release/tests.configured
