@@ -122,6 +122,7 @@ void submitRound(const fs::path& round_folder, const std::vector<TaskGroup>& gro
 /// The jobs to do, shared out.
 TaskGroup firstTasks(const BatchOptions& options, const BatchPlan& plan, const std::vector<BatchJob>& to_do) {
     std::vector<double> expected_s;
+    expected_s.reserve(to_do.size());
     for (const BatchJob& job : to_do)
         expected_s.push_back(plan.sources.at(job.key.text()).expected_s / options.at_once);
     TaskGroup group;

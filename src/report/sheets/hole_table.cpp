@@ -54,6 +54,7 @@ std::string groupName(std::size_t number) {
 
 std::string placesWords(const std::vector<Vec2>& centres, const Measures& in) {
     std::vector<std::string> places;
+    places.reserve(centres.size());
     for (const Vec2& centre : centres)
         places.push_back(
             fmt::format("X\u00a0{} Y\u00a0{}", in.number(centre.x(), 3), in.number(centre.y(), 3)));

@@ -71,6 +71,7 @@ RunFigures figuresOf(const Plan& plan, const PlannedSetup& setup) {
 
 std::string toolNumbers(const std::set<int>& tools) {
     std::vector<std::string> words;
+    words.reserve(tools.size());
     for (const int tool : tools)
         words.push_back(fmt::format("T{}", tool));
     return listed(words);

@@ -89,6 +89,7 @@ std::vector<std::string> printCommand(const fs::path& folder) {
 /// Runs a command without a shell, silently. Is it done in time?
 bool runsWell(const std::vector<std::string>& command) {
     std::vector<char*> words;
+    words.reserve(command.size() + 1);
     for (const std::string& word : command)
         words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
