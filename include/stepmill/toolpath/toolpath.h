@@ -125,8 +125,8 @@ struct ClearingTask {
     double free_reach_mm = std::numeric_limits<double>::infinity();
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    double retract_z_mm = 0;   ///< rapids across what must stay go here
-    Region skirt;              ///< rapids stay off this too; cutters may cut it [Feature::skirt]
+    double retract_z_mm = 0;  ///< rapids across what must stay go here
+    Region skirt;             ///< rapids stay off this too; cutters may cut it [Feature::skirt]
     /// Nothing stands over this height where the cutter goes [mm].
     double stands_to_mm = std::numeric_limits<double>::infinity();
     Pattern pattern = Pattern::Best;  ///< a region that cannot have it gets contour-parallel
