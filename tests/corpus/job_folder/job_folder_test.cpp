@@ -96,8 +96,8 @@ TEST_F(JobFolders, NothingOfAnEarlierPlanAndItsPostsStays) {
     EXPECT_EQ(stepmill({"verify", job_.string(), "--dialect", "grbl"}).exit_code, 0);
     std::ofstream(job_ / "notes.txt") << "hers";
     plan(kShoulder);
-    EXPECT_EQ(namesIn(job_),
-              (std::set<std::string>{"S1.ngc", "manifest.json", "notes.txt", "plan.json", "report.html", "sheets.html"}));
+    EXPECT_EQ(namesIn(job_), (std::set<std::string>{"S1.ngc", "manifest.json", "notes.txt", "plan.json",
+                                                    "report.html", "sheets.html"}));
     EXPECT_EQ(slurp(job_ / "notes.txt"), "hers");
     EXPECT_EQ(namesIn(folder_.path()), std::set<std::string>{"job"});
 }
@@ -134,7 +134,8 @@ TEST_F(JobFolders, PostsInThePlansOwnDialectTakeThePlaceOfItsPrograms) {
     EXPECT_FALSE(fs::exists(job_ / "S1.ngc"));
     EXPECT_EQ(stepmill({"verify", job_.string()}).exit_code, 0);
     EXPECT_EQ(stepmill({"post", job_.string()}).exit_code, 0);
-    EXPECT_EQ(namesIn(job_), (std::set<std::string>{"S1.ngc", "manifest.json", "plan.json", "report.html", "sheets.html"}));
+    EXPECT_EQ(namesIn(job_),
+              (std::set<std::string>{"S1.ngc", "manifest.json", "plan.json", "report.html", "sheets.html"}));
 }
 
 TEST_F(JobFolders, AnEditedPlanIsToldAndNotPosted) {
@@ -165,8 +166,8 @@ TEST_F(JobFolders, OfTwoWritersOneIsRefusedOrBothAreWholeInTurn) {
         EXPECT_TRUE(one_end == 0 || one_end == 2) << one_end;
         EXPECT_TRUE(other_end == 0 || other_end == 2) << other_end;
         EXPECT_TRUE(one_end == 0 || other_end == 0);
-        EXPECT_EQ(namesIn(job_),
-                  (std::set<std::string>{"S1.ngc", "manifest.json", "plan.json", "report.html", "sheets.html"}));
+        EXPECT_EQ(namesIn(job_), (std::set<std::string>{"S1.ngc", "manifest.json", "plan.json", "report.html",
+                                                        "sheets.html"}));
         const Json manifest = Json::parse(slurp(job_ / "manifest.json"));
         const Json planned = Json::parse(slurp(job_ / "plan.json"));
         EXPECT_EQ(manifest["part"]["sha256"], planned["part"]["sha256"]);
