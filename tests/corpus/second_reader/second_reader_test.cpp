@@ -176,7 +176,9 @@ void expectUnderstood(const ExpectedOutcome& expected, const std::vector<std::st
     fmt::print("{} programs, {} motions ({} arcs) understood as we do\n", count.programs, count.motions,
                count.arcs);
     // A raw piece that is the part already has a program without motions.
-    EXPECT_EQ(count.motions > 0, !record.operations.empty() && count.withheld == 0);
+    if (count.withheld == 0) {
+        EXPECT_EQ(count.motions > 0, !record.operations.empty());
+    }
 }
 
 class SecondReaderOf : public testing::TestWithParam<ExpectedOutcome> {
