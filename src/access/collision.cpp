@@ -9,12 +9,48 @@
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge_index.h"
 
 namespace stepmill::access {
 namespace {
 
 /// A cylinder that comes into standing material by less than this share of the gouge budget touches it.
 constexpr double kTouchShare = 0.5;
+
+/// Has one of the loops its start in the region?
+bool anyStartsIn(const Region& region, const Region& loops) {
+    return std::any_of(loops.loops.begin(), loops.loops.end(),
+                       [&](const Loop& loop) { return contains(region, loop.start); });
+}
+
+/// Is some point of one region nearer than that to the other? Obstacles are shadows of the whole part: the
+/// few of their edges near the centres tell, where an offset would be made of all.
+bool isNearer(const Region& centres, const Region& obstacle, double distance_mm) {
+    if (centres.empty() || obstacle.empty()) return false;
+    const EdgeIndex edges(centres);
+    const Box2 reach = grown(edges.box(), distance_mm);
+    for (const Edge& edge : edgesOf(obstacle))
+        if (edge.box.intersects(reach) && edges.anyNearer(edge, distance_mm)) return true;
+    // Where no boundaries are near, one lies wholly inside the other or they are apart.
+    return anyStartsIn(obstacle, centres) || anyStartsIn(centres, obstacle);
+}
+
+/// The axis goes no farther than this beyond the ground that its centres are asked for: entries lie beside it
+/// [mm].
+constexpr double kBesideMm = 2;
+
+/// The blocker's obstacle grown by that, as far as it tells of the place. Obstacles are shadows of the whole
+/// part: beside small ground the few edges near it are grown, else all of them once for all tools.
+Region grownNear(const FeatureGround& ground, const Blocker& blocker, double by_mm, const Box2& place) {
+    const Region& section = ground.feature().obstacles.at(blocker.obstacle).section;
+    const Box2 near = grown(place, by_mm + kBesideMm);
+    const std::vector<Edge> edges = edgesOf(section);
+    const auto in_reach = static_cast<std::size_t>(std::count_if(
+        edges.begin(), edges.end(), [&](const Edge& edge) { return edge.box.intersects(near); }));
+    if (2 * in_reach > edges.size()) return ground.obstacleOffset(blocker.obstacle, by_mm);
+    const Region part = intersect(section, makeRectangle(near.min(), near.max()), ground.tolerances());
+    return part.empty() ? part : offset(part, by_mm, ground.tolerances());
+}
 
 }  // namespace
 
@@ -56,8 +92,9 @@ Region collisionFreeCentres(const FeatureGround& ground, const std::vector<Block
                             Region centres) {
     for (const Blocker& blocker : blockers) {
         if (centres.empty()) break;
-        centres = subtract(centres, ground.obstacleOffset(blocker.obstacle, blocker.radius_mm),
-                           ground.tolerances());
+        const Box2 place = boundingBox(centres);
+        centres =
+            subtract(centres, grownNear(ground, blocker, blocker.radius_mm, place), ground.tolerances());
     }
     return centres;
 }
@@ -65,8 +102,10 @@ Region collisionFreeCentres(const FeatureGround& ground, const std::vector<Block
 Feature withoutHolder(const FeatureGround& ground, const std::vector<Blocker>& blockers, double radius_mm) {
     const Tolerances& tol = ground.tolerances();
     std::vector<Region> kept_off{ground.feature().obstruction};
+    // Centres lie within the cutter's radius of the target, and what it sweeps within another.
+    const Box2 place = grown(boundingBox(ground.feature().target), 2 * radius_mm);
     for (const Blocker& blocker : blockers)
-        kept_off.push_back(ground.obstacleOffset(blocker.obstacle, blocker.radius_mm - radius_mm));
+        kept_off.push_back(grownNear(ground, blocker, blocker.radius_mm - radius_mm, place));
     Feature feature = ground.feature();
     feature.obstruction = unite(kept_off, tol);
     feature.target = subtract(feature.target, feature.obstruction, tol);
@@ -109,8 +148,9 @@ std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const T
 
 bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Region& centres) {
     const Tolerances& tol = ground.tolerances();
-    const double touching_mm = blocker.radius_mm - kTouchShare * tol.gouge_mm;
-    return !intersect(centres, ground.obstacleOffset(blocker.obstacle, touching_mm), tol).empty();
+    // Strips of centres that coincide with their end are none.
+    const double touching_mm = blocker.radius_mm - kTouchShare * tol.gouge_mm - tol.linear_mm;
+    return isNearer(centres, ground.feature().obstacles.at(blocker.obstacle).section, touching_mm);
 }
 
 }  // namespace stepmill::access

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <mutex>
 
 #include "access/lazy_diagram.h"
@@ -38,6 +39,27 @@ double widestRadiusFromOutside(const FeatureGround& ground) {
     return room_mm;
 }
 
+/// What shank and holder keep off, with what it was grown to: tools have few holders between them, and each
+/// is asked about again and again.
+class LazyObstacle {
+  public:
+    Region offset(const Region& section, double distance_mm, const Tolerances& tol) {
+        {
+            const std::lock_guard lock(mutex_);
+            if (const auto known = offsets_.find(distance_mm); known != offsets_.end()) return known->second;
+        }
+        // Not under the lock: making it may start tasks. Two threads that make the same make equal ones.
+        Region made = offsetOf(diagram_, section, distance_mm, tol);
+        const std::lock_guard lock(mutex_);
+        return offsets_.emplace(distance_mm, std::move(made)).first->second;
+    }
+
+  private:
+    LazyDiagram diagram_;
+    std::mutex mutex_;
+    std::map<double, Region> offsets_;
+};
+
 }  // namespace
 
 struct FeatureGround::Impl {
@@ -46,7 +68,7 @@ struct FeatureGround::Impl {
     bool walled_in = false;
     std::unique_ptr<LazyDiagram> target = std::make_unique<LazyDiagram>();
     std::unique_ptr<LazyDiagram> obstruction = std::make_unique<LazyDiagram>();
-    std::vector<std::unique_ptr<LazyDiagram>> obstacles;
+    std::vector<std::unique_ptr<LazyObstacle>> obstacles;
     std::once_flag widest_once;
     double widest_mm = 0;
 };
@@ -57,7 +79,7 @@ FeatureGround::FeatureGround(const Feature& feature, const Tolerances& tol)
     impl_->tol = tol;
     impl_->walled_in = feature.open_length_mm <= tol.sliver_mm;
     for (std::size_t i = 0; i < feature.obstacles.size(); ++i)
-        impl_->obstacles.push_back(std::make_unique<LazyDiagram>());
+        impl_->obstacles.push_back(std::make_unique<LazyObstacle>());
 }
 
 FeatureGround::~FeatureGround() = default;
@@ -94,8 +116,8 @@ Region FeatureGround::obstructionOffset(double distance_mm) const {
 }
 
 Region FeatureGround::obstacleOffset(std::size_t index, double distance_mm) const {
-    return offsetOf(*impl_->obstacles.at(index), impl_->feature.obstacles.at(index).section, distance_mm,
-                    impl_->tol);
+    return impl_->obstacles.at(index)->offset(impl_->feature.obstacles.at(index).section, distance_mm,
+                                              impl_->tol);
 }
 
 double FeatureGround::widestCutterMm() const {
