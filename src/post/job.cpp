@@ -8,7 +8,7 @@ std::vector<FedMove> fedMoves(const Toolpath& path) {
     std::vector<FedMove> moves;
     moves.reserve(path.moves.size());
     for (const Move& move : path.moves)
-        moves.push_back({move, path.feedOf(move.kind)});
+        moves.push_back({move, path.feedOf(move)});
     return moves;
 }
 

@@ -69,11 +69,11 @@ MotionWriter::Point MotionWriter::toGrid(const Vec3& point) const {
 }
 
 std::string MotionWriter::nextNumber() {
-    return fmt::format("N{} ", ++block_);
+    return fmt::format("N{}", ++block_);
 }
 
 void MotionWriter::begin(int g_word) {
-    out_ += nextNumber() + fmt::format("G{}", g_word);
+    out_ += nextNumber() + fmt::format(" G{}", g_word);
 }
 
 void MotionWriter::feed(double feed_mm_per_min) {
@@ -166,7 +166,8 @@ void MotionWriter::write(const Vec3& start, const std::vector<FedMove>& moves) {
 }
 
 void MotionWriter::drill(const DrillCycle& cycle, std::string_view dwell_word) {
-    const Point at = toGrid({cycle.at.x(), cycle.at.y(), cycle.initial_z_mm});
+    const auto over = [&](const Vec2& place) { return toGrid({place.x(), place.y(), cycle.initial_z_mm}); };
+    const Point at = over(cycle.places.front());
     if (at != at_) straight(0, at, 0);
     // Back to the height it starts from, so that the next way over is as high as this one.
     out_ += fmt::format("N{} G98 G{} X{} Y{} Z{} R{}", ++block_,
@@ -180,7 +181,12 @@ void MotionWriter::drill(const DrillCycle& cycle, std::string_view dwell_word) {
         out_ += " Q" + number(std::max<Grid>(1, static_cast<Grid>(cycle.peck_mm * grid_per_mm_)));
     out_ += dwell_word;
     feed(cycle.feed_mm_per_min);
-    out_ += fmt::format("\nN{} G80\n", ++block_);
+    out_ += "\n";
+    for (auto place = cycle.places.begin() + 1; place != cycle.places.end(); ++place) {
+        at_ = over(*place);
+        out_ += nextNumber() + " X" + number(at_.x) + " Y" + number(at_.y) + "\n";
+    }
+    out_ += nextNumber() + " G80\n";
 }
 
 }  // namespace stepmill

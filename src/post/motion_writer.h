@@ -21,7 +21,7 @@ class MotionWriter {
   public:
     explicit MotionWriter(std::string& out, bool inch = false);
 
-    /// The number of the next block, as a word and a blank, for a block that is written elsewhere.
+    /// The number of the next block, as a word, for a block that is written elsewhere.
     std::string nextNumber();
     /// To the first place of an operation; the blocks name place and feed in full, whatever was before.
     /// \param z_words  go with the block in z: the tool's length offset

@@ -50,8 +50,9 @@ void OperationStart::write(const JobOperation* before, const JobOperation& next)
     const bool changes = before == nullptr || before->tool.id != next.tool.id;
     const bool stops = optional_stops_ && before != nullptr;
     const bool leaves = changes || stops;
-    number_ = motion_.nextNumber();
-    starts_.push_back({next.id, number_});
+    const std::string number = motion_.nextNumber();
+    number_ = number + " ";
+    starts_.push_back({next.id, number});
     if (leaves) leave();
     if (stops) line("M1");
     if (changes) putIn(next.tool, before == nullptr);

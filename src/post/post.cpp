@@ -1,5 +1,7 @@
 #include "stepmill/post/post.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "post/comment.h"
@@ -37,7 +39,7 @@ class ProgramWriter {
           motion_(body_, options.inch),
           start_(job, options, body_, motion_) {}
 
-    std::string write() {
+    PostedProgram write(const std::string& file) {
         const JobOperation* before = nullptr;
         for (const JobOperation& operation : job_.operations) {
             body_ += operationComment(operation, inch_) + "\n";
@@ -46,7 +48,7 @@ class ProgramWriter {
             before = &operation;
         }
         start_.end();
-        return top() + body_ + (rules_.percent ? "%\n" : "");
+        return {file, top() + body_ + (rules_.percent ? "%\n" : ""), start_.starts()};
     }
 
   private:
@@ -79,16 +81,23 @@ class ProgramWriter {
         motion_.drill(found->cycle, dwell);
     }
 
-    /// Move by move, with the dwell after the last feed.
+    /// Move by move, with a dwell at the bottom of every hole.
     void writeExpanded(const JobOperation& operation, const std::string& dwell) {
         const std::vector<FedMove>& moves = operation.moves;
         if (dwell.empty()) return motion_.write(operation.start, moves);
-        auto last = moves.end();
-        while (last != moves.begin() && (last - 1)->move.kind == MoveKind::Rapid)
-            --last;
-        motion_.write(operation.start, {moves.begin(), last});
-        body_ += "G4" + dwell + "\n";
-        motion_.write(last == moves.begin() ? operation.start : (last - 1)->move.to, {last, moves.end()});
+        double bottom_mm = operation.start.z();
+        for (const FedMove& one : moves)
+            bottom_mm = std::min(bottom_mm, one.move.to.z());
+        Vec3 from = operation.start;
+        auto first = moves.begin();
+        for (auto next = moves.begin(); next != moves.end(); ++next) {
+            if (next->move.kind == MoveKind::Rapid || next->move.to.z() > bottom_mm) continue;
+            motion_.write(from, {first, next + 1});
+            body_ += "G4" + dwell + "\n";
+            from = next->move.to;
+            first = next + 1;
+        }
+        motion_.write(from, {first, moves.end()});
     }
 
     const Job& job_;
@@ -114,14 +123,14 @@ std::vector<PostedProgram> post(const Job& job, const PostOptions& options) {
     toolsOf(job);  // refuses two tools of one number before anything is written
     const int setup = numberOf(job.setup_id);
     if (!options.per_tool)
-        return {{programName(job.setup_id, options.dialect), ProgramWriter(job, options, setup).write()}};
+        return {ProgramWriter(job, options, setup).write(programName(job.setup_id, options.dialect))};
     std::vector<PostedProgram> programs;
     for (const Job& visit : visits(job)) {
         const int number = static_cast<int>(programs.size()) + 1;
         const std::string name =
             fmt::format("{}-{}-T{}", job.setup_id, number, visit.operations.front().tool.number);
-        programs.push_back({programName(name, options.dialect),
-                            ProgramWriter(visit, options, kProgramsASetup * setup + number).write()});
+        programs.push_back(ProgramWriter(visit, options, kProgramsASetup * setup + number)
+                               .write(programName(name, options.dialect)));
     }
     return programs;
 }

@@ -31,7 +31,7 @@ std::string toleranceText(double tolerance_mm, bool inch) {
 }
 
 std::string startText(const StartBlock& start) {
-    return fmt::format("From {}{}", start.number, start.operation_id);
+    return fmt::format("From {} {}", start.number, start.operation_id);
 }
 
 }  // namespace

@@ -7,12 +7,6 @@
 
 namespace stepmill {
 
-/// Where an operation's first block stands in its program.
-struct StartBlock {
-    std::string operation_id;
-    std::string number;  ///< "N12 "
-};
-
 /// A length in the program's unit, without the unit's name.
 std::string lengthText(double value_mm, bool inch);
 /// "mm" or "inch".

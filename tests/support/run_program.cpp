@@ -29,6 +29,18 @@ void redirect(int stream, const fs::path& path) {
     dup2(file, stream);
 }
 
+/// In a child: the program takes its place, with its streams in these files.
+[[noreturn]] void become(std::vector<std::string> arguments, const fs::path& out, const fs::path& err) {
+    redirect(STDOUT_FILENO, out);
+    redirect(STDERR_FILENO, err);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments)
+        argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(127);
+}
+
 std::vector<std::string> stepFiles(const fs::path& folder) {
     std::vector<std::string> files;
     std::error_code missing;
@@ -49,16 +61,7 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("fork failed");
-    if (child == 0) {
-        redirect(STDOUT_FILENO, out);
-        redirect(STDERR_FILENO, err);
-        std::vector<char*> argv;
-        for (const std::string& argument : arguments)
-            argv.push_back(const_cast<char*>(argument.c_str()));
-        argv.push_back(nullptr);
-        execv(argv[0], argv.data());
-        _exit(127);
-    }
+    if (child == 0) become(arguments, out, err);
     int status = 0;
     rusage used{};
     wait4(child, &status, 0, &used);
@@ -69,6 +72,13 @@ ProgramRun runProgram(const std::vector<std::string>& arguments) {
     run.out = slurp(out);
     run.err = slurp(err);
     return run;
+}
+
+pid_t startProgram(const std::vector<std::string>& arguments) {
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("fork failed");
+    if (child == 0) become(arguments, "/dev/null", "/dev/null");
+    return child;
 }
 
 std::string stepmillBinary() {

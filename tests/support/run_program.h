@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/types.h>
+
 namespace stepmill::test {
 
 /// What a program printed and how it ended.
@@ -16,6 +18,9 @@ struct ProgramRun {
 
 /// Runs a program without a shell and waits for it.
 ProgramRun runProgram(const std::vector<std::string>& arguments);
+
+/// Starts a program in silence; who calls awaits its end.
+pid_t startProgram(const std::vector<std::string>& arguments);
 
 /// The program under test.
 std::string stepmillBinary();

@@ -57,10 +57,17 @@ struct PostOptions {
     bool optional_stops = false;  ///< before every operation but the first: home, then M1
 };
 
+/// Where an operation starts in its program.
+struct StartBlock {
+    std::string operation_id;
+    std::string number;  ///< "N12"
+};
+
 /// A program and the name of the file it belongs in.
 struct PostedProgram {
     std::string file;
     std::string text;
+    std::vector<StartBlock> starts;  ///< one an operation, in order; none of a program read from its file
 };
 
 /// The programs of one setup: header comments (part, setup, stock, work offset, tools), a safe start line,

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "report/page/program_lines.h"
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
-#include "stepmill/plan/warning_order.h"
 
 namespace stepmill::report {
 namespace {
@@ -92,13 +92,6 @@ std::vector<Element> notes(const JobDetails& job) {
 
 }  // namespace
 
-const PostedProgram* programOf(const SheetSubject& subject, const PlannedSetup& setup) {
-    const auto found = subject.proven.files.programs.find(setup.setup.id);
-    if (!subject.proven.mayRun() || !isWithinTravel(subject.plan(), setup.setup.id)) return nullptr;
-    if (found == subject.proven.files.programs.end() || found->second.empty()) return nullptr;
-    return &found->second.front();
-}
-
 Element jobBlock(const SheetSubject& subject) {
     const JobDetails& job = subject.job;
     const Plan& plan = subject.plan();
@@ -132,7 +125,7 @@ Element runTable(const SheetSubject& subject) {
                  numbers("time")});
     for (const PlannedSetup& setup : plan.setups) {
         const RunFigures run = figuresOf(plan, setup);
-        table.row(setup.setup.id, programWords(programOf(subject, setup)), axisName(setup.setup.axis),
+        table.row(setup.setup.id, programWords(programOf(subject.proven, setup)), axisName(setup.setup.axis),
                   toolNumbers(run.tools), std::to_string(setup.operations.size()), in.number(run.highest_mm),
                   in.number(run.lowest_mm), in.feed(run.feed_mm_per_min), fixed(run.speed_rpm, 0),
                   in.way(run.cut_mm), in.way(run.rapid_mm), clockTime(setup.motion_s));

@@ -1,12 +1,10 @@
 // The operations of a setup, in machining order.
 
 #include <algorithm>
-#include <map>
-#include <sstream>
-#include <utility>
 
 #include <fmt/format.h>
 
+#include "report/page/program_lines.h"
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
@@ -38,35 +36,32 @@ std::string leavesWords(const FinishAllowance& leaves, const Measures& in) {
     return fmt::format("{}, {}", in.number(leaves.walls_mm), in.number(leaves.floors_mm));
 }
 
-/// Numbers of the blocks that operations start with, by operation id: each is the first after the comment
-/// that verify knows the operation by.
-std::map<std::string, std::string> firstBlocks(const PostedProgram* program) {
-    std::map<std::string, std::string> blocks;
-    std::istringstream lines(program == nullptr ? std::string() : program->text);
-    std::string operation;
-    for (std::string line; std::getline(lines, line);) {
-        const std::string word = line.substr(0, line.find(' '));
-        if (line.starts_with("(S"))
-            operation = word.substr(1);
-        else if (!operation.empty() && line.starts_with("N"))
-            blocks.emplace(std::exchange(operation, ""), word);
-    }
-    return blocks;
-}
-
-std::string firstBlock(const std::map<std::string, std::string>& blocks, const std::string& operation_id) {
-    const auto found = blocks.find(operation_id);
-    return found == blocks.end() ? "-" : found->second;
+std::string firstBlock(const PostedProgram* program, const std::string& operation_id) {
+    const StartBlock* start = startOf(program, operation_id);
+    return start == nullptr ? "-" : start->number;
 }
 
 std::string shareWords(double time_s, double all_s) {
     return all_s > 0 ? fixed(100 * time_s / all_s, 0) + " %" : "-";
 }
 
+/// What the hardest cut asks of the spindle; empty where nothing is known of that.
+std::string powerWords(const PlannedSetup& setup) {
+    const Operation* hardest = nullptr;
+    for (const Operation& operation : setup.operations)
+        if (operation.rating && (hardest == nullptr || operation.cuts.peak_kw > hardest->cuts.peak_kw))
+            hardest = &operation;
+    if (hardest == nullptr) return {};
+    return fmt::format(
+        " Feeds are lower in wide cuts and higher in thin ones; the most power is asked for by {}, "
+        "{:.1f} kW.",
+        shortId(hardest->id), hardest->cuts.peak_kw);
+}
+
 }  // namespace
 
 double timeOf(const Operation& operation) {
-    return operation.path.totals.motion_time_s + operation.dwell_s;
+    return operation.path.totals.motion_time_s + operation.dwellOfAll_s();
 }
 
 double lowestMm(const Operation& operation) {
@@ -78,7 +73,7 @@ double lowestMm(const Operation& operation) {
 
 Element operationTable(const SheetSubject& subject, const PlannedSetup& setup) {
     const Measures& in = subject.measures;
-    const std::map<std::string, std::string> blocks = firstBlocks(programOf(subject, setup));
+    const PostedProgram* program = programOf(subject.proven, setup);
     const std::string unit = in.unit();
     Table table({numbers("no."),
                  "feature",
@@ -104,12 +99,13 @@ Element operationTable(const SheetSubject& subject, const PlannedSetup& setup) {
                   leavesWords(operation.leaves, in),
                   fmt::format("{}, {}", in.feed(path.feed_mm_per_min), in.feed(path.plunge_feed_mm_per_min)),
                   fixed(operation.speed_rpm, 0), toString(operation.coolant), clockTime(timeOf(operation)),
-                  shareWords(timeOf(operation), setup.motion_s), firstBlock(blocks, operation.id));
+                  shareWords(timeOf(operation), setup.motion_s), firstBlock(program, operation.id));
     }
-    const std::string more = fmt::format(
+    std::string more = fmt::format(
         "{} operation{}, {} with tool changes. Climb milling; the tool's centre is programmed, D is not "
         "called.",
         setup.operations.size(), setup.operations.size() == 1 ? "" : "s", clockTime(setup.motion_s));
+    more += powerWords(setup);
     return titled("Operations", Element("div", std::move(table).element(), Element("p.soft", more)));
 }
 

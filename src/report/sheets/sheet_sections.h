@@ -34,9 +34,6 @@ double timeOf(const Operation& operation);
 /// The lowest place of the tool's tip [mm].
 double lowestMm(const Operation& operation);
 
-/// The setup's program; null where none is written.
-const PostedProgram* programOf(const SheetSubject& subject, const PlannedSetup& setup);
-
 /// Part, revision, customer and so on; what is not told is a line to write on.
 Element jobBlock(const SheetSubject& subject);
 /// The whole job: a row for each setup.

@@ -4,6 +4,7 @@
 
 #include "report/page/document.h"
 #include "report/page/page_style.h"
+#include "report/page/program_lines.h"
 #include "report/page/words.h"
 #include "report/sheets/setup_pictures.h"
 #include "report/sheets/sheet_sections.h"
@@ -24,7 +25,7 @@ namespace {
 
 Element sheetHead(const SheetSubject& subject, const PlannedSetup& setup) {
     const Plan& plan = subject.plan();
-    const PostedProgram* program = programOf(subject, setup);
+    const PostedProgram* program = programOf(subject.proven, setup);
     const std::string name = subject.job.part.empty() ? plan.part.name : subject.job.part;
     return Element("div.head",
                    Element("h1", fmt::format("Setup {} of {}", setup.setup.id, plan.setups.size())),

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "report/page/program_lines.h"
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
 #include "stepmill/core/enum_words.h"
@@ -52,7 +53,7 @@ std::string warningText(const Warning& warning) {
 std::vector<Squawk> ownSquawks(const SheetSubject& subject, const PlannedSetup& setup) {
     std::vector<Squawk> own;
     const Plan& plan = subject.plan();
-    if (programOf(subject, setup) == nullptr)
+    if (programOf(subject.proven, setup) == nullptr)
         own.push_back({Grade::Danger, "No program is written for this setup: run none that lies about."});
     if (!setup.clamping.vise && !plan.request.fixtures.setups.contains(setup.setup.id))
         own.push_back({Grade::Caution, "No way to hold it is known; the paths keep clear of no clamp (" +

@@ -53,16 +53,7 @@ class JobFolders : public testing::Test {
     /// Starts the program; its end is awaited with endOf().
     static pid_t start(Words words) {
         words.insert(words.begin(), stepmillBinary());
-        const pid_t child = fork();
-        if (child != 0) return child;
-        std::vector<char*> argv;
-        for (std::string& word : words)
-            argv.push_back(word.data());
-        argv.push_back(nullptr);
-        if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(126);
-        if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(126);
-        execv(argv[0], argv.data());
-        _exit(127);
+        return startProgram(words);
     }
 
     /// As a shell says it: 128 and the signal's number for one that killed it.

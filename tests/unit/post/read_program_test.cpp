@@ -72,7 +72,8 @@ TEST_P(EveryDialect, ComesBackAsItWasPlanned) {
         ASSERT_FALSE(operation.moves.empty());
         for (const ReadMove& move : operation.moves)
             expectState(back.states[move.state], planned, back.has_length_offsets);
-        ASSERT_EQ(operation.dwells.size(), planned.dwell_s > 0 ? 1U : 0U);
+        ASSERT_EQ(operation.dwells.size(),
+                  planned.dwell_s > 0 ? static_cast<std::size_t>(std::max(1, planned.holes)) : 0U);
         if (planned.dwell_s > 0) {
             EXPECT_NEAR(operation.dwells.front().seconds, planned.dwell_s, 1e-3);
         }
@@ -90,6 +91,28 @@ INSTANTIATE_TEST_SUITE_P(Posts, EveryDialect,
                              return toString(std::get<0>(parameter.param)) +
                                     (std::get<1>(parameter.param) ? "Inch" : "Metric");
                          });
+
+TEST(Post, WritesEqualHolesAsOneCycle) {
+    const Plan plan = drilledPlan();
+    const std::string text = post(jobOf(plan, plan.setups[0]), {}).front().text;
+    const std::size_t cycle = text.rfind("G82");
+    ASSERT_NE(cycle, std::string::npos);
+    const std::string block = text.substr(cycle, text.find("G80", cycle) - cycle);
+    EXPECT_NE(block.find("X30.0000 Y10.0000 Z-10.0000 R"), std::string::npos) << block;
+    EXPECT_NE(block.find(" X40.0000 Y10.7654\n"), std::string::npos) << block;
+    EXPECT_NE(block.find(" X40.0000 Y20.0000\n"), std::string::npos) << block;
+}
+
+TEST(Post, ExpandsEveryHoleWhereThereAreNoCycles) {
+    const Plan plan = drilledPlan();
+    const Job job = jobOf(plan, plan.setups[0]);
+    const std::vector<PostedProgram> posted = post(job, {Dialect::Grbl});
+    const ReadProgram back = readProgram(posted.front().text, posted.front().file, Dialect::Grbl);
+    const ReadOperation& group = back.operations.back();
+    EXPECT_EQ(group.dwells.size(), 3U);
+    for (const ReadDwell& dwell : group.dwells)
+        EXPECT_NEAR(dwell.z_mm, -10, 1e-4);
+}
 
 TEST(ReadProgram, ReadsPecksAsLinuxCncDrillsThem) {
     const ReadProgram program =
