@@ -201,6 +201,7 @@ void addBatchCommand(CLI::App& app, int& exit_code) {
     addClusterOptions(*batch, *options, *on_node);
     addLimitOptions(*batch, options->limits);
     addPlanningOptions(*batch, *plan);
+    addOfferOptions(*batch, *plan);
     batch->add_option("--fault", options->faults)->group("");
     batch->footer(
         "--timeout and --memory hold for each part; memory by default is shared by the parts at once.\n"
@@ -210,6 +211,7 @@ void addBatchCommand(CLI::App& app, int& exit_code) {
         "  stepmill batch parts -o night\n"
         "  stepmill batch parts -o night --resume\n"
         "  stepmill batch orders.csv -o orders --material steel --jobs 8\n"
+        "  stepmill batch parts -o night --buy catalogue.json\n"
         "  stepmill batch parts -o /shared/night --slurm --partition cpu\n"
         "  stepmill batch --status night\n"
         "  stepmill batch --magazine night --places 16 --load-tool 120");

@@ -10,6 +10,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/report/batch_page.h"
+#include "stepmill/report/offers.h"
 
 namespace stepmill {
 
@@ -66,6 +67,7 @@ void writeTables(const fs::path& out, const std::vector<BatchRow>& rows) {
     writeFile(out / "index.html", batchHtml(rows));
     writeFile(out / "parts.csv", partsCsv(rows));
     writeFile(out / "tools.csv", toolsCsv(rows));
+    writeFile(out / "buy.csv", offersCsv(offersOf(rows)));
 }
 
 int tellBatch(const BatchOptions& options, const Ledger& ledger) {

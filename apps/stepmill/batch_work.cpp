@@ -72,7 +72,8 @@ class PlannedJob {
 
     PlanListener listener() {
         return {[this](const std::vector<Part>& parts) { requireListed(parts); },
-                [this](const ProvenPlan& proven, const fs::path& folder) { take(proven.plan, folder); }};
+                [this](const ProvenPlan& proven, const fs::path& folder,
+                       const std::vector<OfferWorth>& offers) { take(proven.plan, folder, offers); }};
     }
 
     void writeRecordOf(int exit_code) const { writeRecord(batch_, job_, {exit_code, figuresJson(figures_)}); }
@@ -82,11 +83,12 @@ class PlannedJob {
         if (parts.front().sha256 != job_.key.part_sha256) throw FileChanged();
     }
 
-    void take(const Plan& plan, const fs::path& folder) {
+    void take(const Plan& plan, const fs::path& folder, const std::vector<OfferWorth>& offers) {
         const bool own = folder == folder_.path();
         PartFigures figures =
             figuresOf(plan, own ? "report.html" : (folder.filename() / "report.html").string());
         figures.picture = pictureOf(plan.part);
+        figures.offers = offers;
         addFigures(figures_, figures);
     }
 
@@ -111,6 +113,7 @@ int planBatchJob(const BatchOptions& options, const BatchPlan& plan, const Batch
     PlanOptions wanted = planOptions(source.options);
     wanted.part_file = fileOf(source).string();
     wanted.limits = options.limits;
+    wanted.viewer = false;  // a megabyte a part
     try {
         const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
                                                 static_cast<std::size_t>(threads));

@@ -11,7 +11,7 @@ namespace stepmill {
 /// Options of plan that change it, by name without dashes, with what was typed for each.
 using OptionWords = std::map<std::string, std::vector<std::string>>;
 
-/// Those that the command got: one that addPlanningOptions() gave its options.
+/// Those that the command got: one that addPlanningOptions() and addOfferOptions() gave its options.
 OptionWords optionWords(const CLI::App& command);
 
 /// Those in a line of a list, as typed behind `stepmill plan`. \throws Error(Usage)

@@ -7,6 +7,8 @@
 #include "commands.h"
 #include "output.h"
 #include "run.h"
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/report/offers.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -53,6 +55,12 @@ void tellFailures(const Verification& verification) {
     }
 }
 
+/// What the tools of --buy are worth to a plan; empty without them.
+std::vector<OfferWorth> offersFor(const Plan& plan, const PlanOptions& options, const Tolerances& tol) {
+    if (options.buy_file.empty()) return {};
+    return worthOfOffers(plan, readToolLibrary(options.buy_file, options.limits.maxFileBytes()), tol);
+}
+
 /// Plans, proves and writes one part, and tells what came of it.
 int planOne(const Part& part, const PlanOptions& options, const PlanRequest& request, const Shop& shop,
             JobFolder& folder, ProgressLine& progress, const PlanListener& listener) {
@@ -63,9 +71,12 @@ int planOne(const Part& part, const PlanOptions& options, const PlanRequest& req
                    [&](const std::string& stage, double share) { progress.show(stage, share); });
     progress.show("writing the report", 1);
     const Sheets sheets = makeSheets(proven, sheet_options, options.pdf, tol);
-    writePlan(proven, sheets, folder, tol);
+    const ReportOptions report{sheet_options.inch, options.viewer};
+    writePlan(proven, sheets, report, folder, tol);
     if (!sheets.why_no_pdf.empty()) tell("sheets.pdf is not written: {}", sheets.why_no_pdf);
     tellReplacedEdits(folder);
+    if (!options.buy_file.empty()) progress.show("what to buy", 1);
+    const std::vector<OfferWorth> offers = offersFor(proven.plan, options, tol);
     progress.show("done", 1);
     if (options.json)
         printData(proven.files.plan_json + "\n");
@@ -73,8 +84,10 @@ int planOne(const Part& part, const PlanOptions& options, const PlanRequest& req
         printOut(fmt::format("{}\nReport: {}\nSheets: {}\n", summaryText(proven.plan),
                              (asGiven(folder, options) / "report.html").string(),
                              (asGiven(folder, options) / "sheets.html").string()));
+    if (!options.buy_file.empty() && !options.json)
+        printOut(offersText(offers, proven.plan.machine.currency));
     tellFailures(proven.verification);
-    if (listener.planned) listener.planned(proven, folder.path());
+    if (listener.planned) listener.planned(proven, folder.path(), offers);
     return exitCodeOf(proven, options, tol);
 }
 
@@ -109,6 +122,7 @@ int planFile(const PlanOptions& options, Workplace& place, const PlanListener& l
     const Shop shop = loadShop(options);
     place.progress.showImport(options.part_file);
     const PlanRequest request = planRequest(options, shop.machine);
+    if (!options.buy_file.empty()) readToolLibrary(options.buy_file, options.limits.maxFileBytes());
     sheetOptions(options);  // a job file with a slip of the pen costs no plan
     const std::vector<Part> parts = chooseParts(options);
     if (listener.imported) listener.imported(parts);
@@ -128,6 +142,11 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--machine", options.machine_file, "machine (JSON); default: a machining centre");
     command.add_option("--fixtures", options.fixtures_file,
                        "what holds the part in each setup (JSON); default: the jaws of the suggested vise");
+    command.add_flag("--cutting-model", options.cutting_model,
+                     "let feeds follow what each move cuts: rated removal, slots, power and torque of the "
+                     "spindle");
+    command.add_option("--materials", options.materials_file,
+                       "what cuts of each material ask for (JSON); default: seven usual ones");
     command.add_option("--material", options.material, "material the cutting data are for")
         ->capture_default_str();
     command.add_option("--objective", options.objective, "what the tool sequence makes least")
@@ -151,9 +170,10 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
 void addSheetOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--job", options.job_file,
                        "what the head of the setup sheets says: customer, programmer, quantity, ... (JSON)");
-    command.add_option("--display", options.display, "unit of the setup sheets")
+    command.add_option("--display", options.display, "unit of report and setup sheets")
         ->check(CLI::IsMember({"mm", "inch"}))
         ->capture_default_str();
+    command.add_flag("!--no-viewer", options.viewer, "a plain report.html: no script, a few hundred kB less");
     command.add_flag(
         "--pdf", options.pdf,
         "write sheets.pdf too, where Chromium or WeasyPrint is installed; A4, with inches Letter");
@@ -165,6 +185,12 @@ void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& f
     addImportOption(command, options);
     addSheetOptions(command, options);
     command.add_flag("--json", options.json, "print plan.json on standard output instead of the summary");
+}
+
+void addOfferOptions(CLI::App& command, PlanOptions& options) {
+    command.add_option("--buy", options.buy_file,
+                       "tools that could be bought (a tool library, JSON): what each would save beside the "
+                       "library's; takes several times as long");
 }
 
 void addFinishOptions(CLI::App& command, PlanOptions& options) {

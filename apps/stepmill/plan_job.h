@@ -7,6 +7,7 @@
 #include "options.h"
 #include "run.h"
 #include "stepmill/proven/proven_plan.h"
+#include "stepmill/study/offers.h"
 
 namespace stepmill {
 
@@ -20,12 +21,17 @@ void addFinishOptions(CLI::App& command, PlanOptions& options);
 /// Adds all options of `stepmill plan` that change a plan: none about files, threads, limits and printing.
 void addPlanningOptions(CLI::App& command, PlanOptions& options);
 
+/// Adds --buy: tools that could be bought are weighed beside the plan.
+void addOfferOptions(CLI::App& command, PlanOptions& options);
+
 /// What a caller hears while the parts of a file are planned.
 struct PlanListener {
     /// The parts that were asked for, before any is planned.
     std::function<void(const std::vector<Part>& parts)> imported;
-    /// Each plan, once it is written into its folder.
-    std::function<void(const ProvenPlan& proven, const std::filesystem::path& folder)> planned;
+    /// Each plan, once it is written into its folder, and what --buy is worth to it.
+    std::function<void(const ProvenPlan& proven, const std::filesystem::path& folder,
+                       const std::vector<OfferWorth>& offers)>
+        planned;
 };
 
 /// Plans, proves and writes the parts of the file that were asked for into the workplace's folder; prints

@@ -74,6 +74,30 @@ std::vector<ToolTask> toolTasksOf(const std::vector<BatchRow>& rows) {
     return tasks;
 }
 
+std::vector<OfferSum> offersOf(const std::vector<BatchRow>& rows) {
+    std::map<std::pair<std::string, std::string>, OfferSum> sums;
+    for (const BatchRow& row : rows) {
+        if (!row.figures) continue;
+        for (const OfferWorth& offer : row.figures->offers) {
+            OfferSum& sum = sums[{offer.tool_id, row.figures->currency}];
+            const int features = sum.worth.features + offer.features;
+            const double saves_s = sum.worth.saves_s + row.part.quantity * offer.saves_s;
+            const double saves_cost = sum.worth.saves_cost + row.part.quantity * offer.saves_cost;
+            const double more_mm3 = sum.worth.more_mm3 + row.part.quantity * offer.more_mm3;
+            sum.worth = {offer.tool_id, offer.diameter_mm, offer.price, features,
+                         saves_s,       saves_cost,        more_mm3};
+            sum.currency = row.figures->currency;
+            ++sum.parts;
+        }
+    }
+    std::vector<OfferSum> offers;
+    for (auto& [key, sum] : sums)
+        offers.push_back(std::move(sum));
+    std::stable_sort(offers.begin(), offers.end(),
+                     [](const OfferSum& a, const OfferSum& b) { return a.worth.saves_s > b.worth.saves_s; });
+    return offers;
+}
+
 PlannedTools plannedTools(const std::vector<BatchRow>& rows) {
     PlannedTools planned;
     for (std::size_t row = 0; row < rows.size(); ++row) {

@@ -38,6 +38,21 @@ ToolTask taskFrom(const Json& json) {
     return task;
 }
 
+Json offerJson(const OfferWorth& offer) {
+    return {{"id", offer.tool_id},
+            {"diameter_mm", number(offer.diameter_mm)},
+            {"price", number(offer.price)},
+            {"features", offer.features},
+            {"saves_s", number(offer.saves_s)},
+            {"saves_cost", number(offer.saves_cost)},
+            {"more_mm3", number(offer.more_mm3)}};
+}
+
+OfferWorth offerFrom(const Json& json) {
+    return {json.at("id"),      json.at("diameter_mm"), json.at("price"),   json.at("features"),
+            json.at("saves_s"), json.at("saves_cost"),  json.at("more_mm3")};
+}
+
 Json asJson(const PartFigures& figures) {
     return {{"size_mm", json::point(figures.size_mm)},
             {"material", figures.material},
@@ -55,6 +70,7 @@ Json asJson(const PartFigures& figures) {
             {"tools", json::listOf(figures.tools, toolJson)},
             {"tasks", json::listOf(figures.tasks, taskJson)},
             {"tasks_in_money", figures.tasks_in_money},
+            {"offers", json::listOf(figures.offers, offerJson)},
             {"reports", figures.reports},
             {"picture", figures.picture}};
 }
@@ -80,6 +96,8 @@ PartFigures figuresFrom(const Json& json) {
     for (const Json& task : json.at("tasks"))
         figures.tasks.push_back(taskFrom(task));
     figures.tasks_in_money = json.at("tasks_in_money");
+    for (const Json& offer : json.at("offers"))
+        figures.offers.push_back(offerFrom(offer));
     figures.reports = json.at("reports").get<std::vector<std::string>>();
     figures.picture = json.at("picture");
     return figures;

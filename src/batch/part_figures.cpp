@@ -59,7 +59,7 @@ std::vector<ToolUse> usesOf(const Plan& plan) {
             use.visits += in_spindle == tool.id ? 0 : 1;
             in_spindle = tool.id;
             const double feeding_s = operation.path.totals.feed_time_s;
-            use.cutting_s += feeding_s + operation.dwell_s;
+            use.cutting_s += feeding_s + operation.dwellOfAll_s();
             if (tool.life_min > 0) use.life_used += feeding_s / kSecondsPerMinute / tool.life_min;
         }
     return uses;
@@ -74,6 +74,22 @@ std::vector<ToolTask> tasksOf(const Plan& plan) {
             if (!task.ways.empty()) tasks.push_back(std::move(task));
         }
     return tasks;
+}
+
+void addOffers(std::vector<OfferWorth>& to, const std::vector<OfferWorth>& more) {
+    for (const OfferWorth& offer : more) {
+        const auto at =
+            std::lower_bound(to.begin(), to.end(), offer.tool_id,
+                             [](const OfferWorth& one, const std::string& id) { return one.tool_id < id; });
+        if (at == to.end() || at->tool_id != offer.tool_id) {
+            to.insert(at, offer);
+            continue;
+        }
+        at->features += offer.features;
+        at->saves_s += offer.saves_s;
+        at->saves_cost += offer.saves_cost;
+        at->more_mm3 += offer.more_mm3;
+    }
 }
 
 }  // namespace
@@ -122,6 +138,7 @@ void addFigures(PartFigures& to, const PartFigures& solid) {
     if (!solid.reason.empty()) to.reason += (to.reason.empty() ? "" : "; ") + solid.reason;
     to.tasks.insert(to.tasks.end(), solid.tasks.begin(), solid.tasks.end());
     to.reports.insert(to.reports.end(), solid.reports.begin(), solid.reports.end());
+    addOffers(to.offers, solid.offers);
     for (const ToolUse& more : solid.tools) {
         ToolUse& use = useOf(more.tool_id, to.tools);
         use.diameter_mm = more.diameter_mm;

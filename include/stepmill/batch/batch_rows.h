@@ -27,6 +27,16 @@ std::vector<BatchRow> rowsOf(const Ledger& ledger, const std::filesystem::path& 
 /// \throws Error(Usage) where some parts were planned for the least time and others for the least cost
 std::vector<ToolTask> toolTasksOf(const std::vector<BatchRow>& rows);
 
+/// What a tool that can be bought is worth to all planned parts, each as often as its quantity says.
+struct OfferSum {
+    OfferWorth worth;      ///< of all pieces; features are counted once a part
+    std::string currency;  ///< each has a sum of its own
+    int parts = 0;         ///< that it helps
+};
+
+/// The offers of all rows, those that save most time first.
+std::vector<OfferSum> offersOf(const std::vector<BatchRow>& rows);
+
 /// Rows that have a plan, and the tools that each plan takes.
 struct PlannedTools {
     std::vector<std::size_t> rows;

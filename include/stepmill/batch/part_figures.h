@@ -7,6 +7,7 @@
 #include "stepmill/batch/magazine.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/planar/vector.h"
+#include "stepmill/study/offers.h"
 
 namespace stepmill {
 
@@ -39,6 +40,7 @@ struct PartFigures {
     /// Every feature with the ways to machine it, in seconds or money as the plan makes least of.
     std::vector<ToolTask> tasks;
     bool tasks_in_money = false;
+    std::vector<OfferWorth> offers;    ///< tools that could be bought, by id; empty where none were asked for
     std::vector<std::string> reports;  ///< pages below the job's folder
     std::string picture;               ///< path data of the visible edges; may be empty
 };

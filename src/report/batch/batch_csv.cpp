@@ -15,8 +15,6 @@ namespace {
 using report::csvCell;
 using report::fixed;
 
-constexpr double kMm3PerCm3 = 1000;
-
 std::string figureCells(const PartFigures& figures) {
     return fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{}", csvCell(figures.material), fixed(figures.size_mm.x(), 3),

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/page/document.h"
+#include "report/page/page_style.h"
 #include "report/page/words.h"
 #include "stepmill/catalog/json_values.h"
 #include "stepmill/core/plain_text.h"
@@ -16,8 +17,6 @@ using json::Json;
 using report::Anchor;
 using report::Element;
 using report::Tag;
-
-constexpr double kMm3PerCm3 = 1000;
 
 /// A column of the page's table, and what stands in it in a row.
 struct PartColumn {
@@ -143,7 +142,8 @@ std::string batchHtml(const std::vector<BatchRow>& rows) {
                 "Minutes and cost are of one piece, feeds and tool changes; × bound is how often the "
                 "least time that these tools could take goes into them. The same as a table: "
                 "parts.csv; what each tool does in all parts: tools.csv."));
-    return report::partTableDocument(title, std::move(main), tableData(rows));
+    return report::scriptedDocument(title, std::move(main), tableData(rows),
+                                    {{report::kPartTableScript}, {}});
 }
 
 }  // namespace stepmill

@@ -73,20 +73,34 @@ class Adviser {
         advice.time_s = known_.time_s;
         advice.cost = known_.cost;
         advice.stays_mm3 = residualVolumeMm3(known_);
-        const std::vector<TrialTool> trials = promising();
+        const std::vector<TrialTool> trials = promising(candidates());
         advice.trials = static_cast<int>(trials.size());
-        std::vector<std::optional<Purchase>> tried(trials.size());
-        tbb::parallel_for(std::size_t{0}, trials.size(),
-                          [&](std::size_t i) { tried[i] = tryOut(trials[i]); });
-        for (std::optional<Purchase>& purchase : tried)
-            if (purchase && (!advice.best || helpsMore(*purchase, *advice.best)))
-                advice.best = std::move(purchase);
+        for (Purchase& purchase : helpful(trials))
+            if (!advice.best || helpsMore(purchase, *advice.best)) advice.best = std::move(purchase);
         return advice;
     }
 
+    /// Those of some tools that help, the most promising tried.
+    std::vector<Purchase> among(const std::vector<ToolAssembly>& offers) const {
+        std::vector<TrialTool> trials;
+        for (const ToolAssembly& offer : offers)
+            if (!isInLibrary(offer.id)) trials.push_back({offer, "offered"});
+        return helpful(promising(std::move(trials)));
+    }
+
   private:
-    /// All candidates the area model expects something of, the best first.
-    std::vector<TrialTool> promising() const {
+    std::vector<Purchase> helpful(const std::vector<TrialTool>& trials) const {
+        std::vector<std::optional<Purchase>> tried(trials.size());
+        tbb::parallel_for(std::size_t{0}, trials.size(),
+                          [&](std::size_t i) { tried[i] = tryOut(trials[i]); });
+        std::vector<Purchase> helpful;
+        for (std::optional<Purchase>& purchase : tried)
+            if (purchase) helpful.push_back(std::move(*purchase));
+        return helpful;
+    }
+
+    /// Tools that may help, made for the feature.
+    std::vector<TrialTool> candidates() const {
         std::vector<TrialTool> trials = trialMills(ground_, library_, options_.material);
         if (auto drill = trialDrill(ground_, library_, options_.material))
             trials.push_back(std::move(*drill));
@@ -95,6 +109,11 @@ class Adviser {
         for (TrialTool& trial : trials)
             while (isInLibrary(trial.tool.id))
                 trial.tool.id += "*";
+        return trials;
+    }
+
+    /// Those of the trials that the area model expects something of, the best first.
+    std::vector<TrialTool> promising(std::vector<TrialTool> trials) const {
         const Forecast now = forecast(library_, usable_);
         std::vector<Forecast> forecasts(trials.size());
         tbb::parallel_for(std::size_t{0}, trials.size(),
@@ -142,6 +161,8 @@ class Adviser {
         std::vector<AreaModelTool> tools;
         Forecast forecast;
         for (const Candidate& usable : usableTools(feature_, reaches, library, options_, machine_, tol_)) {
+            // What it saves the mill after it, no area tells.
+            if (usable.predrills) continue;
             AreaModelTool tool;
             if (usable.drill()) {
                 tool.volume_mm3 = usable.coverable_mm2 * feature_.depth_mm();
@@ -210,6 +231,12 @@ class Adviser {
 PurchaseAdvice whatToBuy(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                          const SequenceOptions& options, const Tolerances& tol) {
     return Adviser(feature, library, machine, options, tol).advise();
+}
+
+std::vector<Purchase> purchasesFrom(const std::vector<ToolAssembly>& offers, const Feature& feature,
+                                    const ToolLibrary& library, const Machine& machine,
+                                    const SequenceOptions& options, const Tolerances& tol) {
+    return Adviser(feature, library, machine, options, tol).among(offers);
 }
 
 }  // namespace stepmill

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "stepmill/batch/ledger.h"
 #include "support/expected_outcomes.h"
@@ -25,6 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
+using Json = nlohmann::json;
 
 const std::string kSource = STEPMILL_SOURCE_DIR;
 
@@ -51,19 +53,7 @@ class Batches : public testing::Test {
     ProgramRun status() const { return runProgram(words({"--status", out_.string()})); }
 
     /// Starts a batch whose end is not awaited.
-    static pid_t start(Words all) {
-        all = words(std::move(all));
-        const pid_t child = fork();
-        if (child != 0) return child;
-        std::vector<char*> argv;
-        for (std::string& word : all)
-            argv.push_back(word.data());
-        argv.push_back(nullptr);
-        if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(126);
-        if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(126);
-        execv(argv[0], argv.data());
-        _exit(127);
-    }
+    static pid_t start(Words all) { return startProgram(words(std::move(all))); }
     static void killAndWait(pid_t child) {
         kill(child, SIGKILL);
         waitpid(child, nullptr, 0);
@@ -315,6 +305,34 @@ std::string wordOf(test::Outcome expected) {
     return expected == test::Outcome::Planned ? "complete"
            : expected == test::Outcome::Gaps  ? "gaps"
                                               : "refused";
+}
+
+TEST_F(Batches, ToolsToBuyAreWeighedOverAllPieces) {
+    // A library of one narrow cutter, and the shop's to choose from.
+    const std::string shop = kSource + "/samples/shop_metric_tools.json";
+    Json library = Json::parse(slurp(shop));
+    std::erase_if(library["tools"].get_ref<Json::array_t&>(),
+                  [](const Json& tool) { return tool["id"] != "EM6"; });
+    std::ofstream(parts_ / "small.json") << library;
+    part("a.step", "rounded_pocket");
+    std::ofstream(parts_ / "orders.csv") << "file,quantity\na.step,50\n";
+    const Words order{(parts_ / "orders.csv").string(), "-o",    out_.string(), "--tools",
+                      (parts_ / "small.json").string(), "--buy", shop};
+    EXPECT_LE(runProgram(words(order)).exit_code, 1);
+    const std::string worth = slurp(out_ / "buy.csv");
+    std::istringstream lines(worth);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_TRUE(line.starts_with("tool,diameter_mm,price,parts,features,saves_min"));
+    ASSERT_TRUE(std::getline(lines, line)) << "a wider cutter would save time";
+    EXPECT_TRUE(line.starts_with("EM"));
+    EXPECT_EQ(worth.find("\nEM6,"), std::string::npos) << "the shop has it";
+    // What one piece would save is told by plan too.
+    const ProgramRun one =
+        runProgram({stepmillBinary(), "plan", (parts_ / "a.step").string(), "-o", (parts_ / "job").string(),
+                    "--tools", (parts_ / "small.json").string(), "--buy", shop});
+    EXPECT_TRUE(tells(one.out, {"feature", "saves", "min"}));
+    EXPECT_NE(one.out.find(line.substr(0, line.find(','))), std::string::npos);
 }
 
 TEST_F(Batches, BadFilesComeOutAsTheCorpusTableSays) {

@@ -1,4 +1,5 @@
 #include "stepmill/report/batch_page.h"
+#include "stepmill/report/offers.h"
 
 #include <chrono>
 #include <sstream>
@@ -31,6 +32,8 @@ BatchRow planned(const std::string& name, const std::string& tool) {
     figures.cost = 1.5;
     figures.tools = {{tool, 6, 2, 1, 30, 0.25}};
     figures.tasks = {{{{{tool, "EM2"}, 12.5}, {{"EM2"}, 30}}, 1}};
+    figures.currency = "EUR";
+    figures.offers = {{"EM7", 7, 45, 2, 60, 1.25, 500}};
     figures.reports = {"report.html"};
     figures.picture = "M1 2 3 4";
     row.figures = figures;
@@ -123,6 +126,25 @@ TEST(BatchCsv, OrderNamesPlannedPartsAndThoseThatDoNotFit) {
     EXPECT_EQ(orderCsv(rows, tools, none), "position,part,tools\n,c,EM4\n");
 }
 
+TEST(Offers, AreSummedOverPiecesAndTheBestStandsFirst) {
+    BatchRow many = planned("a", "EM6");
+    many.part.quantity = 10;
+    BatchRow other = planned("b", "EM6");
+    other.figures->offers = {{"EM5", 5, 30, 1, 5000, 9, 0}, {"EM7", 7, 45, 1, 30, 0.5, 0}};
+    const std::vector<OfferSum> offers = offersOf({many, other, refused("c")});
+    ASSERT_EQ(offers.size(), 2U);
+    EXPECT_EQ(offersCsv(offers),
+              "tool,diameter_mm,price,parts,features,saves_min,saves_cost,currency,reaches_more_cm3\n"
+              "EM5,5.000,30.00,1,1,83.333,9.00,EUR,0.000000\n"
+              "EM7,7.000,45.00,2,3,10.500,13.00,EUR,5.000000\n");
+}
+
+TEST(Offers, OfSeveralCurrenciesAreNotAddedUp) {
+    BatchRow dollars = planned("b", "EM6");
+    dollars.figures->currency = "USD";
+    EXPECT_EQ(offersOf({planned("a", "EM6"), dollars}).size(), 2U);
+}
+
 TEST(PartFiguresJson, IsReadBackAsItWas) {
     PartFigures figures = *planned("a", "EM6").figures;
     addFigures(figures, *planned("b", "EM4").figures);
@@ -130,6 +152,8 @@ TEST(PartFiguresJson, IsReadBackAsItWas) {
     EXPECT_EQ(figuresJson(figuresFromJson(json)), json);
     EXPECT_EQ(figuresFromJson(json).tools.size(), 2U);
     EXPECT_EQ(figuresFromJson(json).time_s, 180);
+    ASSERT_EQ(figuresFromJson(json).offers.size(), 1U);
+    EXPECT_EQ(figuresFromJson(json).offers[0].saves_s, 120);
     ASSERT_EQ(figuresFromJson(json).tasks.size(), 2U);
     EXPECT_EQ(figuresFromJson(json).tasks[1].ways[0].tools, (std::vector<std::string>{"EM4", "EM2"}));
     EXPECT_THROW(figuresFromJson("{}"), std::exception);

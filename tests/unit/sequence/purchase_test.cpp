@@ -119,5 +119,32 @@ TEST(WhatToBuy, SaysNothingWhereNothingHelps) {
     EXPECT_FALSE(advice.best);
 }
 
+TEST(PurchasesFrom, TellsWhichOfferedToolsHelpAndByHowMuch) {
+    const Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(60, 40), 6), 12);
+    const ToolLibrary library = makeLibrary({makeMill(20), makeMill(4, 600, 1)});
+    // The first fits the corners, the second does not reach them, the third does nothing that the 4 does not.
+    std::vector<ToolAssembly> offers{makeMill(12), makeMill(30), makeMill(3, 200, 0.5)};
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+        offers[i].id = "offer" + std::to_string(i);
+        offers[i].number = static_cast<int>(90 + i);
+    }
+    const std::vector<Purchase> found =
+        purchasesFrom(offers, pocket, library, makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().tool.id, "offer0");
+    EXPECT_GT(found.front().saved_s, 0);
+    ToolLibrary bought = library;
+    bought.tools.push_back(offers.front());
+    const double without_s = sequenceTools(pocket, library, makeMachine(), inAluminium(), kTol).time_s;
+    const double with_s = sequenceTools(pocket, bought, makeMachine(), inAluminium(), kTol).time_s;
+    EXPECT_NEAR(found.front().saved_s, without_s - with_s, 1e-9);
+}
+
+TEST(PurchasesFrom, LeavesOutWhatTheLibraryHas) {
+    const Feature pocket = makePocket(makeRoundedRectangle(Vec2(0, 0), Vec2(60, 40), 6), 12);
+    const ToolLibrary library = makeLibrary({makeMill(20), makeMill(12)});
+    EXPECT_TRUE(purchasesFrom(library.tools, pocket, library, makeMachine(), inAluminium(), kTol).empty());
+}
+
 }  // namespace
 }  // namespace stepmill::test

@@ -31,14 +31,21 @@ struct PurchaseAdvice {
 /// (from a hundredth of the feature's volume on), then by time or cost, as the objective asks.
 ///
 /// Candidates are end mills of the diameters at which the access curve changes and of the usual series, with
-/// cutting data interpolated from the library's neighbours; a drill of a through hole's diameter; and cutters
-/// of the library, where the holder or their reach kept them off, with the stick-out that would do. The area
-/// model of [Lim2000] sorts them; the most promising kPurchaseTrials are sequenced on real paths with the
-/// whole library beside them. So what is reported is really saved, but a better one may be missed.
-/// \note  Costs an access curve and up to kPurchaseTrials times what sequencing the feature does.
-/// \see docs/algorithms/ranking.md
+/// cutting data interpolated from the library's neighbours; a drill of the diameter of a hole that goes
+/// through or ends in a point; and cutters of the library, where the holder or their reach kept them off,
+/// with the stick-out that would do. The area model of [Lim2000] sorts them; the most promising
+/// kPurchaseTrials are sequenced on real paths with the whole library beside them. So what is reported is
+/// really saved, but a better one may be missed. \note  Costs an access curve and up to kPurchaseTrials times
+/// what sequencing the feature does. \see docs/algorithms/ranking.md
 PurchaseAdvice whatToBuy(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                          const SequenceOptions& options, const Tolerances& tol);
+
+/// The tools among some that can be bought which help this feature, each alone beside the whole library; none
+/// where the library has them all. As in whatToBuy() the area model sorts them and the most promising
+/// kPurchaseTrials are sequenced on real paths: what is told is really saved, others may help too.
+std::vector<Purchase> purchasesFrom(const std::vector<ToolAssembly>& offers, const Feature& feature,
+                                    const ToolLibrary& library, const Machine& machine,
+                                    const SequenceOptions& options, const Tolerances& tol);
 
 /// Tools tried on real paths for one feature, each about as long as planning it.
 inline constexpr int kPurchaseTrials = 4;
