@@ -175,6 +175,20 @@ double allowance(double mm, const char* option) {
 
 }  // namespace
 
+namespace {
+
+/// What the material's cuts ask for, where feeds are to go by that and it is known.
+void readMaterial(const PlanOptions& options, PlanRequest& request) {
+    if (!options.cutting_model && options.materials_file.empty()) return;
+    const MaterialFile materials = options.materials_file.empty()
+                                       ? defaultMaterials()
+                                       : readMaterials(options.materials_file, options.limits.maxFileBytes());
+    request.materials_file = materials.file;
+    if (const Material* known = materials.find(options.material)) request.cut_material = *known;
+}
+
+}  // namespace
+
 PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     PlanRequest request;
     request.unit = options.unit;
@@ -194,6 +208,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
             allowance(options.allowance_mm, "--allowance"),
             allowance(options.floor_allowance_mm.value_or(options.allowance_mm), "--floor-allowance")};
     request.scallop_mm = scallop(options.scallop_mm);
+    readMaterial(options, request);
     return request;
 }
 

@@ -16,10 +16,13 @@ namespace stepmill {
 /// The options of the commands on a part, as typed.
 struct PlanOptions {
     std::string part_file;
-    std::string out_dir;        ///< empty: "<part>-plan" in the current folder
-    std::string fixtures_file;  ///< empty: suggested vises
-    std::string tools_file;     ///< empty: the built-in shop library
-    std::string machine_file;   ///< empty: the built-in machining centre
+    std::string out_dir;         ///< empty: "<part>-plan" in the current folder
+    std::string fixtures_file;   ///< empty: suggested vises
+    std::string tools_file;      ///< empty: the built-in shop library
+    std::string machine_file;    ///< empty: the built-in machining centre
+    bool cutting_model = false;  ///< feeds by what is cut, of built-in materials
+    std::string materials_file;  ///< the same, of these; empty: the built-in ones
+    std::string buy_file;        ///< tools that could be bought; empty: none are weighed
     std::string material = "aluminium";
     std::string stock = "box";                 ///< "box" or a STEP file
     std::string stock_margin = "0,0,0";        ///< side,top,bottom
@@ -41,7 +44,8 @@ struct PlanOptions {
     int jobs = 0;       ///< 0: one per core
     RunLimits limits;
     std::string job_file;        ///< what the shop says of the job; empty: nothing
-    std::string display = "mm";  ///< of setup sheets
+    std::string display = "mm";  ///< of report and setup sheets
+    bool viewer = true;          ///< in the report
     bool pdf = false;            ///< setup sheets as a PDF too
     bool strict = false;
     bool json = false;

@@ -16,7 +16,9 @@ extern const std::string_view kVerifySchema;
 extern const std::string_view kManifestSchema;
 extern const std::string_view kQuoteSchema;
 extern const std::string_view kJobSchema;
+extern const std::string_view kMaterialsSchema;
 extern const std::string_view kDefaultTools;
 extern const std::string_view kDefaultMachine;
+extern const std::string_view kDefaultMaterials;
 
 }  // namespace stepmill::embedded

@@ -80,7 +80,8 @@ constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kT
                                     {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
                                     {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema},
                                     {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema},
-                                    {SchemaName::Job, "job", 1, embedded::kJobSchema}};
+                                    {SchemaName::Job, "job", 1, embedded::kJobSchema},
+                                    {SchemaName::Materials, "materials", 1, embedded::kMaterialsSchema}};
 
 const NamedSchema& schemaOf(SchemaName name) {
     for (const NamedSchema& schema : kSchemas)

@@ -58,6 +58,7 @@ class ToolRules {
         checkLimits();
         checkCornerRadius();
         checkCone();
+        checkPoint();
         checkPlunge();
         checkLengths();
         checkShank();
@@ -102,7 +103,7 @@ class ToolRules {
             checkLimit(cylinder, "top", kHeight, at);
         });
         checkEach("cutting", [this](const json& data, const std::string& at) {
-            for (const char* field : {"step_over", "step_down"})
+            for (const char* field : {"step_over", "step_down", "slot_step_down"})
                 checkLimit(data, field, kStep, at);
             for (const char* field : {"feed", "plunge_feed", "slot_feed"})
                 checkLimit(data, field, kFeed, at);
@@ -148,7 +149,11 @@ class ToolRules {
             expect(corner <= radius, at, "at most half the diameter, " + lengthText(radius), found);
     }
 
-    /// A chamfer mill is a cone from its tip to its diameter, as high as its flutes at most.
+    void checkPoint() {
+        if (tool_["type"] != "drill" && tool_.contains("point_angle_deg"))
+            findings_.push_back({childPointer(pointer_, "point_angle_deg"), "expected on a drill alone"});
+    }
+
     void checkPlunge() {
         if (tool_.value("max_plunge", 0.0) <= 0) return;
         const bool drill = tool_["type"] == "drill";
@@ -159,6 +164,7 @@ class ToolRules {
                "no more than the flute length, " + lengthText(flutes), tool_["max_plunge"]);
     }
 
+    /// A chamfer mill is a cone from its tip to its diameter, as high as its flutes at most.
     void checkCone() {
         const bool cone = tool_["type"] == "chamfer";
         for (const char* field : {"tip_diameter", "included_angle_deg"}) {
@@ -260,9 +266,22 @@ class ToolRules {
                                kLeastStepOverShare * diameter_),
                    data["step_over"]);
         }
-        if (data.contains("step_down"))
-            expect(data["step_down"] <= flutes, childPointer(at, "step_down"),
-                   "at most the flute length, " + lengthText(flutes), data["step_down"]);
+        for (const char* name : {"step_down", "slot_step_down"})
+            if (data.contains(name))
+                expect(data[name] <= flutes, childPointer(at, name),
+                       "at most the flute length, " + lengthText(flutes), data[name]);
+        checkRating(data, at);
+    }
+
+    /// More than a full slot at step-down and feed no cut can remove.
+    void checkRating(const json& data, const std::string& at) {
+        if (!data.contains("rated_removal_cm3_per_min") || !data.contains("step_down")) return;
+        const double slot = diameter_ * data["step_down"].get<double>() * data["feed"].get<double>();
+        const double most = slot * mm_per_unit_ * mm_per_unit_ * mm_per_unit_ / kMm3PerCm3;
+        expect(data["rated_removal_cm3_per_min"] <= most * (1 + kLimitRounding),
+               childPointer(at, "rated_removal_cm3_per_min"),
+               fmt::format("at most what a full slot at step-down and feed removes, {:g}", most),
+               data["rated_removal_cm3_per_min"]);
     }
 
     const json& tool_;

@@ -1,3 +1,5 @@
+// Tool libraries.
+
 #include "stepmill/catalog/read_catalog.h"
 
 #include <algorithm>
@@ -20,7 +22,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kDefaultToolsName = "shop_metric_tools.json";
-constexpr const char* kDefaultMachineName = "machine_vmc.json";
 
 /// Tools in JSON to tools in millimetres. \pre the JSON keeps the schema and the library's rules
 class ToolReader {
@@ -37,9 +38,12 @@ class ToolReader {
             tool.type == ToolType::Ball ? tool.diameter_mm / 2 : length(from, "corner_radius");
         tool.tip_diameter_mm = length(from, "tip_diameter");
         tool.included_angle_deg = from.value("included_angle_deg", 0.0);
+        tool.point_angle_deg = from.value("point_angle_deg", tool.point_angle_deg);
         tool.flute_length_mm = length(from, "flute_length");
         tool.flutes = from.value("flutes", 0);
         tool.centre_cutting = from.value("centre_cutting", tool.isDrill());
+        tool.cutter_material =
+            cutterMaterialFrom(from.value("cutter_material", "carbide")).value_or(CutterMaterial::Carbide);
         tool.max_plunge_mm = from.contains("max_plunge") ? length(from, "max_plunge") : usualPlungeMm(tool);
         readStickOut(from["stick_out"], tool);
         tool.shank = shank(from, tool);
@@ -85,6 +89,8 @@ class ToolReader {
         data.material = from["material"];
         data.step_over_mm = length(from, "step_over");
         data.step_down_mm = length(from, "step_down");
+        data.slot_step_down_mm = length(from, "slot_step_down");
+        data.rated_removal_mm3_per_min = from.value("rated_removal_cm3_per_min", 0.0) * kMm3PerCm3;
         data.feed_mm_per_min = length(from, "feed");
         data.plunge_feed_mm_per_min = length(from, "plunge_feed");
         data.slot_feed_mm_per_min = length(from, "slot_feed");
@@ -154,87 +160,8 @@ ToolLibrary readToolLibrary(const std::filesystem::path& path, std::uintmax_t ma
     return toolLibraryFromText(readFile(path, max_bytes), path.filename().string());
 }
 
-namespace {
-
-/// Cylinders from below to above. \throws Error(InvalidCatalog) with the pointer of one that is not
-std::vector<HolderCylinder> spindleNose(const json& machine, const std::string& file_name) {
-    std::vector<HolderCylinder> nose;
-    if (!machine.contains("spindle_nose")) return nose;
-    for (std::size_t i = 0; i < machine["spindle_nose"].size(); ++i) {
-        const json& from = machine["spindle_nose"][i];
-        const HolderCylinder cylinder{from["diameter_mm"], from["bottom_mm"], from["top_mm"]};
-        const std::string pointer = fmt::format("{}#/spindle_nose/{}", file_name, i);
-        if (cylinder.top_mm <= cylinder.bottom_mm)
-            throw Error(ErrorCode::InvalidCatalog, pointer + "/top_mm",
-                        fmt::format("expected more than the bottom, {:g}, found {:g}", cylinder.bottom_mm,
-                                    cylinder.top_mm));
-        const double above_mm = nose.empty() ? 0 : nose.back().top_mm;
-        if (cylinder.bottom_mm < above_mm)
-            throw Error(ErrorCode::InvalidCatalog, pointer + "/bottom_mm",
-                        fmt::format("expected at least the top of the cylinder below, {:g}, found {:g}",
-                                    above_mm, cylinder.bottom_mm));
-        nose.push_back(cylinder);
-    }
-    return nose;
-}
-
-std::array<double, 2> gaugeOverTable(const json& range, const std::string& file_name) {
-    const std::array<double, 2> found = range.get<std::array<double, 2>>();
-    if (found[1] <= found[0])
-        throw Error(ErrorCode::InvalidCatalog, file_name + "#/gauge_over_table_mm/1",
-                    fmt::format("expected more than the lowest, {:g}, found {:g}", found[0], found[1]));
-    return found;
-}
-
-}  // namespace
-
-Machine machineFromText(std::string_view text, const std::string& file_name) {
-    const ParsedJson parsed = checkedJson(text, schemaJson(SchemaName::Machine));
-    throwFirstError(parsed.findings, file_name);
-    const json& from = parsed.value;
-    Machine machine;
-    machine.name = from["name"];
-    machine.rapid_mm_per_min = from["rapid_mm_per_min"];
-    machine.max_feed_mm_per_min = from["max_feed_mm_per_min"];
-    machine.max_speed_rpm = from["max_speed_rpm"];
-    machine.tool_change_s = from["tool_change_s"];
-    machine.hourly_rate = from["hourly_rate"];
-    machine.currency = from["currency"];
-    machine.travel_mm = from["travel_mm"].get<std::array<double, 3>>();
-    machine.magazine_size = from["magazine_size"];
-    machine.acceleration_mm_per_s2 = from.value("acceleration_mm_per_s2", 0.0);
-    machine.junction_deviation_mm = from.value("junction_deviation_mm", machine.junction_deviation_mm);
-    machine.safe_height_mm = from["safe_height_mm"];
-    const auto lengthOr = [&](const char* field, double otherwise_mm) {
-        if (from.contains(field)) return from[field].get<double>();
-        machine.by_default.push_back(fmt::format("{} {:g}", field, otherwise_mm));
-        return otherwise_mm;
-    };
-    machine.side_clearance_mm = lengthOr("side_clearance_mm", kSideClearanceMm);
-    machine.top_clearance_mm = lengthOr("top_clearance_mm", kTopClearanceMm);
-    machine.inside_clearance_mm = lengthOr("inside_clearance_mm", kInsideClearanceMm);
-    machine.spindle_nose = spindleNose(from, file_name);
-    if (machine.spindle_nose.empty())
-        machine.by_default.push_back("no spindle_nose: nothing over the holders is kept clear");
-    if (from.contains("gauge_over_table_mm"))
-        machine.gauge_over_table_mm = gaugeOverTable(from["gauge_over_table_mm"], file_name);
-    machine.dialect = from["dialect"];
-    machine.home_by = homeByFrom(from.value("home_by", ""));
-    if (from.contains("part_change_mm"))
-        machine.part_change_mm = from["part_change_mm"].get<std::array<double, 2>>();
-    return machine;
-}
-
-Machine readMachine(const std::filesystem::path& path, std::uintmax_t max_bytes) {
-    return machineFromText(readFile(path, max_bytes), path.filename().string());
-}
-
 ToolLibrary defaultToolLibrary() {
     return toolLibraryFromText(embedded::kDefaultTools, kDefaultToolsName);
-}
-
-Machine defaultMachine() {
-    return machineFromText(embedded::kDefaultMachine, kDefaultMachineName);
 }
 
 }  // namespace stepmill

@@ -14,6 +14,8 @@ constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"}, {ToolType
                                              {ToolType::Face, "face"}, {ToolType::Chamfer, "chamfer"}};
 constexpr EnumWord<Coolant> kCoolants[] = {
     {Coolant::Off, "off"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}};
+constexpr EnumWord<CutterMaterial> kCutterMaterials[] = {{CutterMaterial::Carbide, "carbide"},
+                                                         {CutterMaterial::Hss, "hss"}};
 
 }  // namespace
 
@@ -54,6 +56,26 @@ double usualPlungeMm(const ToolAssembly& tool) {
     constexpr double kPlungeShare = 0.5;
     if (!tool.centre_cutting || tool.diameter_mm > kWidestPlungerMm) return 0;
     return kPlungeShare * tool.diameter_mm;
+}
+
+double slotStepDownMm(const ToolAssembly& tool, const CuttingData& cutting) {
+    constexpr double kUsualSlotShare = 0.5;
+    const double slot_mm =
+        cutting.slot_step_down_mm > 0 ? cutting.slot_step_down_mm : kUsualSlotShare * tool.diameter_mm;
+    return cutting.step_down_mm > 0 ? std::min(slot_mm, cutting.step_down_mm) : slot_mm;
+}
+
+double ratedRemovalMm3PerMin(const CuttingData& cutting) {
+    if (cutting.rated_removal_mm3_per_min > 0) return cutting.rated_removal_mm3_per_min;
+    return cutting.step_over_mm * cutting.step_down_mm * cutting.feed_mm_per_min;
+}
+
+std::string toString(CutterMaterial material) {
+    return wordOf(kCutterMaterials, material);
+}
+
+std::optional<CutterMaterial> cutterMaterialFrom(std::string_view word) {
+    return valueOf(kCutterMaterials, word);
 }
 
 std::string toString(ToolType type) {

@@ -2,6 +2,20 @@
 
 namespace stepmill {
 
+std::optional<CuttingModel> cuttingModelOf(const OperationSheet& operation, const Material& material,
+                                           const Machine& machine) {
+    if (!operation.rating) return std::nullopt;
+    CuttingData cutting;
+    cutting.step_over_mm = operation.rating->step_over_mm;
+    cutting.step_down_mm = operation.rating->step_down_mm;
+    cutting.slot_step_down_mm = operation.rating->slot_step_down_mm;
+    cutting.rated_removal_mm3_per_min = operation.rating->removal_mm3_per_min;
+    cutting.feed_mm_per_min = operation.feed_mm_per_min;
+    cutting.speed_rpm = operation.speed_rpm;
+    const std::optional<CuttingFacts> facts = cuttingFacts(operation.tool, cutting, material, machine);
+    return facts ? std::optional(CuttingModel(*facts)) : std::nullopt;
+}
+
 OperationSheet sheetOf(const Operation& operation, const ToolLibrary& library) {
     const Toolpath& path = operation.path;
     return {operation,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/cutting_feeds.h"
 #include "plan/feature_planner.h"
 #include "plan/form_finishing.h"
 #include "plan/make_operations.h"
@@ -308,6 +309,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.library = withStickOuts(usable.library, operating);
+    operating = withCuttingFeeds(std::move(operating), {request, plan.library, machine, tol});
     TimedSetups timed = withTimes(std::move(operating), plan.library, machine);
     plan.setups = std::move(timed.setups);
     plan.totals = timed.totals;

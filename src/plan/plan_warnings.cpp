@@ -203,13 +203,35 @@ void warnOfShape(const Plan& plan, Warnings& into) {
                      axes, books.unreachable_mm3, 100 * unreachable, curved, faces)});
 }
 
+/// A tool that bends by more makes walls that lean, and breaks.
+constexpr double kMostDeflectionMm = 0.1;
+
+void warnOfDeflection(const PlannedSetup& setup, Warnings& into) {
+    for (const Operation& operation : setup.operations)
+        if (operation.cuts.deflection_mm > kMostDeflectionMm)
+            into.push_back(
+                {"deflection", operation.id,
+                 fmt::format("{} bends by more than {:g} mm in its widest cuts: set it out less, or rate it "
+                             "lower",
+                             operation.tool_id, kMostDeflectionMm)});
+}
+
 void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     for (const PlannedFeature& planned : setup.features) {
         warnOfAllowance(planned, into);
     }
     append(into, slowSteps(setup));
+    warnOfDeflection(setup, into);
     warnOfTravel(plan.machine, setup, into);
     warnOfSpindleHeight(plan, setup, into);
+}
+
+void warnOfMaterial(const Plan& plan, Warnings& into) {
+    if (plan.request.cut_material || plan.request.materials_file.empty()) return;
+    into.push_back({"material-unknown", plan.material,
+                    fmt::format("{} does not say what its cuts ask for; feeds are the library's, whatever is "
+                                "cut",
+                                plan.request.materials_file)});
 }
 
 void warnOfCautions(const Cautions& cautions, Warnings& into) {
@@ -269,6 +291,7 @@ std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap
     warnOfCautions(plan.request.cautions, warnings);
     warnOfMagazine(plan, warnings);
     warnOfDefaults(plan.machine, warnings);
+    warnOfMaterial(plan, warnings);
     warnOfShape(plan, warnings);
     warnOfBooks(plan, largest_gap, tol, warnings);
     return warnings;

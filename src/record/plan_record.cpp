@@ -11,6 +11,7 @@
 #include "record/read_features.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/units.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
@@ -35,7 +36,10 @@ ToolAssembly tool(const Json& json) {
     tool.corner_radius_mm = json["corner_radius_mm"];
     tool.tip_diameter_mm = json.value("tip_diameter_mm", 0.0);
     tool.included_angle_deg = json.value("included_angle_deg", 0.0);
+    tool.point_angle_deg = json.value("point_angle_deg", tool.point_angle_deg);
     tool.flute_length_mm = json["flute_length_mm"];
+    tool.flutes = json.value("flutes", 0);
+    tool.cutter_material = *cutterMaterialFrom(json.value("cutter_material", "carbide"));
     tool.max_plunge_mm = json.value("max_plunge_mm", std::numeric_limits<double>::infinity());
     tool.stick_out_mm = json["stick_out_mm"];
     tool.shank = cylinder(json["shank"]);
@@ -50,6 +54,11 @@ Enum known(const std::optional<Enum>& value, const std::string& word) {
     if (!value)
         throw Error(ErrorCode::Internal, word, "a word the schema allows and the reader does not know");
     return *value;
+}
+
+CutRating rating(const Json& json) {
+    return {json["step_over_mm"], json["step_down_mm"], json["slot_step_down_mm"],
+            json["removal_cm3_per_min"].get<double>() * kMm3PerCm3};
 }
 
 RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools,
@@ -72,6 +81,8 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.speed_rpm = json["speed_rpm"];
     operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
     operation.dwell_s = json["dwell_s"];
+    operation.holes = json.value("holes", operation.role == Role::Drill ? 1 : 0);
+    if (json.contains("rating")) operation.rating = rating(json["rating"]);
     if (json.contains("takes"))
         for (const Json& entry : json["takes"])
             operation.takes.push_back(
@@ -109,6 +120,10 @@ RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf&
     return setup;
 }
 
+Material cutMaterial(const Json& json) {
+    return {json["name"], {}, json["kc11_n_per_mm2"], json["mc"], json["source"]};
+}
+
 Machine machine(const Json& json) {
     Machine machine;
     machine.name = json["name"];
@@ -116,6 +131,11 @@ Machine machine(const Json& json) {
     machine.max_feed_mm_per_min = json.value("max_feed_mm_per_min", 0.0);
     if (json.contains("travel_mm")) machine.travel_mm = json["travel_mm"].get<std::array<double, 3>>();
     machine.max_speed_rpm = json.value("max_speed_rpm", 0.0);
+    if (json.contains("spindle")) {
+        machine.spindle_efficiency = json["spindle"]["efficiency"];
+        for (const Json& point : json["spindle"]["curve"])
+            machine.spindle_curve.push_back({point["speed_rpm"], point["power_kw"], point["torque_nm"]});
+    }
     if (json.contains("spindle_nose"))
         for (const Json& one : json["spindle_nose"])
             machine.spindle_nose.push_back(cylinder(one));
@@ -241,6 +261,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.part_sha256 = plan["part"]["sha256"];
     record.part_name = plan["part"]["name"];
     record.material = plan["material"];
+    if (plan.contains("cut_material")) record.cut_material = cutMaterial(plan["cut_material"]);
     record.machine = machine(plan["machine"]);
     if (plan.contains("request")) record.request = request(plan["request"]);
     record.library = file(plan["tool_library"]);

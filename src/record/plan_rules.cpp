@@ -117,6 +117,15 @@ void checkNoCircle(const Json& plan) {
         failAt("#/features", fmt::format("{} waits for itself", wordsOf(waits_for.begin()->first)));
 }
 
+/// Ratings mean nothing without the forces of the material and the power of the spindle.
+void checkRatings(const Json& plan) {
+    const bool tells_forces = plan.contains("cut_material") && plan["machine"].contains("spindle");
+    for (std::size_t i = 0; i < plan["operations"].size() && !tells_forces; ++i)
+        if (plan["operations"][i].contains("rating"))
+            failAt(at("operations", i, "rating"),
+                   "expected none in a plan without cut_material or the machine's spindle");
+}
+
 /// Parents are other bands of the same setup.
 void checkParents(const Json& plan) {
     const std::map<BandName, std::string> setups = setupsOfBands(plan);
@@ -286,6 +295,7 @@ void checkPlanRules(const Json& plan) {
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
         checkBands(plan["features"][i], at("features", i));
     checkParents(plan);
+    checkRatings(plan);
     std::map<std::string, Json> tools;
     for (std::size_t i = 0; i < plan["tools"].size(); ++i) {
         checkTool(plan["tools"][i], at("tools", i));

@@ -70,7 +70,7 @@ PathTotals measure(const Toolpath& path, const Machine& machine) {
             totals.rapid_time_s += length_mm / machine.rapid_mm_per_min * kSecondsPerMinute;
             continue;
         }
-        const double feed = path.feedOf(move.kind);
+        const double feed = path.feedOf(move);
         totals.cut_length_mm += length_mm;
         totals.feed_time_s += length_mm / feed * kSecondsPerMinute;
         if (move.in_air) totals.feed_air_length_mm += length_mm;

@@ -59,7 +59,7 @@ std::vector<Stretch> stretchesOf(const Toolpath& path, const Machine& machine) {
     stretches.reserve(path.moves.size());
     Vec3 from = path.start;
     for (const Move& move : path.moves) {
-        const double rate = move.kind == MoveKind::Rapid ? machine.rapid_mm_per_min : path.feedOf(move.kind);
+        const double rate = move.kind == MoveKind::Rapid ? machine.rapid_mm_per_min : path.feedOf(move);
         const Stretch stretch =
             stretchOf(from, move, rate / kSecondsPerMinute, machine.acceleration_mm_per_s2);
         if (stretch.length_mm > kNoLengthMm) stretches.push_back(stretch);

@@ -9,7 +9,19 @@
 namespace stepmill {
 
 /// Names of the schemas compiled in from schemas/.
-enum class SchemaName { Tools, Machine, Plan, Inspect, Rank, Fixtures, Verify, Manifest, Quote, Job };
+enum class SchemaName {
+    Tools,
+    Machine,
+    Plan,
+    Inspect,
+    Rank,
+    Fixtures,
+    Verify,
+    Manifest,
+    Quote,
+    Job,
+    Materials
+};
 std::string_view schemaText(SchemaName name);
 /// The version of the files that it describes: their "format".
 int schemaFormat(SchemaName name);

@@ -25,6 +25,14 @@ std::string toString(HomeBy way);
 /// The reverse; nothing for another word.
 std::optional<HomeBy> homeByFrom(std::string_view word);
 
+/// What the spindle gives at a speed. Between two points power grows evenly with speed; below the first one
+/// the torque stays, beyond the last one there is nothing.
+struct SpindlePoint {
+    double speed_rpm = 0;
+    double power_kw = 0;
+    double torque_nm = 0;
+};
+
 /// What a milling machine can do and what its hour costs. Zero means "not given"; the comments say what then
 /// holds.
 struct Machine {
@@ -43,6 +51,9 @@ struct Machine {
     double junction_deviation_mm = 0.01;
     /// The spindle over the tool: cylinders from the gauge line up, heights over that line; empty: not given.
     std::vector<HolderCylinder> spindle_nose;
+    /// What the spindle's motor gives, by ascending speed; empty: not given, nothing is checked against it.
+    std::vector<SpindlePoint> spindle_curve;
+    double spindle_efficiency = 1;  ///< what of the motor's power gets to the cutter
     /// How near to the table and how far over it the gauge line may be; 0, 0: not checked.
     std::array<double, 2> gauge_over_table_mm{};
     double safe_height_mm = 0;       ///< retract this far over the stock's top between features

@@ -25,8 +25,11 @@ std::optional<Coolant> coolantFrom(std::string_view word);
 /// What one cutter does in one material. Zero means not given.
 struct CuttingData {
     std::string material;
-    double step_over_mm = 0;  ///< Woc, radial engagement
-    double step_down_mm = 0;  ///< Doc, axial engagement
+    double step_over_mm = 0;       ///< Woc, radial engagement
+    double step_down_mm = 0;       ///< Doc, axial engagement
+    double slot_step_down_mm = 0;  ///< deepest cut as wide as the cutter at the full feed
+    /// No cut removes more [mm3/min]; not given: step-over x step-down x feed.
+    double rated_removal_mm3_per_min = 0;
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
     double slot_feed_mm_per_min = 0;  ///< in cuts wider than the step-over; not given: the feed
@@ -35,6 +38,12 @@ struct CuttingData {
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of a drilled hole
 };
+
+/// What the cutting part of a tool is made of.
+enum class CutterMaterial { Carbide, Hss };
+std::string toString(CutterMaterial material);
+/// The reverse; nothing for another word.
+std::optional<CutterMaterial> cutterMaterialFrom(std::string_view word);
 
 /// How far a cutter may be set out of its holder.
 struct StickOutRange {
@@ -51,8 +60,10 @@ struct ToolAssembly {
     double corner_radius_mm = 0;    ///< diameter / 2 for a ball, 0 for a flat end mill
     double tip_diameter_mm = 0;     ///< of a chamfer mill: where its cone ends below
     double included_angle_deg = 0;  ///< of a chamfer mill: between its flanks, 90 for chamfers of 45 degrees
+    double point_angle_deg = 118;   ///< of a drill: between the flanks of its point
     double flute_length_mm = 0;
     int flutes = 0;
+    CutterMaterial cutter_material = CutterMaterial::Carbide;
     bool centre_cutting = false;  ///< has edges down to its axis
     double max_plunge_mm =
         0;                    ///< it may go straight down into solid material by so much at a time; of a mill
@@ -77,6 +88,12 @@ struct ToolAssembly {
     /// Cutting data for a material, or nothing when the library has none for it.
     const CuttingData* cuttingFor(const std::string& material_name) const;
 };
+
+/// The cutting data's slot step-down or, where they name none, half the diameter; no more than the step-down.
+double slotStepDownMm(const ToolAssembly& tool, const CuttingData& cutting);
+/// What the tool may remove at most in a minute: as rated or, where that is not given, what its step-over,
+/// step-down and feed make [mm3/min].
+double ratedRemovalMm3PerMin(const CuttingData& cutting);
 
 /// How deep a mill may plunge where its library does not say: half its diameter up to 6 mm, wider ones and
 /// those without edges at the axis not at all.

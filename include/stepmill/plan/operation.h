@@ -1,13 +1,24 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stepmill/catalog/tool.h"
 #include "stepmill/sequence/sequence.h"
+#include "stepmill/toolpath/cut_feeds.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {
+
+/// What the library says a tool's cuts in the material may be: feeds follow from it and from what is cut.
+struct CutRating {
+    double step_over_mm = 0;  ///< the width that feed and rated removal are for
+    double step_down_mm = 0;  ///< the depth that they are for
+    double slot_step_down_mm = 0;
+    double removal_mm3_per_min = 0;
+};
 
 /// What a plan, its plan.json and a program all say of one visit of one tool to one feature.
 struct OperationData {
@@ -19,10 +30,16 @@ struct OperationData {
     FinishAllowance leaves;  ///< for a finishing operation of the same feature
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
-    double dwell_s = 0;         ///< at the bottom of a drilled hole; counted in totals, not in the path
+    double dwell_s = 0;         ///< at the bottom of each drilled hole; counted in totals, not in the path
+    int holes = 0;              ///< that a drilling operation makes; 0 for all others
     double ramp_angle_deg = 0;  ///< steepest descent through material that is no plunge; 0: not told
-    /// Of a form operation: what it takes of the volumes that leaning walls hide from flat layers.
+    /// Of a form operation: what it takes of the volumes that leaning walls hide from flat layers; of a
+    /// drilling one what its points take below the floor.
     std::vector<ReasonVolume> takes;
+    /// Nothing: its feeds are the library's, whatever is cut.
+    std::optional<CutRating> rating;
+
+    double dwellOfAll_s() const { return dwell_s * std::max(1, holes); }
 };
 
 /// How many operations of another feature, from its first on, must be done before.
@@ -40,6 +57,7 @@ struct Operation : OperationData {
     /// Area cleared / step-over x depths: how long the path would be if all its passes lay evenly side by
     /// side and nothing else had to be cut; 0 for drills [mm].
     double even_length_mm = 0;
+    CutSummary cuts;  ///< where it has a rating
     /// How far the bands above must be cut before it may run; empty: its feature's parents wholly.
     std::vector<Wait> waits;
 };
@@ -53,6 +71,11 @@ struct OperationSheet : OperationData {
     double feed_mm_per_min = 0;
     double plunge_feed_mm_per_min = 0;
 };
+/// How fast the operation's cuts may go and what they ask for; nothing where it has no rating, or the machine
+/// no spindle. \param material  that is cut
+std::optional<CuttingModel> cuttingModelOf(const OperationSheet& operation, const Material& material,
+                                           const Machine& machine);
+
 OperationSheet sheetOf(const Operation& operation, const ToolLibrary& library);
 
 }  // namespace stepmill

@@ -8,6 +8,7 @@
 
 #include "stepmill/catalog/fixture.h"
 #include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/material.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
@@ -116,7 +117,10 @@ struct PlanRequest {
     SequenceOptions sequence;
     /// Height of the ridges that form cutters leave between their passes [mm]; 0: no pass of theirs.
     double scallop_mm = 0;
-    FixtureFile fixtures;  ///< of setups it does not name the suggested vise's jaws stand
+    /// What the cuts of this material ask for; nothing: not known, feeds are the library's.
+    std::optional<Material> cut_material;
+    std::string materials_file;  ///< where that was looked for; empty: nowhere
+    FixtureFile fixtures;        ///< of setups it does not name the suggested vise's jaws stand
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
     bool common_ground = true;  ///< nested features may be cut down together where that is quicker

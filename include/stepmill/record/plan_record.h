@@ -63,6 +63,7 @@ struct PlanRecord {
     std::string part_sha256;
     std::string part_name;
     std::string material;
+    std::optional<Material> cut_material;  ///< what its cuts ask for; nothing: not known
     Machine machine;
     std::vector<RecordedSetup> setups;
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one

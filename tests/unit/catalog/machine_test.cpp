@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/catalog/read_catalog.h"
+#include "stepmill/catalog/spindle.h"
 #include "stepmill/core/file.h"
 #include "unit/catalog/catalog_test_files.h"
 
@@ -116,6 +117,70 @@ TEST(MachineErrors, TellAnUnknownDialect) {
 TEST(MachineErrors, TellAFileThatIsNotThere) {
     EXPECT_EQ(thrownBy([] { readMachine(sample("no_such_machine.json")); }).code(),
               ErrorCode::FileUnreadable);
+}
+
+TEST(ReadMachine, GivesTheSpindlesCurve) {
+    json machine = goodMachine();
+    machine["spindle"] = {{"efficiency", 0.8},
+                          {"curve",
+                           {{{"speed_rpm", 1000}, {"power_kw", 4}, {"torque_nm", 38.2}},
+                            {{"speed_rpm", 12000}, {"power_kw", 6}, {"torque_nm", 4.77}}}}};
+    const Machine read = machineFromText(machine.dump(), "mill.json");
+    ASSERT_EQ(read.spindle_curve.size(), 2U);
+    EXPECT_DOUBLE_EQ(read.spindle_efficiency, 0.8);
+    EXPECT_DOUBLE_EQ(read.spindle_curve[1].torque_nm, 4.77);
+    // Constant torque below the first point, evenly growing power to the next, nothing beyond the last.
+    EXPECT_DOUBLE_EQ(spindlePower(read, 500)->power_kw, 2);
+    EXPECT_DOUBLE_EQ(spindlePower(read, 6500)->power_kw, 5);
+    EXPECT_TRUE(spindlePower(read, 6500)->by_torque);
+    EXPECT_DOUBLE_EQ(spindlePower(read, 12000)->power_kw, 6);
+    EXPECT_FALSE(spindlePower(read, 12000)->by_torque);
+    EXPECT_DOUBLE_EQ(spindlePower(read, 12001)->power_kw, 0);
+}
+
+TEST(ReadMachine, SaysThatNoPowerIsGiven) {
+    json machine = goodMachine();
+    machine.erase("spindle");
+    const Machine read = machineFromText(machine.dump(), "mill.json");
+    EXPECT_FALSE(spindlePower(read, 1000));
+    ASSERT_EQ(read.by_default.size(), 1U);
+    EXPECT_EQ(read.by_default.front().rfind("no spindle:", 0), 0U);
+}
+
+TEST(MachineErrors, TellPowerAndTorqueThatContradictEachOther) {
+    json machine = goodMachine();
+    machine["spindle"]["curve"][0]["power_kw"] = 15;
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/spindle/curve/0/power_kw: expected the power of 70 Nm at 1500 "
+              "rpm, 11 kW, found 15");
+}
+
+TEST(MachineErrors, TellASpindleWithoutPower) {
+    json machine = goodMachine();
+    machine["spindle"]["curve"][0]["power_kw"] = 0;
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/spindle/curve/0/power_kw: expected a number from 0.001 to 1000, found 0");
+    machine = goodMachine();
+    machine["spindle"]["curve"][1].erase("speed_rpm");
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/spindle/curve/1: expected the field \"speed_rpm\", a number from 1 to 200000, "
+              "found none");
+    machine = goodMachine();
+    machine["spindle"]["efficiency"] = 1.2;
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/spindle/efficiency: expected a number from 0.2 to 1, found 1.2");
+}
+
+TEST(MachineErrors, TellSpeedsOutOfOrderOrTooLow) {
+    json machine = goodMachine();
+    machine["spindle"]["curve"][1] = machine["spindle"]["curve"][0];
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/spindle/curve/1/speed_rpm: expected more than the speed before, 1500, found 1500");
+    machine = goodMachine();
+    machine["max_speed_rpm"] = 15000;
+    EXPECT_EQ(messageOf(machine),
+              "mill.json#/spindle/curve: expected points up to max_speed_rpm, 15000; the "
+              "last is at 12000");
 }
 
 }  // namespace

@@ -268,5 +268,38 @@ TEST(LibraryFindings, AreEmptyForAGoodLibrary) {
     EXPECT_TRUE(findLibraryErrors(file.path()).empty());
 }
 
+TEST(LibraryFindings, TellASlotDeeperThanTheFlutes) {
+    json library = goodLibrary();
+    library["tools"][0]["cutting"][0]["slot_step_down"] = 27;
+    EXPECT_EQ(
+        messageOfText(library.dump()),
+        "tools.json#/tools/0/cutting/0/slot_step_down: expected at most the flute length, 26, found 27");
+}
+
+TEST(LibraryFindings, TellARatingNoSlotCanReach) {
+    json library = goodLibrary();
+    library["tools"][0]["cutting"][0]["rated_removal_cm3_per_min"] = 231;
+    EXPECT_EQ(messageOfText(library.dump()),
+              "tools.json#/tools/0/cutting/0/rated_removal_cm3_per_min: expected at most what a full slot at "
+              "step-down and feed removes, 230.4, found 231");
+    library["tools"][0]["cutting"][0]["rated_removal_cm3_per_min"] = 230.4;
+    const ToolLibrary read = toolLibraryFromText(library.dump(), "tools.json");
+    EXPECT_DOUBLE_EQ(ratedRemovalMm3PerMin(read.tools[0].cutting[0]), 230400);
+}
+
+TEST(ReadTools, WithoutARatingTakesWhatTheStepsRemove) {
+    const ToolLibrary read = toolLibraryFromText(goodLibrary().dump(), "tools.json");
+    EXPECT_DOUBLE_EQ(ratedRemovalMm3PerMin(read.tools[0].cutting[0]), 5.4 * 8 * 2400);
+    EXPECT_DOUBLE_EQ(slotStepDownMm(read.tools[0], read.tools[0].cutting[0]), 6);
+    EXPECT_DOUBLE_EQ(slotStepDownMm(read.tools[0], read.tools[0].cutting[1]), 5);
+    EXPECT_EQ(read.tools[0].cutter_material, CutterMaterial::Carbide);
+}
+
+TEST(LibraryFindings, TellACutterOfAnUnknownMaterial) {
+    json library = goodLibrary();
+    library["tools"][0]["cutter_material"] = "wood";
+    EXPECT_NE(messageOfText(library.dump()).find("#/tools/0/cutter_material"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stepmill

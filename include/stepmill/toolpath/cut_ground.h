@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "stepmill/planar/region.h"
+#include "stepmill/toolpath/toolpath.h"
+
+namespace stepmill {
+
+/// Heights closer than this are one, before and after they are rounded for a program [mm].
+inline constexpr double kSameCutHeightMm = 3e-4;
+
+/// The ground of one feature while its operations cut it: what of its target stands at each height. It keeps
+/// the ways that cutters have gone and makes no areas of them.
+class CutGround {
+  public:
+    /// \param top_z_mm  nothing of it stands higher
+    CutGround(Region target, double top_z_mm);
+    CutGround(CutGround&&) noexcept;
+    CutGround& operator=(CutGround&&) noexcept;
+    ~CutGround();
+
+    /// An operation has gone this way. Slopes count down to their upper ends.
+    void add(const Vec3& start, const std::vector<Move>& moves, double radius_mm);
+
+  private:
+    friend class CutFollower;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// How much one move cuts.
+struct MoveCut {
+    /// Of a level move: width of the cutter's front rim that stands in material, across the direction of
+    /// travel, at equal steps from the move's start to its end [mm]. Null for all others: a slope counts as
+    /// full width.
+    const std::vector<double>* widths_mm = nullptr;
+    double widest_mm = 0;
+    double depth_mm = 0;  ///< at most so deep; 0 for rapids and for moves straight up or down
+};
+
+/// Follows one operation over the ground and says of each move how wide and how deep it cuts.
+///
+/// At every position the width is exact: the rim's arcs that lie in the target and in nothing that was swept,
+/// from where the rim meets their edges. Positions lie a tenth of the diameter apart at most, from just
+/// inside the move's start to just inside its end. Depths of cut that repeat the one above word by word are
+/// looked up.
+///
+/// The depth is the least of the step-down, of what lies under the feature's top, and of what lies under the
+/// height at which the same line or arc was gone along before: so a helix cuts its pitch, not all above it.
+class CutFollower {
+  public:
+    /// \param step_down_mm  no pass goes deeper than this below what was cut before
+    /// \param cusp_share  of the radius: what was swept counts as so much narrower, so that a rim that goes
+    /// on
+    ///                    where it was is in material. A greater share never gives a lesser width.
+    /// Keeps `ground`, which must not change meanwhile.
+    CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share);
+    ~CutFollower();
+    CutFollower(const CutFollower&) = delete;
+    CutFollower& operator=(const CutFollower&) = delete;
+
+    /// The cut of the operation's next move. Its widths stay where they are as long as the follower lives.
+    MoveCut next(const Vec3& from, const Move& move);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace stepmill

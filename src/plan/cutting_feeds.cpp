@@ -1,0 +1,78 @@
+// Feeds by what the operations cut, once all their moves are final.
+
+#include "plan/cutting_feeds.h"
+
+#include <map>
+
+#include "stepmill/plan/grown_feature.h"
+#include "stepmill/sequence/machine_limits.h"
+#include "stepmill/setup/stock_growth.h"
+
+namespace stepmill {
+namespace {
+
+/// Goes through a setup's operations in their order and keeps what stands of each feature.
+class SetupFeeds {
+  public:
+    SetupFeeds(PlannedSetup& setup, const CuttingFeedSettings& settings)
+        : setup_(setup),
+          settings_(settings),
+          growth_(growthOf(setup.setup.stock, setup.setup.part_to_setup)) {
+        for (const PlannedFeature& planned : setup.features)
+            features_[planned.feature.id] = &planned;
+    }
+
+    void set() {
+        for (Operation& operation : setup_.operations) {
+            if (operation.role == Role::Form) continue;
+            CutGround& ground = groundOf(operation.feature_id);
+            if (isClearing(operation.role)) feed(operation, ground);
+            ground.add(operation.path.start, operation.path.moves,
+                       settings_.library.tool(operation.tool_id).radius_mm());
+        }
+    }
+
+  private:
+    void feed(Operation& operation, const CutGround& ground) const {
+        const ToolAssembly& tool = settings_.library.tool(operation.tool_id);
+        const CuttingData* cutting = tool.cuttingFor(settings_.request.sequence.material);
+        if (cutting == nullptr) return;
+        const CuttingData limited = limitedBy(settings_.machine, *cutting);
+        operation.rating = CutRating{limited.step_over_mm, limited.step_down_mm,
+                                     slotStepDownMm(tool, limited), ratedRemovalMm3PerMin(limited)};
+        const auto model = cuttingModelOf(sheetOf(operation, settings_.library),
+                                          *settings_.request.cut_material, settings_.machine);
+        if (!model) return;
+        FedPath fed = withCutFeeds(std::move(operation.path), ground, *model);
+        operation.path = std::move(fed.path);
+        operation.path.totals = measure(operation.path, settings_.machine);
+        operation.cuts = fed.cuts;
+    }
+
+    CutGround& groundOf(const std::string& feature_id) {
+        const auto known = grounds_.find(feature_id);
+        if (known != grounds_.end()) return known->second;
+        const CutById by_id = [this](const std::string& id) { return asCut(*features_.at(id)); };
+        const Feature found =
+            asFound(features_.at(feature_id)->feature, by_id, setup_.setup.fixtures, growth_, settings_.tol);
+        return grounds_.emplace(feature_id, CutGround(found.target, found.top_z_mm)).first->second;
+    }
+
+    PlannedSetup& setup_;
+    const CuttingFeedSettings& settings_;
+    StockGrowth growth_;
+    std::map<std::string, const PlannedFeature*> features_;
+    std::map<std::string, CutGround> grounds_;
+};
+
+}  // namespace
+
+std::vector<PlannedSetup> withCuttingFeeds(std::vector<PlannedSetup> setups,
+                                           const CuttingFeedSettings& settings) {
+    if (!settings.request.cut_material || settings.machine.spindle_curve.empty()) return setups;
+    for (PlannedSetup& setup : setups)
+        SetupFeeds(setup, settings).set();
+    return setups;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/planar/edge.h"
+
+namespace stepmill::toolpath {
+
+/// The front half of a cutter's rim at one place of its way: which of it lies in swept ground, and how wide
+/// the rest is. Angles are to the direction of travel, from -90 to 90 degrees.
+class Rim {
+  public:
+    /// \param along  unit direction of travel
+    Rim(const Vec2& centre, const Vec2& along, double radius_mm);
+
+    /// What lies within `reach_mm` of the edge was swept.
+    void cover(const Edge& swept, double reach_mm);
+    /// Is nothing of the rim left?
+    bool isCovered();
+    /// Across the direction of travel, of what is left [mm].
+    double freeWidthMm();
+    /// The same, of what is left inside the region. \param near  its edges that may meet the rim
+    double freeWidthInMm(const Region& region, const std::vector<const Edge*>& near);
+
+  private:
+    struct Span {
+        double from_rad;
+        double to_rad;
+    };
+
+    Vec2 at(double angle_rad) const;
+    Vec2 at(double angle_rad, double radius_mm) const;
+    bool isInside(const Region& region, double angle_rad) const;
+    double angleOf(const Vec2& direction) const;
+    void addAngle(double angle_rad, std::vector<double>& into) const;
+    void meetCircle(const Vec2& centre, double radius_mm, std::vector<double>& into) const;
+    void meetLine(const Vec2& p, const Vec2& along, std::vector<double>& into) const;
+    void meetEdge(const Edge& edge, std::vector<double>& into) const;
+    void settle();
+
+    Vec2 centre_;
+    Vec2 along_;
+    double radius_mm_;
+    std::vector<Span> covered_;
+    std::vector<Span> free_;
+    bool settled_ = false;
+    std::vector<double> angles_;  ///< reused
+};
+
+}  // namespace stepmill::toolpath

@@ -1,0 +1,122 @@
+// Plans whose feeds follow what is cut, and proofs of that.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <regex>
+#include <sstream>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
+#include "stepmill/proven/proven_plan.h"
+#include "stepmill/record/plan_json.h"
+
+namespace stepmill {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+PlanRequest requestFor(const char* material) {
+    PlanRequest request;
+    request.sequence.material = material;
+    request.sequence.retract_mm = defaultMachine().safe_height_mm;
+    request.cut_material = *defaultMaterials().find(material);
+    return request;
+}
+
+ProvenPlan planOf(const char* material) {
+    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step").front();
+    return planProven(part, requestFor(material), defaultToolLibrary(), defaultMachine(), Tolerances());
+}
+
+const ProvenPlan& inAluminium() {
+    static const ProvenPlan proven = planOf("aluminium");
+    return proven;
+}
+
+/// The program with the feed on one line made higher by that factor. \param index  of the lines with a feed
+PlanFiles withFaster(PlanFiles files, double factor, const std::function<bool(double)>& which) {
+    std::string& text = files.programs.begin()->second.front().text;
+    static const std::regex kFeed("F([0-9.]+)");
+    std::istringstream lines(text);
+    std::string changed;
+    bool done = false;
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch found;
+        if (!done && line.rfind("N", 0) == 0 && std::regex_search(line, found, kFeed) &&
+            which(std::stod(found[1].str()))) {
+            line = std::regex_replace(line, kFeed, "F" + std::to_string(factor * std::stod(found[1].str())));
+            done = true;
+        }
+        changed += line + "\n";
+    }
+    text = changed;
+    return files;
+}
+
+TEST(CuttingPlan, IsProvenAndSaysWhatItsCutsAskFor) {
+    const ProvenPlan& proven = inAluminium();
+    ASSERT_TRUE(proven.verification.proven()) << proven.verification.failures.front().text;
+    const Json plan = Json::parse(proven.files.plan_json);
+    EXPECT_EQ(plan["cut_material"]["name"], "aluminium 6061");
+    EXPECT_EQ(plan["machine"]["spindle"]["curve"].size(), 2U);
+    for (const Json& operation : plan["operations"]) {
+        if (operation["role"] == "drill" || operation["role"] == "finish") continue;
+        ASSERT_TRUE(operation.contains("rating")) << operation["id"];
+        EXPECT_GT(operation["cuts"]["peak_kw"], 0);
+        EXPECT_LE(operation["cuts"]["peak_kw"], 11);
+        double sum = 0;
+        for (const Json& share : operation["cuts"]["length_shares"])
+            sum += share.get<double>();
+        EXPECT_NEAR(sum, 1, 1e-4);
+    }
+}
+
+TEST(CuttingPlan, IsProvenInSteel) {
+    const ProvenPlan proven = planOf("steel");
+    EXPECT_TRUE(proven.verification.proven());
+}
+
+TEST(CuttingPlan, KeepsTheLibrarysFeedsWithoutASpindle) {
+    Machine machine = defaultMachine();
+    machine.spindle_curve.clear();
+    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step").front();
+    const Plan plan = planPart(part, requestFor("aluminium"), defaultToolLibrary(), machine, Tolerances());
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations) {
+            EXPECT_FALSE(operation.rating);
+            for (const Move& move : operation.path.moves)
+                EXPECT_EQ(move.feed_mm_per_min, 0);
+        }
+}
+
+TEST(CuttingProof, FindsASlotThatIsFedTooFast) {
+    const ProvenPlan& proven = inAluminium();
+    double feed = 0;
+    for (const PlannedSetup& setup : proven.plan.setups)
+        for (const Operation& operation : setup.operations)
+            if (operation.rating) feed = std::max(feed, operation.path.feed_mm_per_min);
+    const PlanFiles spoilt =
+        withFaster(proven.files, 1.1, [&](double found) { return found > 0.3 * feed && found < 0.7 * feed; });
+    const Verification verification = verifyPlan(spoilt, Tolerances());
+    ASSERT_FALSE(verification.proven());
+    EXPECT_NE(verification.failures.front().text.find("are allowed"), std::string::npos)
+        << verification.failures.front().text;
+    EXPECT_GT(verification.failures.front().line, 0);
+}
+
+TEST(CuttingProof, TakesLowerFeeds) {
+    const PlanFiles slower = withFaster(inAluminium().files, 0.8, [](double) { return true; });
+    EXPECT_TRUE(verifyPlan(slower, Tolerances()).proven());
+}
+
+TEST(CuttingProof, RefusesARatingWithoutForces) {
+    PlanFiles files = inAluminium().files;
+    Json plan = Json::parse(files.plan_json);
+    plan.erase("cut_material");
+    files.plan_json = plan.dump();
+    EXPECT_THROW(verifyPlan(files, Tolerances()), Error);
+}
+
+}  // namespace
+}  // namespace stepmill
