@@ -25,7 +25,7 @@ int planPartFile(const char* file, const char* folder) {
     std::printf("total %.1f s, %s\n", proven.plan.totals.time_s,
                 proven.verification.proven() ? "proven" : "not proven");
     JobFolder job(folder);
-    writePlan(proven, makeSheets(proven, SheetOptions(), false, tol), job, tol);
+    writePlan(proven, makeSheets(proven, SheetOptions(), false, tol), ReportOptions(), job, tol);
     return proven.mayRun() ? 0 : 3;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/access/collision.h"
+#include "stepmill/feature/hole_group.h"
 
 namespace stepmill::access {
 namespace {
@@ -18,19 +19,15 @@ std::optional<Exclusion> withoutData(const ToolAssembly& tool, const std::string
     return Exclusion{ExclusionReason::NoCuttingData, fmt::format("has no cutting data for {}", material)};
 }
 
-const Arc& holeCircle(const Feature& feature) {
-    return *feature.target.loops.front().segments.front().arc;
-}
-
 std::optional<Exclusion> wrongHole(const Feature& feature, const ToolAssembly& tool) {
     const auto wrong = [](std::string text) {
         return Exclusion{ExclusionReason::WrongType, std::move(text)};
     };
-    if (feature.feature_class == FeatureClass::HoleBlind)
+    if (feature.feature_class == FeatureClass::HoleBlind && feature.point_mm <= 0)
         return wrong("a drill's tip leaves a cone where the floor is flat");
-    if (feature.feature_class != FeatureClass::HoleThrough)
+    if (!isHole(feature.feature_class))
         return wrong(fmt::format("a drill makes holes, this is a {}", toString(feature.feature_class)));
-    const double hole_mm = 2 * holeCircle(feature).radius_mm;
+    const double hole_mm = 2 * holeRadiusMm(feature);
     if (std::abs(tool.diameter_mm - hole_mm) > kDrillFitMm)
         return wrong(
             fmt::format("a drill of {:.4g} mm makes no hole of {:.4g} mm", tool.diameter_mm, hole_mm));
@@ -65,10 +62,13 @@ std::optional<Exclusion> unsuitableDrill(const FeatureGround& ground, const Tool
         return Exclusion{ExclusionReason::TooShort,
                          fmt::format("{:.4g} mm of flutes clear no chips from a hole {:.4g} mm deep",
                                      tool.flute_length_mm, feature.depth_mm())};
-    const Vec2 axis = holeCircle(feature).centre;
+    const std::vector<Vec2> axes = holeCentres(feature);
     for (const Blocker& blocker : blockers(feature, tool)) {
         const Region& section = feature.obstacles[blocker.obstacle].section;
-        if (contains(section, axis) || distanceToBoundary(section, axis) < blocker.radius_mm)
+        const bool touches = std::any_of(axes.begin(), axes.end(), [&](const Vec2& axis) {
+            return contains(section, axis) || distanceToBoundary(section, axis) < blocker.radius_mm;
+        });
+        if (touches)
             return Exclusion{
                 ExclusionReason::TooShort,
                 fmt::format("its shank or holder, {:.4g} mm wide and {:.4g} mm over the tip, would "

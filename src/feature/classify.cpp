@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stepmill/feature/hole_group.h"
+
 namespace stepmill::feature {
 namespace {
 
@@ -10,14 +12,6 @@ struct StraightWall {
     Vec2 at;
     Vec2 direction;
 };
-
-bool isFullCircle(const Region& target) {
-    if (target.loops.size() != 1) return false;
-    const std::vector<Segment>& edges = target.loops.front().segments;
-    return std::all_of(edges.begin(), edges.end(), [&](const Segment& edge) {
-        return edge.arc && edge.arc->ccw && edge.arc == edges.front().arc;
-    });
-}
 
 std::optional<StraightWall> straightWall(const Vec2& from, const Segment& segment) {
     if (segment.arc || segment.to == from) return std::nullopt;
@@ -80,7 +74,7 @@ FeatureClass classify(const Region& target, const std::vector<BoundaryPiece>& bo
         if (!piece.open) walls.push_back(&piece);
     if (walls.empty()) return FeatureClass::Face;
     if (walls.size() == boundary.size()) {
-        if (isFullCircle(target)) return through ? FeatureClass::HoleThrough : FeatureClass::HoleBlind;
+        if (isFullCircles(target)) return through ? FeatureClass::HoleThrough : FeatureClass::HoleBlind;
         return through ? FeatureClass::ThroughPocket : FeatureClass::ClosedPocket;
     }
     if (through) return FeatureClass::OpenProfile;

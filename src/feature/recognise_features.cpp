@@ -1,7 +1,9 @@
 #include <algorithm>
 
 #include "feature/bands.h"
+#include "feature/drill_points.h"
 #include "feature/feature_groups.h"
+#include "feature/group_holes.h"
 #include "feature/leftovers.h"
 #include "feature/removal_forest.h"
 #include "feature/standing_material.h"
@@ -21,7 +23,8 @@ class Recogniser {
     Recogniser(const LayerStack& layers, const Tolerances& tol)
         : layers_(layers),
           tol_(tol),
-          forest_(worthwhileForest(layers, tol)),
+          points_(feature::drillPoints(layers)),
+          forest_(worthwhileForest(layers, points_, tol)),
           standing_(layers, forest_, tol),
           owner_(forest_.components.size(), -1) {}
 
@@ -29,15 +32,19 @@ class Recogniser {
         FeatureSet found;
         for (const feature::FeatureGroup& group : feature::featureGroups(forest_, layers_, tol_))
             found.features.push_back(makeFeature(group));
+        feature::groupEqualHoles(found.features, tol_);
         feature::joinBands(found.features, layers_, tol_);
         found.unplanned = feature::findUnplanned(layers_, forest_, tol_);
         return found;
     }
 
   private:
-    static RemovalForest worthwhileForest(const LayerStack& layers, const Tolerances& tol) {
+    static RemovalForest worthwhileForest(const LayerStack& layers,
+                                          const std::vector<feature::DrillPoint>& points,
+                                          const Tolerances& tol) {
         RemovalForest forest = feature::buildRemovalForest(layers, tol);
         feature::markLeftovers(forest, layers, tol);
+        feature::markDrillPoints(forest, layers, points);
         return forest;
     }
 
@@ -65,6 +72,7 @@ class Recogniser {
         for (const int index : group.components)
             made.volume_mm3 += feature::volumeMm3(forest_.components[index], layers_);
         describeBoundary(made, tol_);
+        made.point_mm = feature::pointUnder(made, points_, tol_);
         return made;
     }
 
@@ -101,6 +109,7 @@ class Recogniser {
 
     const LayerStack& layers_;
     const Tolerances& tol_;
+    std::vector<feature::DrillPoint> points_;
     RemovalForest forest_;
     feature::StandingMaterial standing_;
     std::vector<int> owner_;                 ///< feature number of each component

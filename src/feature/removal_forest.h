@@ -20,6 +20,7 @@ struct RemovalComponent {
     std::vector<int> children;
     double stock_share =
         1;  ///< of its area that is stock half-way up the layer, where the stock's walls lean
+    bool in_drill_point = false;  ///< `left` to a drill
 };
 
 /// What a setup removes, layer by layer from the top, in the order of components() within a layer.

@@ -53,6 +53,10 @@ class SlopeTallies {
         }
         tally(SlopeCause::Draft).add(layer, layer.sloped_volume_mm3 - named_mm3, {});
     }
+    /// What of a layer's removal lies in drill points.
+    void addDrillPoints(const Layer& layer, double volume_mm3) {
+        tally(SlopeCause::DrillPoint).add(layer, volume_mm3, {});
+    }
     /// In the order of their words.
     const std::map<StayReason, Tally, InOrderOfWords>& tallies() const { return tallies_; }
 
@@ -87,8 +91,12 @@ std::vector<Unplanned> findUnplanned(const LayerStack& layers, const RemovalFore
         slopes.add(layer);
         slivers.add(layer, sliver_mm2 * layer.height_mm(), {});
         double left_mm2 = 0;
-        for (const int index : forest.of_layer[i])
-            if (forest.components[index].left) left_mm2 += forest.components[index].area_mm2;
+        double in_points_mm2 = 0;
+        for (const int index : forest.of_layer[i]) {
+            const RemovalComponent& component = forest.components[index];
+            if (component.left) (component.in_drill_point ? in_points_mm2 : left_mm2) += component.area_mm2;
+        }
+        slopes.addDrillPoints(layer, in_points_mm2 * layer.height_mm());
         leftovers.add(layer, left_mm2 * layer.height_mm(), {});
     }
     std::vector<Unplanned> all = undercuts.entries();

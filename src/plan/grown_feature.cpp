@@ -128,4 +128,11 @@ std::vector<Residual> onNominalStock(std::vector<Residual> residual, const Featu
     return residual;
 }
 
+Feature asFound(const Feature& feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
+                const StockGrowth& growth, const Tolerances& tol) {
+    const ReducedFeature below =
+        reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id), fixtures, tol);
+    return onGrownStock(below.feature, growth, tol);
+}
+
 }  // namespace stepmill

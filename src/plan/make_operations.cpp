@@ -49,6 +49,8 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_
                              ? operation.z_floor_mm + operation.path.depths * operation.path.step_down_mm
                              : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
+    operation.holes = step.holes;
+    operation.takes = step.takes;
     takeShopData(operation, settings.library, settings.material);
     if (operation.path.step_over_mm > 0)
         operation.even_length_mm =

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stepmill/feature/heights.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 
@@ -53,8 +54,10 @@ void raiseObstacles(Feature& feature, std::vector<Standing> standing, const Tole
     }
 }
 
-/// A hole with something left over it is no hole: its target is no circle any more.
-FeatureClass withoutHoles(FeatureClass feature_class) {
+/// A hole with something left over it is no hole: its target is no circle any more. Of a group the others
+/// are.
+FeatureClass withoutHoles(FeatureClass feature_class, const Region& left) {
+    if (isFullCircles(left)) return feature_class;
     if (feature_class == FeatureClass::HoleBlind) return FeatureClass::ClosedPocket;
     if (feature_class == FeatureClass::HoleThrough) return FeatureClass::ThroughPocket;
     return feature_class;
@@ -127,7 +130,7 @@ void keepClear(ReducedFeature& reduced, const std::vector<Standing>& standing, c
     free.target = nothing_left ? Region{} : std::move(left);
     free.area_mm2 = nothing_left ? 0 : left_mm2;
     free.volume_mm3 = free.area_mm2 * free.depth_mm();
-    free.feature_class = withoutHoles(free.feature_class);
+    free.feature_class = withoutHoles(free.feature_class, free.target);
     reduced.blocked.push_back(std::move(blocked));
 }
 

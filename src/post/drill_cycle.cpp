@@ -1,6 +1,7 @@
 #include "post/drill_cycle.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stepmill {
 namespace {
@@ -12,28 +13,46 @@ bool above(const Vec3& a, const Vec3& b) {
     return (a.head<2>() - b.head<2>()).norm() <= kSamePlaceMm;
 }
 
-}  // namespace
+bool sameHeight(double a_mm, double b_mm) {
+    return std::abs(a_mm - b_mm) <= kSamePlaceMm;
+}
 
-std::optional<FoundCycle> findCycle(const JobOperation& operation) {
-    if (operation.pattern != "drill") return std::nullopt;
+/// Moves of one hole, from the first after the way to it.
+struct HoleMoves {
+    std::size_t first = 0;
+    std::size_t end = 0;
+};
+
+/// Where the moves stay over one place: a hole each. \param first  of the first hole
+std::vector<HoleMoves> holesIn(const JobOperation& operation, std::size_t first) {
     const std::vector<FedMove>& moves = operation.moves;
-    const auto feed = std::find_if(moves.begin(), moves.end(),
-                                   [](const FedMove& m) { return m.move.kind != MoveKind::Rapid; });
-    const std::size_t first = feed - moves.begin();
-    // The rapid down to the R plane comes before the first feed, a rapid out ends it.
-    if (first == 0 || feed == moves.end() || moves.back().move.kind != MoveKind::Rapid) return std::nullopt;
-    FoundCycle found;
-    found.moves_before = first - 1;
-    DrillCycle& cycle = found.cycle;
-    const Vec3 initial = first >= 2 ? moves[first - 2].move.to : operation.start;
-    const Vec3 r = moves[first - 1].move.to;
-    cycle.at = initial.head<2>();
-    cycle.initial_z_mm = initial.z();
-    cycle.r_z_mm = r.z();
-    cycle.bottom_z_mm = r.z();
-    cycle.feed_mm_per_min = feed->feed_mm_per_min;
-    if (!above(r, initial) || r.z() > initial.z()) return std::nullopt;
+    std::vector<HoleMoves> holes{{first, first}};
     for (std::size_t i = first; i < moves.size(); ++i) {
+        const bool leaves = i > first && !above(moves[i].move.to, moves[i - 1].move.to);
+        if (leaves)
+            holes.push_back({i + 1, i + 1});
+        else
+            holes.back().end = i + 1;
+    }
+    return holes;
+}
+
+Vec3 startOf(const JobOperation& operation, std::size_t move) {
+    return move == 0 ? operation.start : operation.moves[move - 1].move.to;
+}
+
+/// One hole's moves as a cycle: a rapid down, feeds that go deeper and deeper, rapids, back where it began.
+std::optional<DrillCycle> cycleOf(const JobOperation& operation, const HoleMoves& hole) {
+    const std::vector<FedMove>& moves = operation.moves;
+    const Vec3 initial = startOf(operation, hole.first);
+    if (hole.end < hole.first + 3 || moves[hole.first].move.kind != MoveKind::Rapid) return std::nullopt;
+    DrillCycle cycle;
+    cycle.places = {initial.head<2>()};
+    cycle.initial_z_mm = initial.z();
+    cycle.r_z_mm = cycle.bottom_z_mm = moves[hole.first].move.to.z();
+    cycle.feed_mm_per_min = moves[hole.first + 1].feed_mm_per_min;
+    if (cycle.r_z_mm > cycle.initial_z_mm) return std::nullopt;
+    for (std::size_t i = hole.first; i < hole.end; ++i) {
         const Move& move = moves[i].move;
         if (!above(move.to, initial) || move.arc) return std::nullopt;
         if (move.kind == MoveKind::Rapid) continue;
@@ -41,8 +60,42 @@ std::optional<FoundCycle> findCycle(const JobOperation& operation) {
             return std::nullopt;
         cycle.bottom_z_mm = move.to.z();
     }
-    if (std::abs(moves.back().move.to.z() - initial.z()) > kSamePlaceMm) return std::nullopt;
-    if (operation.depths > 1) cycle.peck_mm = operation.step_down_mm;
+    const Move& out = moves[hole.end - 1].move;
+    if (out.kind != MoveKind::Rapid || !sameHeight(out.to.z(), initial.z())) return std::nullopt;
+    return cycle;
+}
+
+bool sameHole(const DrillCycle& one, const DrillCycle& other) {
+    return sameHeight(one.initial_z_mm, other.initial_z_mm) && sameHeight(one.r_z_mm, other.r_z_mm) &&
+           sameHeight(one.bottom_z_mm, other.bottom_z_mm) && one.feed_mm_per_min == other.feed_mm_per_min;
+}
+
+/// The move that comes down to the first hole's R plane: the last rapid before the first feed.
+std::optional<std::size_t> firstDown(const std::vector<FedMove>& moves) {
+    const auto feed = std::find_if(moves.begin(), moves.end(),
+                                   [](const FedMove& one) { return one.move.kind != MoveKind::Rapid; });
+    if (feed == moves.begin() || feed == moves.end()) return std::nullopt;
+    return feed - moves.begin() - 1;
+}
+
+}  // namespace
+
+std::optional<FoundCycle> findCycle(const JobOperation& operation) {
+    if (operation.pattern != "drill") return std::nullopt;
+    const std::optional<std::size_t> down = firstDown(operation.moves);
+    if (!down) return std::nullopt;
+    FoundCycle found;
+    found.moves_before = *down;
+    for (const HoleMoves& hole : holesIn(operation, *down)) {
+        const std::optional<DrillCycle> cycle = cycleOf(operation, hole);
+        const bool first = found.cycle.places.empty();
+        if (!cycle || (!first && !sameHole(found.cycle, *cycle))) return std::nullopt;
+        if (first)
+            found.cycle = *cycle;
+        else
+            found.cycle.places.push_back(cycle->places.front());
+    }
+    if (operation.depths > 1) found.cycle.peck_mm = operation.step_down_mm;
     return found;
 }
 

@@ -125,35 +125,37 @@ Json parentsJson(const Feature& band, const BandsById& bands) {
 Json bandJson(const PlannedFeature& planned, const BandsById& bands, FeatureTables& tables) {
     const Feature& band = planned.feature;
     const ToolSequence& sequence = planned.sequence;
-    return {{"band", bandNumber(band)},
-            {"class", toString(band.feature_class)},
-            {"parents", parentsJson(band, bands)},
-            {"top_z_mm", number(band.top_z_mm)},
-            {"floor_z_mm", number(band.floor_z_mm)},
-            {"area_mm2", number(band.area_mm2)},
-            {"volume_mm3", number(band.volume_mm3)},
-            {"open_length_mm", number(band.open_length_mm)},
-            {"closed_length_mm", number(band.closed_length_mm)},
-            {"min_corner_radius_mm", numberOrNull(band.min_corner_radius_mm)},
-            {"target", tables.regions.add(band.target)},
-            {"obstruction", tables.regions.add(band.obstruction)},
-            {"obstacles", listOf(band.obstacles,
-                                 [&](const Obstacle& obstacle) {
-                                     return tables.obstacles.add(obstacle, tables.regions);
-                                 })},
-            {"tools", toolsJson(sequence)},
-            {"excluded", excludedJson(sequence)},
-            {"blocked_lumps", blockedLumpsJson(sequence)},
-            {"dag",
-             {{"edges", edgesJson(sequence.edges)},
-              {"surrogates", surrogatesJson(sequence.edges)},
-              {"path", pathJson(sequence)}}},
-            {"time_s", number(sequence.time_s)},
-            {"motion_time_s", number(sequence.motion_s)},
-            {"lower_bound_s", number(sequence.lower_bound_s)},
-            {"residual", listOf(sequence.residual, [&](const Residual& residual) {
-                 return residualJson(residual, tables.regions);
-             })}};
+    Json json{{"band", bandNumber(band)},
+              {"class", toString(band.feature_class)},
+              {"parents", parentsJson(band, bands)},
+              {"top_z_mm", number(band.top_z_mm)},
+              {"floor_z_mm", number(band.floor_z_mm)},
+              {"area_mm2", number(band.area_mm2)},
+              {"volume_mm3", number(band.volume_mm3)},
+              {"open_length_mm", number(band.open_length_mm)},
+              {"closed_length_mm", number(band.closed_length_mm)},
+              {"min_corner_radius_mm", numberOrNull(band.min_corner_radius_mm)},
+              {"target", tables.regions.add(band.target)},
+              {"obstruction", tables.regions.add(band.obstruction)},
+              {"obstacles", listOf(band.obstacles,
+                                   [&](const Obstacle& obstacle) {
+                                       return tables.obstacles.add(obstacle, tables.regions);
+                                   })},
+              {"tools", toolsJson(sequence)},
+              {"excluded", excludedJson(sequence)},
+              {"blocked_lumps", blockedLumpsJson(sequence)},
+              {"dag",
+               {{"edges", edgesJson(sequence.edges)},
+                {"surrogates", surrogatesJson(sequence.edges)},
+                {"path", pathJson(sequence)}}},
+              {"time_s", number(sequence.time_s)},
+              {"motion_time_s", number(sequence.motion_s)},
+              {"lower_bound_s", number(sequence.lower_bound_s)},
+              {"residual", listOf(sequence.residual, [&](const Residual& residual) {
+                   return residualJson(residual, tables.regions);
+               })}};
+    if (band.point_mm > 0) json["point_mm"] = number(band.point_mm);
+    return json;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ int visitOf(const std::string& file, const std::string& setup_id, Dialect dialec
 /// The setup's program of that name, or those for every visit of a tool: none where nothing is cut.
 std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const std::string& whole,
                                       const RecordedSetup& setup, Dialect dialect, std::uintmax_t max_bytes) {
-    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole, max_bytes)}};
+    if (std::filesystem::exists(dir / whole)) return {{whole, readFile(dir / whole, max_bytes), {}}};
     std::map<int, std::string> visits;
     for (const auto& entry : std::filesystem::directory_iterator(dir)) {
         const std::string name = entry.path().filename().string();
@@ -31,10 +31,10 @@ std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const st
         if (visit > 0) visits[visit] = name;
     }
     if (visits.empty() && !setup.operation_ids.empty() && setup.within_travel)
-        return {{whole, readFile(dir / whole, max_bytes)}};  // which says what is missing
+        return {{whole, readFile(dir / whole, max_bytes), {}}};  // which says what is missing
     std::vector<PostedProgram> programs;
     for (const auto& [visit, name] : visits)
-        programs.push_back({name, readFile(dir / name, max_bytes)});
+        programs.push_back({name, readFile(dir / name, max_bytes), {}});
     return programs;
 }
 

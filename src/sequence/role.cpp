@@ -14,6 +14,10 @@ std::string toString(Role role) {
     return wordOf(kRoles, role);
 }
 
+bool isClearing(Role role) {
+    return role == Role::Face || role == Role::Rough || role == Role::Rest || role == Role::Surrogate;
+}
+
 std::optional<Role> roleFrom(std::string_view word) {
     return valueOf(kRoles, word);
 }

@@ -88,7 +88,7 @@ class Inspector {
                             return std::binary_search(inspected.feature.faces.begin(),
                                                       inspected.feature.faces.end(), face);
                         }))
-                        inspected.hole = hole.id;
+                        inspected.holes.push_back(hole.id);
             }
     }
 

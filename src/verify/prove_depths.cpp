@@ -151,7 +151,10 @@ class DepthProver {
     void feed(Way way, double low_mm, double cut_to_mm) {
         ramping_ = cut_to_mm > low_mm + kSamePostedHeightMm;
         auto counts_on = levelOver(low_mm);
-        if (counts_on != counts_on_) {
+        // Where a drill has cleared what is above, the first level counts on nothing of this operation, and
+        // the next one on it.
+        const bool next_level = highest_fresh_mm_ >= low_mm + step_mm_ / 2;
+        if (counts_on != counts_on_ || next_level) {
             settle();
             counts_on = levelOver(low_mm);
         }
@@ -164,6 +167,7 @@ class DepthProver {
             asked_reach_mm_ = std::min(asked_reach_mm_, reachOver(low_mm));
         }
         fresh_.emplace_back(cut_to_mm, std::move(way.path));
+        highest_fresh_mm_ = std::max(highest_fresh_mm_, cut_to_mm);
     }
 
     /// The highest level, or the top, that a pass at that height may count on; nothing without any.
@@ -190,6 +194,7 @@ class DepthProver {
             level.ways.push_back(std::move(way));
         }
         fresh_.clear();
+        highest_fresh_mm_ = -std::numeric_limits<double>::infinity();
     }
 
     Level& levelAt(double z_mm) {
@@ -254,6 +259,7 @@ class DepthProver {
     /// Least height that what they count on may have.
     double asked_reach_mm_ = std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, Path>> fresh_;  ///< cut since settle(), with their heights
+    double highest_fresh_mm_ = -std::numeric_limits<double>::infinity();
     bool failed_ = false;
 };
 

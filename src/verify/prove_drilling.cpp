@@ -1,10 +1,11 @@
-// How deep a drill goes, and in how many pecks.
+// How deep a drill goes in every hole, and in how many pecks.
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/sequence/drilling.h"
 #include "verify/prove_state.h"
 
@@ -13,20 +14,30 @@ namespace {
 
 /// P words are rounded to milliseconds [s].
 constexpr double kDwellRoundingS = 1e-3;
+/// A tip this near to a hole's axis is in that hole [mm].
+constexpr double kOnAxisMm = 0.01;
 
-/// How deep the tip must come; nothing for what is no hole.
-double plannedTipZ(const RecordedOperation& planned, const Feature& feature) {
-    return std::min(planned.z_floor_mm, drillTipZ(feature, planned.tool));
+bool isOver(const Vec3& place, const Vec2& axis) {
+    return (Vec2(place.head<2>()) - axis).norm() <= kOnAxisMm;
 }
 
-void checkDepth(const ReadOperation& operation, double tip_z_mm, const Findings& findings) {
+std::string placeWords(const Vec2& axis) {
+    return fmt::format("at X{:.3f} Y{:.3f}", axis.x(), axis.y());
+}
+
+void checkDepth(const ReadOperation& operation, const Vec2& axis, double tip_z_mm, const Findings& findings) {
     const ReadMove* lowest = nullptr;
-    for (const ReadMove& read : operation.moves)
-        if (lowest == nullptr || read.fed.move.to.z() < lowest->fed.move.to.z()) lowest = &read;
+    for (const ReadMove& read : operation.moves) {
+        const Vec3& to = read.fed.move.to;
+        if (isOver(to, axis) && (lowest == nullptr || to.z() < lowest->fed.move.to.z())) lowest = &read;
+    }
     if (lowest != nullptr && lowest->fed.move.to.z() <= tip_z_mm + kSamePostedHeightMm) return;
-    findings.add(lowest == nullptr ? operation.line : lowest->line,
-                 fmt::format("drills to Z{:.4f}, planned is Z{:.4f}",
-                             lowest == nullptr ? 0.0 : lowest->fed.move.to.z(), tip_z_mm));
+    if (lowest == nullptr)
+        findings.add(operation.line,
+                     fmt::format("drills no hole {}, planned is one to Z{:.4f}", placeWords(axis), tip_z_mm));
+    else
+        findings.add(lowest->line, fmt::format("drills to Z{:.4f} {}, planned is Z{:.4f}",
+                                               lowest->fed.move.to.z(), placeWords(axis), tip_z_mm));
 }
 
 /// Chips come out when the drill is lifted out of the hole: between two such lifts it may sink a peck.
@@ -34,10 +45,13 @@ void checkPecks(const ReadOperation& operation, const RecordedOperation& planned
                 const Findings& findings) {
     double drilled_mm = top_z_mm;
     double emptied_at_mm = top_z_mm;
+    Vec3 from = operation.start;
     for (const ReadMove& read : operation.moves) {
-        const double z_mm = read.fed.move.to.z();
-        if (z_mm >= top_z_mm) emptied_at_mm = drilled_mm;
-        drilled_mm = std::min(drilled_mm, z_mm);
+        const Vec3& to = read.fed.move.to;
+        if (!isOver(to, from.head<2>())) drilled_mm = emptied_at_mm = top_z_mm;
+        if (to.z() >= top_z_mm) emptied_at_mm = drilled_mm;
+        drilled_mm = std::min(drilled_mm, to.z());
+        from = to;
         const double sunk_mm = emptied_at_mm - drilled_mm;
         if (sunk_mm <= planned.step_down_mm + 2 * kSamePostedHeightMm) continue;
         findings.add(read.line,
@@ -47,11 +61,17 @@ void checkPecks(const ReadOperation& operation, const RecordedOperation& planned
     }
 }
 
+/// Stays at the bottom add up to those of all holes: the reader knows their height, not their place.
 void checkDwell(const ReadOperation& operation, const RecordedOperation& planned, double tip_z_mm,
-                const Findings& findings) {
-    double stayed_s = 0;
-    for (const ReadDwell& dwell : operation.dwells)
-        if (dwell.z_mm <= tip_z_mm + kSamePostedHeightMm) stayed_s += dwell.seconds;
+                std::size_t holes, const Findings& findings) {
+    std::size_t stays = 0;
+    double shortest_s = std::numeric_limits<double>::infinity();
+    for (const ReadDwell& dwell : operation.dwells) {
+        if (dwell.z_mm > tip_z_mm + kSamePostedHeightMm) continue;
+        ++stays;
+        shortest_s = std::min(shortest_s, dwell.seconds);
+    }
+    const double stayed_s = stays >= holes ? shortest_s : 0;
     if (stayed_s < planned.dwell_s - kDwellRoundingS)
         findings.add(operation.line,
                      fmt::format("stays {:.3f} s at the bottom of the hole, planned are {:.3f} s", stayed_s,
@@ -63,10 +83,12 @@ void checkDwell(const ReadOperation& operation, const RecordedOperation& planned
 void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
                    const FeatureState& state, const Findings& findings) {
     if (!planned.tool.isDrill()) return;
-    const double tip_z_mm = plannedTipZ(planned, state.feature);
-    checkDepth(operation, tip_z_mm, findings);
+    const double tip_z_mm = lowestZ(planned, state.feature);
+    const std::vector<Vec2> axes = holeCentres(state.feature);
+    for (const Vec2& axis : axes)
+        checkDepth(operation, axis, tip_z_mm, findings);
     checkPecks(operation, planned, state.feature.top_z_mm, findings);
-    checkDwell(operation, planned, tip_z_mm, findings);
+    checkDwell(operation, planned, tip_z_mm, axes.size(), findings);
 }
 
 }  // namespace stepmill::verify

@@ -9,6 +9,7 @@
 
 #include "stepmill/access/collision.h"
 #include "stepmill/core/units.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge_index.h"
 #include "stepmill/sequence/drilling.h"
@@ -61,12 +62,6 @@ void checkClearance(const LinedPath& path, const ClearingTask& task, double radi
         return prove(part, task, radius_mm, tol).least_clearance_mm < allowed_mm;
     });
     findings.add(line, fmt::format("{} by {:.4f} mm", what, allowed_mm + tol.gouge_mm - clearance));
-}
-
-/// How deep the tip may go.
-double lowestZ(const RecordedOperation& planned, const Feature& feature) {
-    return planned.tool.isDrill() ? std::min(planned.z_floor_mm, drillTipZ(feature, planned.tool))
-                                  : planned.z_floor_mm;
 }
 
 /// The path of an arc whose ends are not equally far from its centre is no circle: LinuxCNC spirals.
@@ -187,6 +182,27 @@ std::vector<ClearingTask> bandsOf(const FeatureState& state, const RecordedOpera
 
 }  // namespace
 
+namespace {
+
+bool endsAtFloor(const RecordedOperation& planned, const Feature& feature) {
+    return std::abs(planned.z_floor_mm - feature.floor_z_mm) <= kSamePostedHeightMm;
+}
+
+}  // namespace
+
+double lowestZ(const RecordedOperation& planned, const Feature& feature) {
+    if (!planned.tool.isDrill()) return planned.z_floor_mm;
+    // Over a floor that a mill makes, its point lies below what it clears.
+    if (planned.leaves.floors_mm > 0) return planned.z_floor_mm - pointLengthMm(planned.tool);
+    return endsAtFloor(planned, feature) ? drillTipZ(feature, planned.tool) : planned.z_floor_mm;
+}
+
+double clearedDownTo(const RecordedOperation& planned, const Feature& feature) {
+    if (!planned.tool.isDrill() || planned.leaves.floors_mm > 0) return planned.z_floor_mm;
+    return endsAtFloor(planned, feature) ? std::max(planned.z_floor_mm, drilledToZ(feature, planned.tool))
+                                         : planned.z_floor_mm + pointLengthMm(planned.tool);
+}
+
 const Region& FeatureState::standingAt(double z_mm) const {
     const Region* found = &standing.front().region;
     for (const StandingAbove& above : standing)
@@ -273,6 +289,7 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
     const double sink_limit =
         planned.plunge_feed_mm_per_min > 0 ? planned.plunge_feed_mm_per_min : planned.feed_mm_per_min;
     double feed_limit = std::max(planned.feed_mm_per_min, planned.tool.isDrill() ? sink_limit : 0.0);
+    if (planned.rating) feed_limit *= kMostChipThinning;
     if (max_feed_mm_per_min > 0) feed_limit = std::min(feed_limit, max_feed_mm_per_min);
     Vec3 from = operation.start;
     bool told = false;
@@ -300,13 +317,16 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
     }
 }
 
-Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol) {
+Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Feature& feature,
+               const Tolerances& tol) {
     const ToolAssembly& tool = planned.tool;
     double radius_mm = tool.radius_mm() + tol.sliver_mm;
-    if (tool.isDrill()) radius_mm += kDrillUndersizeMm / 2;
-    return sweptRegion(waysBelow(operation, 0, operation.moves.size(),
-                                 planned.z_floor_mm + kSamePostedHeightMm, operation.start),
-                       radius_mm, tol);
+    const bool fits = tool.isDrill() && tool.radius_mm() >= holeRadiusMm(feature) - kDrillUndersizeMm / 2;
+    if (fits) radius_mm += kDrillUndersizeMm / 2;
+    const double down_to_mm = tool.isDrill() ? lowestZ(planned, feature) : planned.z_floor_mm;
+    return sweptRegion(
+        waysBelow(operation, 0, operation.moves.size(), down_to_mm + kSamePostedHeightMm, operation.start),
+        radius_mm, tol);
 }
 
 }  // namespace stepmill::verify

@@ -20,6 +20,8 @@ struct FeatureState {
     /// At every height that operations of the feature go down to, from below; the first is what stands over
     /// the floor. Each holds the ones above it.
     std::vector<StandingAbove> standing;
+    /// The same as the ways that were gone; nothing where no operation of the feature has a rating.
+    std::optional<CutGround> ground;
     double safe_z_mm = 0;  ///< nothing stands higher in the setup, neither stock nor fixture
 
     /// What may stand at that height.
@@ -51,11 +53,24 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
 void proveDepths(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                  const Tolerances& tol, const Findings& findings);
 
-/// Feeds no higher than planned; where the spindle turns slower, so much less.
+/// Feeds no higher than planned; where the spindle turns slower, so much less. An operation with a rating may
+/// go faster in thin cuts, by kMostChipThinning at most: proveCuts() says where.
 void proveFeeds(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
                 double max_feed_mm_per_min, const Findings& findings);
 
-/// What the operation clears down to its floor.
-Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol);
+/// Every move of an operation with a rating cuts no faster than its width and depth allow: the tool's rated
+/// removal, its slot step-down, the spindle's power and torque. Widths and depths are those of the posted
+/// moves, in what the setup's operations before them have left of the feature.
+void proveCuts(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
+               const CutGround& ground, const Material& material, const Machine& machine,
+               const Findings& findings);
+
+/// How deep the tip may go: a drill's where the feature ends below its floor, else the operation's floor.
+double lowestZ(const RecordedOperation& planned, const Feature& feature);
+
+/// What the operation clears down to clearedDownTo(); below that a drill's point leaves some of it.
+Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Feature& feature,
+               const Tolerances& tol);
+double clearedDownTo(const RecordedOperation& planned, const Feature& feature);
 
 }  // namespace stepmill::verify

@@ -2,10 +2,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "stepmill/toolpath/toolpath.h"
+#include "support/move_places.h"
 #include "support/raster_simulator.h"
 
 namespace stepmill::test {
@@ -26,6 +26,8 @@ struct CutterProfile {
 };
 inline CutterProfile profileOf(const ToolAssembly& tool) {
     const double radius = tool.diameter_mm / 2;
+    if (tool.isDrill())
+        return {radius, 0, 0, 1 / std::tan(tool.point_angle_deg / 360 * 3.14159265358979323846)};
     if (tool.type != ToolType::Chamfer)
         return {radius, radius - tool.corner_radius_mm, tool.corner_radius_mm, 0};
     const double half_rad = tool.included_angle_deg / 360 * 3.14159265358979323846;
@@ -131,29 +133,12 @@ class HeightMap {
     }
 
   private:
-    static std::pair<int, double> stepsOf(const Vec3& from, const Move& move, double longest_mm) {
-        const Segment flat{move.to.head<2>(), move.arc};
-        const double length_mm = std::hypot(length(Vec2(from.head<2>()), flat), move.to.z() - from.z());
-        int steps = std::max(1, static_cast<int>(std::ceil(length_mm / longest_mm)));
-        // A small circle turns much in one step: the disc must be looked at all round.
-        if (move.arc) {
-            const double turn_rad = length(Vec2(from.head<2>()), flat) / move.arc->radius_mm;
-            steps *= std::max(1, static_cast<int>(std::ceil(turn_rad / (steps * kLongestTurnRad))));
-        }
-        return {steps, length_mm};
-    }
-
-    static Vec3 along(const Vec3& from, const Move& move, double share) {
-        const Vec2 at = pointAt(from.head<2>(), Segment{move.to.head<2>(), move.arc}, share);
-        return {at.x(), at.y(), from.z() + share * (move.to.z() - from.z())};
-    }
-
     void rapid(const Vec3& from, const Move& move, const CutterProfile& cutter, double radius_mm,
                Cut& cut) const {
         // Nothing is lowered, so steps may be as long as the disc is wide in cells.
-        const int steps = stepsOf(from, move, std::max(0.5 * radius_mm, raster_.cellMm())).first;
-        for (int i = 0; i <= steps; ++i) {
-            const Vec3 at = along(from, move, static_cast<double>(i) / steps);
+        const MovePlaces places(from, move, std::max(0.5 * radius_mm, raster_.cellMm()));
+        for (int i = 0; i <= places.last(); ++i) {
+            const Vec3 at = places.at(i);
             bool hit = false;
             raster_.forDisc(at.head<2>(), radius_mm, [&](std::size_t c) {
                 const double z_mm = at.z() + cutter.heightAt((raster_.centre(c) - at.head<2>()).norm());
@@ -164,16 +149,15 @@ class HeightMap {
     }
 
     void feed(const Vec3& from, const Move& move, const CutterProfile& cutter, double& air_run, Cut& cut) {
-        const auto [steps, length_mm] = stepsOf(from, move, stepMm(cutter.radius_mm));
+        const MovePlaces places(from, move, stepMm(cutter.radius_mm));
         const bool level = from.z() == move.to.z();
-        cut.feed_mm += length_mm;
-        if (level) cut.level_mm += length_mm;
-        for (int i = 0; i <= steps; ++i) {
-            const Vec3 at = along(from, move, static_cast<double>(i) / steps);
-            const double taken = lower(at, cutter);
+        cut.feed_mm += places.lengthMm();
+        if (level) cut.level_mm += places.lengthMm();
+        for (int i = 0; i <= places.last(); ++i) {
+            const double taken = lower(places.at(i), cutter);
             cut.removed_mm3 += taken;
             if (i == 0) continue;
-            const double step_mm = length_mm / steps;
+            const double step_mm = places.stepMm();
             if (taken > 0) {
                 air_run = 0;
                 continue;
@@ -202,7 +186,6 @@ class HeightMap {
     double stepMm(double radius_mm) const { return std::sqrt(0.8 * raster_.cellMm() * radius_mm); }
 
     static constexpr double kFlushMm = 1e-6;
-    static constexpr double kLongestTurnRad = 0.4;
 
     Raster raster_;
     std::vector<double> heights_;

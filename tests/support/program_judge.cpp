@@ -40,27 +40,6 @@ std::string operationOf(const std::string& comment) {
     return comment.substr(from, comment.find_first_of(" \"", from) - from);
 }
 
-Vec3 placeOf(const CanonEvent& event) {
-    return {event.to[0], event.to[1], event.to[2]};
-}
-
-Toolpath pathOf(const Vec3& from, const CanonEvent& event) {
-    Toolpath path;
-    path.start = from;
-    Move move;
-    move.kind = event.kind == Kind::Rapid ? MoveKind::Rapid : MoveKind::Feed;
-    move.to = placeOf(event);
-    if (event.kind == Kind::Arc) {
-        const Vec2 centre(event.centre[0], event.centre[1]);
-        move.arc = Arc{centre, (from.head<2>() - centre).norm(), event.turns > 0};
-        Move whole = move;
-        whole.to = from;
-        path.moves.assign(static_cast<std::size_t>(std::max(0, std::abs(event.turns) - 1)), whole);
-    }
-    path.moves.push_back(move);
-    return path;
-}
-
 /// Settings and places that are wrong whatever is cut.
 class SettingsJudge {
   public:
@@ -124,6 +103,27 @@ class SettingsJudge {
 };
 
 }  // namespace
+
+Vec3 placeOf(const CanonEvent& event) {
+    return {event.to[0], event.to[1], event.to[2]};
+}
+
+Toolpath pathOf(const Vec3& from, const CanonEvent& event) {
+    Toolpath path;
+    path.start = from;
+    Move move;
+    move.kind = event.kind == Kind::Rapid ? MoveKind::Rapid : MoveKind::Feed;
+    move.to = placeOf(event);
+    if (event.kind == Kind::Arc) {
+        const Vec2 centre(event.centre[0], event.centre[1]);
+        move.arc = Arc{centre, (from.head<2>() - centre).norm(), event.turns > 0};
+        Move whole = move;
+        whole.to = from;
+        path.moves.assign(static_cast<std::size_t>(std::max(0, std::abs(event.turns) - 1)), whole);
+    }
+    path.moves.push_back(move);
+    return path;
+}
 
 StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup) {
     Box2 box;

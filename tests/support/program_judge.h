@@ -9,6 +9,10 @@
 
 namespace stepmill::test {
 
+/// Where a motion ends, and the motion as moves from where the tool was.
+Vec3 placeOf(const CanonEvent& event);
+Toolpath pathOf(const Vec3& from, const CanonEvent& event);
+
 /// What a tool of the plan may do in one operation.
 struct AllowedOperation {
     int tool = 0;

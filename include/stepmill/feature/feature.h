@@ -21,14 +21,14 @@ enum class FeatureClass {
     Step,           ///< open on one or more sides along a straight wall
     ThroughPocket,  ///< no floor: a window
     OpenProfile,    ///< no floor, open edges: the part's outside, a notch
-    HoleBlind,      ///< one full circle with a floor
-    HoleThrough,    ///< one full circle without a floor
+    HoleBlind,      ///< a full circle, or several equal ones, with a floor
+    HoleThrough,    ///< a full circle, or several equal ones, without a floor
     Engraving       ///< floor, narrower than the smallest cutter of the shop
 };
 std::string toString(FeatureClass feature_class);
 /// The reverse; nothing for another word.
 std::optional<FeatureClass> featureClassFrom(std::string_view word);
-/// One full circle, with a floor or without.
+/// Full circles, with a floor or without.
 bool isHole(FeatureClass feature_class);
 /// False for what goes through.
 bool hasFloor(FeatureClass feature_class);
@@ -72,8 +72,11 @@ struct Feature {
     double top_z_mm = 0;
     double floor_z_mm = 0;
     bool through = false;  ///< nothing of part or stock lies below the floor
-    Region target;         ///< T: the ground to clear down to the floor
-    Region obstruction;    ///< O: what the cutter must not touch while it clears T
+    /// Of a blind hole: so deep below the floor the part leaves a drill's point free, a cone on the whole
+    /// floor; 0: the floor is flat. No volume of the feature [mm].
+    double point_mm = 0;
+    Region target;       ///< T: the ground to clear down to the floor
+    Region obstruction;  ///< O: what the cutter must not touch while it clears T
     /// What the stock may have too much of beside the obstruction: cutters may cut it, rapids and holders
     /// stay off it. Empty unless onGrownStock() (plan/grown_feature.h) made it.
     Region skirt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stepmill/feature/feature.h"
+#include "stepmill/plan/reduced_feature.h"
 #include "stepmill/sequence/sequence.h"
 #include "stepmill/setup/stock_growth.h"
 
@@ -11,6 +12,10 @@ namespace stepmill {
 /// the obstruction. Without growth the feature as it is; one with an empty target too.
 /// \param feature  beside all that stands by the plan: reduced() (plan/reduced_feature.h)
 Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerances& tol);
+
+/// A feature as its tools find it: below what those above it left, beside the fixtures, on the grown stock.
+Feature asFound(const Feature& feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
+                const StockGrowth& growth, const Tolerances& tol);
 
 /// Obstacles as they may stand: raw sides farther out, a raw top higher.
 std::vector<Obstacle> onGrownStock(std::vector<Obstacle> obstacles, const StockGrowth& growth,

@@ -96,6 +96,9 @@ std::string toString(Role role);
 /// The reverse; nothing for another word.
 std::optional<Role> roleFrom(std::string_view word);
 
+/// Does it clear ground in depths of cut: no drilling, no finishing pass, no form?
+bool isClearing(Role role);
+
 /// One tool's part in a feature.
 struct SequenceStep {
     std::string tool_id;
@@ -107,6 +110,9 @@ struct SequenceStep {
     /// How far the tool must be set out at least for this step; its only stick-out where it has no range.
     double least_stick_out_mm = 0;
     FinishAllowance leaves;  ///< what a finishing step after it takes off
+    int holes = 0;           ///< that a drilling step makes
+    /// Of a drilling step: what its point takes below the floor, of volumes that belong to no feature.
+    std::vector<ReasonVolume> takes;
 };
 
 /// A way through a feature's tool DAG.

@@ -18,7 +18,7 @@ struct InspectedFeature {
     Feature feature;
     /// Nothing where the target could not be measured; a warning says why.
     std::optional<FeatureMeasures> measures;
-    std::string hole;  ///< id of the hole it is a step of; empty for others
+    std::vector<std::string> holes;  ///< ids of the holes that it is a step of
 };
 
 /// One clamping with what is cut in it.

@@ -29,6 +29,8 @@ struct Move {
     Vec3 to = Vec3::Zero();
     std::optional<Arc> arc;
     bool in_air = false;  ///< a feed move known to meet no material
+    /// By what it cuts (CuttingModel); 0: that of its kind.
+    double feed_mm_per_min = 0;
 };
 
 /// How a region is gone over. See docs/algorithms/contour-parallel.md and docs/algorithms/parallel-lines.md.
@@ -99,6 +101,10 @@ struct Toolpath {
 
     /// Of a move of that kind; 0 for rapids, whose rate is the machine's.
     double feedOf(MoveKind kind) const;
+    /// Of a move: its own or, where it has none, that of its kind.
+    double feedOf(const Move& move) const {
+        return move.feed_mm_per_min > 0 ? move.feed_mm_per_min : feedOf(move.kind);
+    }
 };
 
 /// The rings of one tool's free centres before clipping: the costly part of clearArea(), the same for all
@@ -149,10 +155,22 @@ std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const Tool
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
                    const Machine& machine, const Tolerances& tol);
 
-/// Drills one hole at `at`: rapid to the clearance height, peck at the cutting data's step-down (or twice
-/// the diameter when it has none), feed out, retract. \pre tool.isDrill()
-Toolpath drillHole(const Vec2& at, double top_z_mm, double floor_z_mm, double retract_z_mm,
+/// Drills equal holes, one after another in this order: rapid over the hole, down to the clearance height,
+/// feed, rapid out to the retract height. Down to kOneGoDiameters in one go, deeper in pecks of the cutting
+/// data's step-down (or twice the diameter when it has none), coming out after each; `depths` are pecks a
+/// hole. \pre tool.isDrill(), at least one hole
+Toolpath drillHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
+                    const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
+/// One hole.
+Toolpath drillHole(const Vec2& at, double top_z_mm, double tip_z_mm, double retract_z_mm,
                    const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
+
+/// Holes no deeper than so many diameters clear their chips by themselves.
+inline constexpr double kOneGoDiameters = 3;
+
+/// The places in an order that is short to visit: from the one farthest left and down the nearest next, then
+/// with stretches turned round as long as that makes the way shorter. O(n2) a round, a few rounds.
+std::vector<Vec2> shortestTour(std::vector<Vec2> places);
 
 /// Feed along a descent at `angle_rad` to the horizontal: the cutting feed, but no more than lets the cutter
 /// sink at the plunge feed, min(F, F_p / sin(angle)). The edges at the cutter's rim then cut as they do on

@@ -54,7 +54,7 @@ void addBand(Table& table, const InspectedFeature& inspected, const Tints& tints
         return inspected.measures ? words(*inspected.measures) : std::string("?");
     };
     table
-        .row(featureKey(feature.id, feature, tints), toString(feature.feature_class), inspected.hole,
+        .row(featureKey(feature.id, feature, tints), toString(feature.feature_class), listed(inspected.holes),
              listed(feature.parents), fixed(feature.depth_mm(), 3),
              measured([](const FeatureMeasures& m) { return fixed(m.width_mm, 2); }),
              measured([](const FeatureMeasures& m) { return fixed(m.depth_to_width, 2); }),

@@ -45,7 +45,7 @@ Json featureJson(const InspectedFeature& inspected) {
     return {{"id", feature.id},
             {"class", toString(feature.feature_class)},
             {"parents", feature.parents},
-            {"hole", textOrNull(inspected.hole)},
+            {"holes", inspected.holes},
             {"top_z_mm", number(feature.top_z_mm)},
             {"floor_z_mm", number(feature.floor_z_mm)},
             {"depth_mm", number(feature.depth_mm())},
@@ -81,11 +81,15 @@ Json setupJson(const InspectedSetup& inspected) {
             {"gap_mm3", number(inspected.gap_mm3)}};
 }
 
+bool isStepOf(const InspectedFeature& inspected, const Hole& hole) {
+    return std::find(inspected.holes.begin(), inspected.holes.end(), hole.id) != inspected.holes.end();
+}
+
 Json holeJson(const Hole& hole, const Inspection& inspection) {
     Json features = Json::array();
     for (const InspectedSetup& setup : inspection.setups)
         for (const InspectedFeature& inspected : setup.features)
-            if (inspected.hole == hole.id) features.push_back(inspected.feature.id);
+            if (isStepOf(inspected, hole)) features.push_back(inspected.feature.id);
     return {{"id", hole.id},
             {"class", holeName(hole)},
             {"diameter_mm", number(hole.diameter_mm())},

@@ -28,7 +28,8 @@ std::string bandRow(const InspectedFeature& inspected, const std::string& name, 
     } else {
         row += fmt::format(" {:>6} {:>7} {:>14} {:>6}", "?", "?", "?", "?");
     }
-    return row + fmt::format(" {:>10.3f}  {:<5} {}\n", feature.volume_mm3 / 1000, inspected.hole, after);
+    return row + fmt::format(" {:>10.3f}  {:<5} {}\n", feature.volume_mm3 / 1000,
+                             fmt::format("{}", fmt::join(inspected.holes, ",")), after);
 }
 
 /// A row for the feature; where it has several bands one for each below, with what differs.

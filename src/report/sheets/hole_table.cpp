@@ -11,7 +11,7 @@
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
-#include "stepmill/core/units.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/feature/whole_feature.h"
 
 namespace stepmill::report {
@@ -68,10 +68,10 @@ std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetu
     std::map<std::tuple<long, long, long, bool, std::string>, std::size_t> known;
     for (const WholeFeature<PlannedFeature>& whole : wholeFeatures(setup.features)) {
         if (!isHole(whole.featureClass()) || whole.lowest().target.empty()) continue;
-        const Region& section = whole.lowest().target;
+        const Feature& lowest = whole.lowest();
         const HoleWork work = workOn(subject.plan(), setup, whole);
         HoleGroup hole;
-        hole.diameter_mm = 2 * std::sqrt(area(section) / kPi);
+        hole.diameter_mm = 2 * holeRadiusMm(lowest);
         hole.top_mm = whole.uppermost().top_z_mm;
         hole.floor_mm = whole.lowest().floor_z_mm;
         hole.through = !hasFloor(whole.featureClass());
@@ -83,8 +83,10 @@ std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetu
             hole.way = work.way;
             groups.push_back(std::move(hole));
         }
-        groups[found->second].centres.push_back(centroid(section));
-        groups[found->second].last = std::max(groups[found->second].last, work.last);
+        HoleGroup& group = groups[found->second];
+        const std::vector<Vec2> centres = holeCentres(lowest);
+        group.centres.insert(group.centres.end(), centres.begin(), centres.end());
+        group.last = std::max(group.last, work.last);
     }
     return groups;
 }

@@ -8,8 +8,6 @@
 namespace stepmill {
 namespace {
 
-constexpr double kMm3PerCm3 = 1000;
-
 std::vector<AreaModelTool> modelTools(const std::vector<AccessRow>& rows) {
     std::vector<AreaModelTool> tools;
     for (const AccessRow& row : rows) {

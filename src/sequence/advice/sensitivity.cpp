@@ -139,7 +139,9 @@ class EdgeLines {
                 continue;
             }
             const int to = nodeOf(edge.to);
-            lines_[{from, to}] = edgeLine(edge.totals, *order_[to], machine, parameter, objective);
+            CostLine line = edgeLine(edge.totals, *order_[to], machine, parameter, objective);
+            if (objective == Objective::Time) addSurrogates(edge, parameter, machine, line);
+            lines_[{from, to}] = std::move(line);
         }
     }
 
@@ -165,6 +167,17 @@ class EdgeLines {
     }
 
   private:
+    static void addSurrogates(const DagEdge& edge, Parameter parameter, const Machine& machine,
+                              CostLine& line) {
+        for (const SurrogateWork& work : edge.surrogates) {
+            line.fixed += work.time_s;
+            if (parameter == Parameter::ToolChange)
+                line.per_unit += 1;
+            else
+                line.fixed += machine.tool_change_s;
+        }
+    }
+
     int nodeOf(const std::string& id) const {
         const auto found = std::find_if(order_.begin(), order_.end(),
                                         [&](const ToolAssembly* tool) { return tool->id == id; });

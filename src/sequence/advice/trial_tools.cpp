@@ -5,6 +5,7 @@
 #include "sequence/dag/candidate.h"
 #include "stepmill/access/access_curve.h"
 #include "stepmill/access/collision.h"
+#include "stepmill/feature/hole_group.h"
 
 namespace stepmill {
 namespace {
@@ -225,8 +226,9 @@ std::vector<TrialTool> trialMills(const FeatureGround& ground, const ToolLibrary
 std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibrary& library,
                                     const std::string& material) {
     const Feature& feature = ground.feature();
-    if (feature.feature_class != FeatureClass::HoleThrough) return std::nullopt;
-    const double hole_mm = 2 * feature.target.loops.front().segments.front().arc->radius_mm;
+    if (!isHole(feature.feature_class) || (hasFloor(feature.feature_class) && feature.point_mm <= 0))
+        return std::nullopt;
+    const double hole_mm = 2 * holeRadiusMm(feature);
     if (isStocked(library, ToolType::Drill, hole_mm, feature.depth_mm(), material)) return std::nullopt;
     auto tool = interpolatedTool(library, ToolType::Drill, hole_mm, feature.depth_mm(), material);
     if (!tool) return std::nullopt;

@@ -20,7 +20,7 @@ struct TrialTool {
 std::vector<TrialTool> trialMills(const FeatureGround& ground, const ToolLibrary& library,
                                   const std::string& material);
 
-/// A drill for a through hole that no drill of the library fits.
+/// A drill for a hole, through or with a drill's point, that no drill of the library fits.
 std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibrary& library,
                                     const std::string& material);
 

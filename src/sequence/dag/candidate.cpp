@@ -33,6 +33,43 @@ FastestSurrogates fastestSurrogates(const Feature& feature, const std::vector<To
     return fastest;
 }
 
+/// What a tool takes part with: nothing for a drill that neither makes the hole nor makes room for a mill.
+std::optional<Candidate> candidateOf(const Feature& feature, const ToolAssembly& tool, const ToolReach& reach,
+                                     const CuttingData& cutting, const SequenceOptions& options,
+                                     const Tolerances& tol) {
+    Candidate candidate{&tool, &reach, &reach.cleared(), &reach.own(), cutting};
+    candidate.coverable_mm2 = reach.cleared().coverable_area_mm2;
+    candidate.volume_rate_mm3_per_s = candidate.joint_rate_mm3_per_s = volumeRate(feature, tool, cutting);
+    if (tool.isDrill()) {
+        candidate.predrills = options.cost_model == CostModel::Path && preDrills(feature, tool, tol);
+        const bool makes = drillCheck(feature, tool, tol).fits;
+        if (!makes && !candidate.predrills) return std::nullopt;
+        if (makes) candidate.coverable_mm2 = feature.area_mm2;
+    }
+    if (candidate.coverable_mm2 <= tol.area_mm2) return std::nullopt;
+    return candidate;
+}
+
+/// Of the drills that make room the widest stays, as the first tool; none where no mill can end the feature.
+void keepOnePreDrill(const Feature& feature, const Tolerances& tol, std::vector<Candidate>& tools) {
+    const bool milled_whole = std::any_of(tools.begin(), tools.end(), [&](const Candidate& tool) {
+        return !tool.drill() && tool.coverable_mm2 >= feature.area_mm2 - sameArea(feature, tol);
+    });
+    const bool plain =
+        std::none_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
+    std::optional<Candidate> widest;
+    for (Candidate& tool : tools) {
+        if (!tool.predrills) continue;
+        if (milled_whole && plain && !widest) widest = tool;
+        tool.predrills = false;
+    }
+    std::erase_if(tools, [&](const Candidate& tool) {
+        if (widest && tool.tool == widest->tool) return true;
+        return tool.drill() && !drillCheck(feature, *tool.tool, tol).fits;
+    });
+    if (widest) tools.insert(tools.begin(), *widest);
+}
+
 }  // namespace
 
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
@@ -56,6 +93,7 @@ CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
         cutting.feed_mm_per_min *= slower;
         cutting.plunge_feed_mm_per_min *= slower;
         cutting.slot_feed_mm_per_min *= slower;
+        cutting.rated_removal_mm3_per_min *= slower;
     }
     if (machine.max_feed_mm_per_min > 0) {
         cutting.feed_mm_per_min = std::min(cutting.feed_mm_per_min, machine.max_feed_mm_per_min);
@@ -84,13 +122,10 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Too
         const ToolAssembly& tool = library.tool(reach.tool_id);
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr || reach.exclusion() != nullptr) continue;
-        const double coverable = tool.isDrill() ? feature.area_mm2 : reach.cleared().coverable_area_mm2;
-        if (coverable <= tol.area_mm2) continue;
-        if (tool.isDrill() && !drillCheck(feature, tool, tol).fits) continue;
-        const CuttingData limited = limitedBy(machine, *cutting);
-        const double rate = volumeRate(feature, tool, limited);
-        usable.push_back({&tool, &reach, &reach.cleared(), &reach.own(), limited, coverable, rate, rate});
+        if (auto candidate = candidateOf(feature, tool, reach, limitedBy(machine, *cutting), options, tol))
+            usable.push_back(std::move(*candidate));
     }
+    if (isHole(feature.feature_class)) keepOnePreDrill(feature, tol, usable);
     const bool any_with_surrogates =
         std::any_of(usable.begin(), usable.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     if (!any_with_surrogates) return usable;
@@ -115,12 +150,15 @@ std::vector<bool> endTools(const Feature& feature, const std::vector<Candidate>&
         if (!tool.drill()) best = std::max(best, tool.coverable_mm2);
     }
     const bool milled_whole = best >= feature.area_mm2 - sameArea(feature, tol);
+    // A hole that ends in a point is drilled if a drill fits: no mill makes the point.
+    const bool pointed = feature.point_mm > 0 && std::any_of(tools.begin(), tools.end(),
+                                                             [](const auto& tool) { return tool.drill(); });
     std::vector<bool> ends;
     for (const Candidate& tool : tools) {
-        // A drill's point leaves a cone on a blind floor, so there it ends only what no cutter can
-        // finish.
-        const bool drill_ends = feature.through || !milled_whole;
-        ends.push_back(tool.drill() ? drill_ends : tool.coverable_mm2 >= best - sameArea(feature, tol));
+        // A drill's point leaves a cone on a flat floor, so there it ends only what no cutter can finish.
+        const bool drill_ends = !tool.predrills && (feature.through || pointed || !milled_whole);
+        const bool mill_ends = !pointed && tool.coverable_mm2 >= best - sameArea(feature, tol);
+        ends.push_back(tool.drill() ? drill_ends : mill_ends);
     }
     return ends;
 }

@@ -24,6 +24,8 @@ struct Candidate {
     double joint_rate_mm3_per_s = 0;
     /// The same of its surrogates that are no candidates themselves; 0 without surrogates.
     double outsider_rate_mm3_per_s = 0;
+    /// A drill that makes room for the mill after it: it comes first and ends nothing.
+    bool predrills = false;
 
     bool drill() const { return tool->isDrill(); }
     bool hasSurrogates() const { return reach->surrogates() != nullptr; }
@@ -46,8 +48,9 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
 /// 'Nodes and edges'].
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 
-/// The tools of `reaches` that can machine something of the feature, in their order. They point into
-/// `reaches` and `library`. \pre `reaches` are in the order of byFallingDiameter()
+/// The tools of `reaches` that can machine something of the feature, in their order, but the drill that makes
+/// room for mills first. They point into `reaches` and `library`. \pre `reaches` are in the order of
+/// byFallingDiameter()
 std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,
                                    const Machine& machine, const Tolerances& tol);

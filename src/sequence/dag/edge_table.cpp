@@ -29,11 +29,19 @@ double leastWithLumps(const Candidate& to, double new_mm2, double own_new_mm2, c
     return changeWeight(to, task) + weigh(machineCost(least_s, task.machine), task);
 }
 
+/// May the mill go where the drill has made room? Its own rules are those of a larger tool before a smaller.
+bool mayFollow(const Candidate& drill, const Candidate& mill) {
+    return drill.predrills && !mill.drill() && !mill.hasSurrogates() && mill.reach->limited() == nullptr &&
+           mill.tool->diameter_mm <= drill.tool->diameter_mm;
+}
+
 /// Lower bound of an edge's weight: the area that the tool covers and the one before it does not, cut at the
 /// best rates, and one tool change. A surrogate saves no more than its own change, which the bound leaves
 /// out.
 double lowerBound(const Candidate* from, const Candidate& to, const DagTask& task) {
-    if (from != nullptr && (to.drill() || from->drill())) return kNoEdge;
+    if (from != nullptr && to.drill()) return kNoEdge;
+    // Over a flat floor the mill may have little more to do than its bottom.
+    if (from != nullptr && from->drill()) return mayFollow(*from, to) ? changeWeight(to, task) : kNoEdge;
     const Feature& feature = task.ground.feature();
     const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
     const double new_mm2 = to.coverable_mm2 - from_mm2;

@@ -36,9 +36,12 @@ bool needsPaths(const DagTask& task) {
 std::optional<EdgeWork> edgeWork(const DagTask& task, const Candidate* m, const Candidate& n,
                                  const SharedRings& rings) {
     if (needsPaths(task) || n.drill()) {
-        const SequenceStep step = makePath(task, m, n, rings);
-        if (step.path.moves.empty()) return std::nullopt;
-        return EdgeWork{step.path.totals, area(step.area.area), step.area.new_area_mm2};
+        const std::vector<SequenceStep> steps = makePaths(task, m, n, rings);
+        if (steps.empty()) return std::nullopt;
+        EdgeWork work{{}, area(steps.back().area.area), steps.back().area.new_area_mm2};
+        for (const SequenceStep& step : steps)
+            work.totals += step.path.totals;
+        return work;
     }
     const DecomposedArea decomposed =
         decomposedArea(task.ground, m != nullptr ? m->cleared : nullptr, *n.own);

@@ -164,9 +164,24 @@ DagResult evaluateDag(const DagTask& task) {
 
 namespace {
 
+/// What a mill clears in one go: of the whole depth what the tool before it has left, or, where that was a
+/// drill that stayed over a flat floor, what is beside it and then all below.
+struct Stretch {
+    double top_z_mm = 0;
+    double floor_z_mm = 0;
+    const Candidate* after = nullptr;
+};
+
+std::vector<Stretch> stretchesOf(const DagTask& task, const Candidate* m) {
+    const Feature& feature = task.ground.feature();
+    if (m == nullptr || !m->predrills || feature.through) return {{feature.top_z_mm, feature.floor_z_mm, m}};
+    const double drilled_to_mm = preDrilledToZ(feature, *m->tool);
+    return {{feature.top_z_mm, drilled_to_mm, m}, {drilled_to_mm, feature.floor_z_mm, nullptr}};
+}
+
 /// The clearing task of edge (m, n): the area that n sweeps after m.
-ClearingTask clearingTask(const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
-                          Pattern pattern, const SharedRings& rings) {
+ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Stretch& stretch,
+                          const DecomposedArea& decomposed, Pattern pattern, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
     ClearingTask clearing;
     clearing.free_centres = n.own->free_centres;
@@ -178,8 +193,8 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
     // The plan may set the tool out shorter than the library allows: it takes the shortest stick-out that
     // works.
     addHolder(feature, *n.tool, clearing);
-    clearing.top_z_mm = feature.top_z_mm;
-    clearing.floor_z_mm = feature.floor_z_mm;
+    clearing.top_z_mm = stretch.top_z_mm;
+    clearing.floor_z_mm = stretch.floor_z_mm;
     clearing.retract_z_mm = task.retract_z_mm;
     clearing.skirt = feature.skirt;
     clearing.stands_to_mm = highestMm(feature);
@@ -189,56 +204,50 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Decompo
 }
 
 /// The step without its path.
-SequenceStep stepOf(const DagTask& task, const Candidate* m, const Candidate& n) {
+SequenceStep stepOf(const DagTask& task, const Stretch& stretch, const Candidate& n) {
     SequenceStep step;
     step.tool_id = n.tool->id;
     step.speed_rpm = n.cutting.speed_rpm;
-    step.area = decomposedArea(task.ground, m != nullptr ? m->cleared : nullptr, *n.own);
+    step.area =
+        decomposedArea(task.ground, stretch.after != nullptr ? stretch.after->cleared : nullptr, *n.own);
+    step.leaves.floors_mm = stretch.floor_z_mm - task.ground.feature().floor_z_mm;
     return step;
 }
 
-Toolpath pathBy(Pattern pattern, const DagTask& task, const Candidate& n, const DecomposedArea& decomposed,
-                const SharedRings& rings) {
+Toolpath pathBy(Pattern pattern, const DagTask& task, const Candidate& n, const Stretch& stretch,
+                const DecomposedArea& decomposed, const SharedRings& rings) {
     if (decomposed.centres.empty()) return {};
-    return clearArea(clearingTask(task, n, decomposed, pattern, rings), *n.tool, n.cutting, task.machine,
-                     task.ground.tolerances());
+    return clearArea(clearingTask(task, n, stretch, decomposed, pattern, rings), *n.tool, n.cutting,
+                     task.machine, task.ground.tolerances());
 }
 
 SequenceStep drilledBy(const DagTask& task, const Candidate& n) {
-    return drillStep(task.ground.feature(), *n.tool, n.cutting, task.retract_z_mm, task.machine);
+    const Feature& feature = task.ground.feature();
+    return n.predrills ? preDrillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine,
+                                      task.ground.tolerances())
+                       : drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
 }
 
-}  // namespace
-
-SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
-    if (tool.drill()) return nullptr;
-    return makeRings(clearingTask(task, tool, {}, kWeighedPattern, nullptr), *tool.tool, tool.cutting,
-                     task.ground.tolerances());
+/// Each region takes its own quickest pattern; the links between the regions may cost more than that saves.
+Toolpath quickestPath(const DagTask& task, const Candidate& n, const Stretch& stretch,
+                      const DecomposedArea& decomposed) {
+    Toolpath path = pathBy(task.options.pattern, task, n, stretch, decomposed, nullptr);
+    Toolpath weighed = pathBy(kWeighedPattern, task, n, stretch, decomposed, nullptr);
+    const auto weight = [&](const Toolpath& one) {
+        return weightOf(edgeCost(one.totals, *n.tool, task.machine), task.options.objective);
+    };
+    return weight(weighed) < weight(path) ? weighed : path;
 }
 
-SequenceStep makePath(const DagTask& task, const Candidate* m, const Candidate& n, const SharedRings& rings) {
-    if (n.drill()) return drilledBy(task, n);
-    SequenceStep step = stepOf(task, m, n);
-    step.path = pathBy(kWeighedPattern, task, n, step.area, rings);
-    return step;
-}
-
-SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n) {
+/// The step of one stretch, proved.
+SequenceStep milledBy(const DagTask& task, const Candidate* m, const Candidate& n, const Stretch& stretch) {
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
-    if (n.drill()) return drilledBy(task, n);
-    SequenceStep step = stepOf(task, m, n);
-    step.path = pathBy(task.options.pattern, task, n, step.area, nullptr);
-    // Each region takes its own quickest pattern; the links between the regions may cost more than that
-    // saves.
-    Toolpath weighed = pathBy(kWeighedPattern, task, n, step.area, nullptr);
-    const auto weight = [&](const Toolpath& path) {
-        return weightOf(edgeCost(path.totals, *n.tool, task.machine), task.options.objective);
-    };
-    if (weight(weighed) < weight(step.path)) step.path = std::move(weighed);
+    SequenceStep step = stepOf(task, stretch, n);
+    step.path = quickestPath(task, n, stretch, step.area);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
-    step.proof = prove(step.path, clearingTask(task, n, step.area, task.options.pattern, nullptr),
+    step.proof = prove(step.path, clearingTask(task, n, stretch, step.area, task.options.pattern, nullptr),
                        n.tool->radius_mm(), tol);
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,
@@ -246,6 +255,42 @@ SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& 
                                 -step.proof.least_clearance_mm));
     }
     return step;
+}
+
+}  // namespace
+
+SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
+    if (tool.drill()) return nullptr;
+    const Stretch whole = stretchesOf(task, nullptr).front();
+    return makeRings(clearingTask(task, tool, whole, {}, kWeighedPattern, nullptr), *tool.tool, tool.cutting,
+                     task.ground.tolerances());
+}
+
+std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, const Candidate& n,
+                                    const SharedRings& rings) {
+    if (n.drill()) return {drilledBy(task, n)};
+    std::vector<SequenceStep> steps;
+    for (const Stretch& stretch : stretchesOf(task, m)) {
+        SequenceStep step = stepOf(task, stretch, n);
+        step.path = pathBy(kWeighedPattern, task, n, stretch, step.area, rings);
+        if (!step.path.moves.empty()) steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+std::vector<SequenceStep> makeSteps(const DagTask& task, const Candidate* m, const Candidate& n) {
+    if (n.drill()) return {drilledBy(task, n)};
+    std::vector<SequenceStep> steps;
+    const std::vector<Stretch> stretches = stretchesOf(task, m);
+    for (const Stretch& stretch : stretches) {
+        SequenceStep step = milledBy(task, m, n, stretch);
+        if (stretches.size() == 1 || !step.path.moves.empty()) steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
+SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n) {
+    return makeSteps(task, m, n).front();
 }
 
 }  // namespace stepmill

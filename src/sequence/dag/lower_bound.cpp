@@ -23,7 +23,7 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
     Region reached;
     double reached_mm2 = 0;
     for (const Candidate& tool : tools) {
-        if (tool.drill()) {
+        if (tool.drill() && !tool.predrills) {
             reached_mm2 = feature.area_mm2;
         } else if (reached_mm2 < feature.area_mm2 - sameArea(feature, tol)) {
             reached =

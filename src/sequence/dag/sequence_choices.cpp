@@ -16,7 +16,9 @@ namespace {
 double leastStickOut(const DagTask& task, const Candidate& tool) {
     if (!tool.drill()) return leastStickOutMm(task.ground, *tool.tool, *tool.own);
     return leastStickOutMm(*tool.tool, [&](const ToolAssembly& shorter) {
-        return drillCheck(task.ground.feature(), shorter, task.ground.tolerances()).fits;
+        const Feature& feature = task.ground.feature();
+        const Tolerances& tol = task.ground.tolerances();
+        return tool.predrills ? preDrills(feature, shorter, tol) : drillCheck(feature, shorter, tol).fits;
     });
 }
 
@@ -139,8 +141,10 @@ std::vector<SequenceStep> SequenceChoices::stepsOn(const std::vector<int>& path)
     tbb::parallel_for(std::size_t{0}, path.size(), [&](std::size_t i) {
         const Candidate& tool = tools_[path[i]];
         const Candidate* before = i == 0 ? nullptr : &tools_[path[i - 1]];
-        steps[i].push_back(makeStep(on, before, tool));
-        steps[i].back().least_stick_out_mm = leastStickOut(on, tool);
+        steps[i] = makeSteps(on, before, tool);
+        const double stick_out_mm = leastStickOut(on, tool);
+        for (SequenceStep& step : steps[i])
+            step.least_stick_out_mm = stick_out_mm;
         const int next = i + 1 < path.size() ? path[i + 1] : static_cast<int>(tools_.size());
         const WeighedEdge& edge = *edgeBetween(dag_, i == 0 ? kSource : path[i - 1], path[i]);
         for (SequenceStep& step : surrogateSteps(edge.surrogates, next, *admission_.finder, tools_))

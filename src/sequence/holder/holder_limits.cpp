@@ -121,6 +121,7 @@ std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrar
 Feature withFloor(Feature feature, double floor_z_mm) {
     feature.floor_z_mm = floor_z_mm;
     feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
+    feature.point_mm = 0;
     if (feature.through) {
         feature.through = false;
         if (feature.feature_class == FeatureClass::HoleThrough)

@@ -1,28 +1,31 @@
 #include "stepmill/sequence/drilling.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "stepmill/core/units.h"
+#include "stepmill/feature/hole_group.h"
 
 namespace stepmill {
 namespace {
 
 /// How far the full diameter of a drill leaves a through hole at the far side [mm].
 constexpr double kBreakThroughMm = 0.5;
-/// Half the point angle of a general-purpose (118 degree) drill.
-constexpr double kHalfPointAngleDeg = 59;
+/// Point angle of the bluntest drill that is common [deg]; longer points are sharper.
+constexpr double kSharpestPointDeg = 90;
 
-double holeRadiusMm(const Feature& feature) {
-    return std::sqrt(area(feature.target) / kPi);
+double pointLengthMm(double drill_radius_mm, double point_angle_deg) {
+    return drill_radius_mm / std::tan(degToRad(point_angle_deg / 2));
 }
 
-double pointLengthMm(double drill_radius_mm) {
-    return drill_radius_mm / std::tan(degToRad(kHalfPointAngleDeg));
-}
-
-double tipZ(const Feature& feature, double drill_radius_mm) {
-    return feature.through ? feature.floor_z_mm - pointLengthMm(drill_radius_mm) - kBreakThroughMm
-                           : feature.floor_z_mm;
+/// The tip as deep as the drill's cone stays inside the part's: neither tip nor rim comes through.
+double tipInPointZ(const Feature& hole, const ToolAssembly& drill) {
+    const double hole_mm = std::max(holeRadiusMm(hole), drill.radius_mm());
+    const double beside_mm = (hole_mm - drill.radius_mm()) * hole.point_mm / hole_mm;
+    const double by_rim_z = hole.floor_z_mm - beside_mm - pointLengthMm(drill);
+    return std::max(hole.floor_z_mm - hole.point_mm, by_rim_z);
 }
 
 /// Does a cylinder around the hole's axis meet what stands over its bottom?
@@ -39,10 +42,13 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
     std::vector<HolderCylinder> cylinders;
     if (drill.shank.diameter_mm > drill.diameter_mm) cylinders.push_back(drill.shank);
     cylinders.insert(cylinders.end(), drill.holder.begin(), drill.holder.end());
-    const Vec2 axis = centroid(feature.target);
+    const std::vector<Vec2> axes = holeCentres(feature);
     const double tip_z = drillTipZ(feature, drill);
     for (const HolderCylinder& cylinder : cylinders) {
-        if (!meetsObstacle(feature, axis, tip_z + cylinder.bottom_mm, cylinder.diameter_mm / 2)) continue;
+        const bool meets = std::any_of(axes.begin(), axes.end(), [&](const Vec2& axis) {
+            return meetsObstacle(feature, axis, tip_z + cylinder.bottom_mm, cylinder.diameter_mm / 2);
+        });
+        if (!meets) continue;
         return Exclusion{ExclusionReason::HolderCollision,
                          fmt::format("its {:g} mm wide holder would touch {:g} mm over the tip",
                                      cylinder.diameter_mm, cylinder.bottom_mm)};
@@ -50,53 +56,139 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
     return std::nullopt;
 }
 
+/// The tip of a drill that makes room stays so far over the floor [mm].
+constexpr double kOverFloorMm = 0.1;
+
+bool isOfSize(const Feature& hole, const ToolAssembly& drill, const Tolerances& tol) {
+    const double hole_mm = 2 * holeRadiusMm(hole);
+    return drill.diameter_mm <= hole_mm + 2 * tol.gouge_mm &&
+           drill.diameter_mm >= hole_mm - kDrillUndersizeMm;
+}
+
+bool isFlat(const Feature& hole) {
+    return !hole.through && hole.point_mm <= 0;
+}
+
+/// Too short for the hole, or shank or holder in the way; nothing where it gets down.
+std::optional<Exclusion> keptFrom(const Feature& feature, const ToolAssembly& drill, double tip_z_mm) {
+    const double needed = feature.top_z_mm - tip_z_mm;
+    const double reach =
+        drill.flute_length_mm > 0 ? std::min(drill.flute_length_mm, drill.stick_out_mm) : drill.stick_out_mm;
+    if (reach < needed)
+        return Exclusion{ExclusionReason::TooShort,
+                         fmt::format("reaches {:.4g} mm, the hole needs {:.4g} mm", reach, needed)};
+    return shankOrHolderCollision(feature, drill);
+}
+
+/// Every hole of the feature drilled to that depth.
+SequenceStep stepTo(double tip_z_mm, const Feature& feature, const ToolAssembly& drill,
+                    const CuttingData& cutting, double retract_z_mm, const Machine& machine) {
+    SequenceStep step;
+    step.tool_id = drill.id;
+    step.role = Role::Drill;
+    step.speed_rpm = cutting.speed_rpm;
+    const std::vector<Vec2> centres = holeCentres(feature);
+    step.holes = static_cast<int>(centres.size());
+    step.path =
+        drillHoles(shortestTour(centres), feature.top_z_mm, tip_z_mm, retract_z_mm, drill, cutting, machine);
+    // The axis stays on the hole's axis, so the wall is everywhere equally far.
+    step.proof.least_clearance_mm = holeRadiusMm(feature) - drill.radius_mm();
+    return step;
+}
+
+/// What the drill's cone takes below the floor of one hole [mm3].
+double takenBelowMm3(const Feature& hole, const ToolAssembly& drill) {
+    const double deep_mm = hole.floor_z_mm - drillTipZ(hole, drill);
+    if (hole.through || hole.point_mm <= 0 || deep_mm <= 0) return 0;
+    const double wide_mm = std::min(drill.radius_mm(), drill.radius_mm() * deep_mm / pointLengthMm(drill));
+    return kPi * wide_mm * wide_mm * deep_mm / 3;
+}
+
 }  // namespace
 
 double pointLengthMm(const ToolAssembly& drill) {
-    return pointLengthMm(drill.radius_mm());
+    return pointLengthMm(drill.radius_mm(), drill.point_angle_deg);
 }
 
 double drillTipZ(const Feature& feature, const ToolAssembly& drill) {
-    return tipZ(feature, drill.radius_mm());
+    if (feature.through) return feature.floor_z_mm - pointLengthMm(drill) - kBreakThroughMm;
+    return feature.point_mm > 0 ? tipInPointZ(feature, drill) : feature.floor_z_mm;
 }
 
 double deepestDrillTipZ(const Feature& feature) {
-    return tipZ(feature, holeRadiusMm(feature));
+    return feature.floor_z_mm - pointLengthMm(holeRadiusMm(feature), kSharpestPointDeg) - kBreakThroughMm;
+}
+
+double drilledToZ(const Feature& feature, const ToolAssembly& drill) {
+    const double shoulder_z = drillTipZ(feature, drill) + pointLengthMm(drill);
+    const bool fits =
+        feature.point_mm > 0 && shoulder_z <= feature.floor_z_mm + kPointFitShare * drill.radius_mm();
+    return fits ? std::min(shoulder_z, feature.floor_z_mm) : shoulder_z;
+}
+
+double leftByPointMm3(const Feature& feature, const ToolAssembly& drill) {
+    const double over_mm = std::min(drilledToZ(feature, drill) - feature.floor_z_mm, feature.depth_mm());
+    if (over_mm <= 0) return 0;
+    // The cone over the floor from where it leaves it out to the rim: cylinder less frustum.
+    const double point_mm = pointLengthMm(drill);
+    const double inner = 1 - over_mm / point_mm;
+    const double frustum_share = (1 + inner + inner * inner) / 3;
+    return feature.area_mm2 * over_mm * (1 - frustum_share);
 }
 
 DrillCheck drillCheck(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
     DrillCheck result;
     if (!drill.isDrill() || !isHole(feature.feature_class)) return result;
-    const double hole_mm = 2 * holeRadiusMm(feature);
-    const bool matches =
-        drill.diameter_mm <= hole_mm + 2 * tol.gouge_mm && drill.diameter_mm >= hole_mm - kDrillUndersizeMm;
-    if (!matches) return result;
-    const double needed = feature.top_z_mm - drillTipZ(feature, drill);
-    const double reach =
-        drill.flute_length_mm > 0 ? std::min(drill.flute_length_mm, drill.stick_out_mm) : drill.stick_out_mm;
-    if (reach < needed) {
-        result.excluded =
-            Exclusion{ExclusionReason::TooShort,
-                      fmt::format("reaches {:.4g} mm, the hole needs {:.4g} mm", reach, needed)};
-    } else {
-        result.excluded = shankOrHolderCollision(feature, drill);
-    }
+    if (!isOfSize(feature, drill, tol)) return result;
+    result.excluded = keptFrom(feature, drill, drillTipZ(feature, drill));
     result.fits = !result.excluded;
     return result;
 }
 
 SequenceStep drillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,
                        double retract_z_mm, const Machine& machine) {
-    SequenceStep step;
-    step.tool_id = drill.id;
-    step.role = Role::Drill;
-    step.speed_rpm = cutting.speed_rpm;
+    SequenceStep step = stepTo(drillTipZ(feature, drill), feature, drill, cutting, retract_z_mm, machine);
     step.area.area = feature.target;
     step.area.new_area_mm2 = feature.area_mm2;
-    step.path = drillHole(centroid(feature.target), feature.top_z_mm, drillTipZ(feature, drill), retract_z_mm,
-                          drill, cutting, machine);
-    // The axis stays on the hole's axis, so the wall is everywhere equally far.
-    step.proof.least_clearance_mm = holeRadiusMm(feature) - drill.radius_mm();
+    if (const double taken_mm3 = takenBelowMm3(feature, drill) * step.holes; taken_mm3 > 0)
+        step.takes = {{{Reason::DrillPoint, {}}, taken_mm3}};
+    return step;
+}
+
+bool preDrills(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
+    if (!drill.isDrill() || !isHole(feature.feature_class) || !isFlat(feature)) return false;
+    const double to_z_mm = preDrilledToZ(feature, drill);
+    return isOfSize(feature, drill, tol) && to_z_mm < feature.top_z_mm &&
+           !keptFrom(feature, drill, std::min(to_z_mm, drillTipZ(feature, drill)));
+}
+
+CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
+    CutterArea area;
+    area.radius_mm = drill.radius_mm();
+    for (const Vec2& centre : holeCentres(feature)) {
+        const Region disc = makeCircle(centre, std::min(drill.radius_mm(), holeRadiusMm(feature)));
+        area.coverable.loops.insert(area.coverable.loops.end(), disc.loops.begin(), disc.loops.end());
+    }
+    area.accessible = area.coverable;
+    area.coverable_area_mm2 = stepmill::area(area.coverable);
+    area.access_volume_mm3 = area.coverable_area_mm2 * feature.depth_mm();
+    area.swept = SureSweep(area.coverable, tol);
+    return area;
+}
+
+double preDrilledToZ(const Feature& feature, const ToolAssembly& drill) {
+    if (feature.through) return feature.floor_z_mm;
+    return feature.floor_z_mm + kOverFloorMm + pointLengthMm(drill);
+}
+
+SequenceStep preDrillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,
+                          double retract_z_mm, const Machine& machine, const Tolerances& tol) {
+    const double to_z_mm = preDrilledToZ(feature, drill);
+    const double tip_z_mm = feature.through ? drillTipZ(feature, drill) : to_z_mm - pointLengthMm(drill);
+    SequenceStep step = stepTo(tip_z_mm, feature, drill, cutting, retract_z_mm, machine);
+    step.area.area = preDrilledArea(feature, drill, tol).coverable;
+    step.area.new_area_mm2 = area(step.area.area);
+    step.leaves.floors_mm = to_z_mm - feature.floor_z_mm;
     return step;
 }
 

@@ -247,6 +247,7 @@ FinishAllowance allowanceFor(const DagTask& task, const std::vector<const Candid
 /// Do all tools do alone what they reach, so that the last one reaches all?
 std::string othersNeeded(const std::vector<const Candidate*>& used) {
     for (const Candidate* tool : used) {
+        if (tool->drill()) return fmt::format("none: {} drills it first", tool->tool->id);
         if (tool->hasSurrogates())
             return fmt::format("none: other tools clear what the holder keeps {} from", tool->tool->id);
         if (tool->reach->limited() != nullptr)

@@ -41,12 +41,12 @@ std::string cornerAdvice(const Feature& feature) {
 
 /// The point of a drill leaves the rim of a flat floor: the hole less the cone under it.
 std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& drill) {
-    if (feature.through) return {};
+    const double left_mm3 = leftByPointMm3(feature, drill);
+    if (left_mm3 <= 0) return {};
     Residual rim;
     rim.region = feature.target;
     rim.area_mm2 = feature.area_mm2;
-    // Cylinder of the point's length less the cone (a third of it).
-    rim.volume_mm3 = feature.area_mm2 * std::min(pointLengthMm(drill), feature.depth_mm()) * 2 / 3;
+    rim.volume_mm3 = left_mm3;
     rim.reason = {Reason::DrillPoint, {}};
     rim.advice = fmt::format("an end mill of {:.4g} mm or less that reaches {:.4g} mm deep",
                              drill.diameter_mm, feature.depth_mm());

@@ -16,11 +16,13 @@ namespace {
 /// How often ground that no few tools can clear together is given up before tools are turned down for it.
 constexpr int kMostGivenUp = 3;
 
-/// What the area calculus does not know about a drill: whether it fits the hole.
+/// What the area calculus does not know about a drill: whether it fits the hole, or makes room for a mill.
 void checkDrill(const SequenceJob& job, const ToolAssembly& drill, ToolReach& reach) {
     if (!drill.isDrill() || drill.cuttingFor(job.options.material) == nullptr) return;
     DrillCheck check = drillCheck(job.feature(), drill, job.tolerances());
-    if (check.fits) {
+    if (preDrills(job.feature(), drill, job.tolerances()))
+        reach.cutter = preDrilledArea(job.feature(), drill, job.tolerances());
+    if (check.fits || !reach.cutter.coverable.empty()) {
         reach.use = Unhindered{};
     } else if (check.excluded) {
         reach.use = std::move(*check.excluded);

@@ -29,7 +29,7 @@ double cycleMargin(const Json& planned) {
     constexpr double kOverHoleMm = 1;
     constexpr double kBeyondFloorMm = 6;  // a drill's point and a little, where it goes through
     const double depth = planned.at("z_top_mm").get<double>() - planned.at("z_floor_mm").get<double>();
-    return 2 * (depth + kOverHoleMm + kBeyondFloorMm) + pecks;
+    return planned.value("holes", 1) * (2 * (depth + kOverHoleMm + kBeyondFloorMm) + pecks);
 }
 
 double lengthOf(const Vec3& from, const CanonMotion& motion) {

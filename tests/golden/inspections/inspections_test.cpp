@@ -38,11 +38,15 @@ fs::path pathOf(const fs::path& part) {
     return fs::path(folderOfParts(part.parent_path())) / part.filename();
 }
 
+/// As a person counts them: a feature of several equal holes as each of these.
 std::map<std::string, int> featuresByClass(const Json& inspection) {
     std::map<std::string, int> counts;
     for (const Json& setup : inspection.at("setups"))
-        for (const Json& feature : setup.at("features"))
-            ++counts[feature.at("class").get<std::string>()];
+        for (const Json& feature : setup.at("features")) {
+            const std::size_t holes = feature.contains("holes") ? feature.at("holes").size() : 0;
+            counts[feature.at("class").get<std::string>()] +=
+                static_cast<int>(std::max<std::size_t>(1, holes));
+        }
     return counts;
 }
 

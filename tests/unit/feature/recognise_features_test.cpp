@@ -203,7 +203,7 @@ TEST(RecogniseFeatures, KeepsAnOpenNeighboursStockInTheWay) {
 }
 
 TEST(RecogniseFeatures, LeavesWalledInNeighboursOutOfTheObstruction) {
-    const Region part = without(without(kBlock, makeCircle({20, 40}, 5)), makeCircle({80, 40}, 5));
+    const Region part = without(without(kBlock, makeCircle({20, 40}, 5)), makeCircle({80, 40}, 4));
     const LayerStack stack = makeStack(kBlock, {{-10, part}, {-30, kBlock}});
     const FeatureSet set = recogniseFeatures(stack, kTol);
     ASSERT_EQ(set.features.size(), 2U);

@@ -303,6 +303,103 @@ TEST(SequenceTools, ADrilledBlindHoleKeepsTheRimUnderTheDrillsPoint) {
     EXPECT_NEAR(residualVolumeMm3(sequence), hole.area_mm2 * point_mm * 2 / 3, 1e-6);
 }
 
+/// A blind hole of 8 mm that ends in a cone of that angle.
+Feature makePointedHole(double angle_deg) {
+    Feature hole = makeHole(FeatureClass::HoleBlind);
+    hole.point_mm = 4 / std::tan(degToRad(angle_deg / 2));
+    return hole;
+}
+
+double tipOf(const ToolSequence& sequence) {
+    double deepest_mm = 0;
+    for (const Move& move : sequence.steps.front().path.moves)
+        deepest_mm = std::min(deepest_mm, move.to.z());
+    return deepest_mm;
+}
+
+TEST(SequenceTools, DrillsAPointedHoleIntoItsPoint) {
+    const Feature hole = makePointedHole(118);
+    const ToolSequence sequence = sequenceTools(hole, makeLibrary({makeDrill(8), makeMill(6, 5000)}),
+                                                makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), std::vector<std::string>{"DR8"});
+    EXPECT_TRUE(sequence.residual.empty());
+    EXPECT_NEAR(tipOf(sequence), -15 - hole.point_mm, 1e-9);
+    ASSERT_EQ(sequence.steps.front().takes.size(), 1U);
+    EXPECT_NEAR(sequence.steps.front().takes.front().volume_mm3, hole.area_mm2 * hole.point_mm / 3, 1e-3);
+}
+
+TEST(SequenceTools, ABlunterDrillStaysWithItsRimOnTheFloor) {
+    ToolAssembly drill = makeDrill(8);
+    drill.point_angle_deg = 140;
+    const ToolSequence sequence =
+        sequenceTools(makePointedHole(118), makeLibrary({drill}), makeMachine(), inAluminium(), kTol);
+    EXPECT_TRUE(sequence.residual.empty());
+    EXPECT_NEAR(tipOf(sequence), -15 - 4 / std::tan(degToRad(70)), 1e-9);
+}
+
+TEST(SequenceTools, ASharperDrillStaysWithItsTipInThePoint) {
+    ToolAssembly drill = makeDrill(8);
+    drill.point_angle_deg = 90;
+    const Feature hole = makePointedHole(140);
+    const ToolSequence sequence =
+        sequenceTools(hole, makeLibrary({drill}), makeMachine(), inAluminium(), kTol);
+    EXPECT_NEAR(tipOf(sequence), -15 - hole.point_mm, 1e-9);
+    ASSERT_EQ(sequence.residual.size(), 1U);
+    EXPECT_EQ(sequence.residual.front().reason, Reason::DrillPoint);
+}
+
+TEST(SequenceTools, MillsAPointedHoleThatNoDrillFits) {
+    const ToolSequence sequence = sequenceTools(
+        makePointedHole(118), makeLibrary({makeDrill(7), makeMill(6)}), makeMachine(), inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM6"});
+}
+
+/// Changing tools costs nothing, so that paths alone decide.
+Machine machineWithoutChanges() {
+    Machine machine = makeMachine();
+    machine.tool_change_s = 0;
+    return machine;
+}
+
+TEST(SequenceTools, DrillsAFlatHoleShortAndMillsItsFloor) {
+    const Feature hole = makeHole(FeatureClass::HoleBlind);
+    const ToolSequence sequence = sequenceTools(hole, makeLibrary({makeDrill(8), makeMill(6, 200)}),
+                                                machineWithoutChanges(), inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), (std::vector<std::string>{"DR8", "EM6"}));
+    EXPECT_TRUE(sequence.residual.empty());
+    EXPECT_NEAR(tipOf(sequence), -15 + 0.1, 1e-9);
+    const double point_mm = 4 / std::tan(degToRad(59));
+    EXPECT_NEAR(sequence.steps.front().leaves.floors_mm, point_mm + 0.1, 1e-9);
+    // The mill comes down in air to where the drill has left the floor.
+    for (const Move& move : sequence.steps.back().path.moves)
+        if (move.kind != MoveKind::Rapid && !move.in_air) {
+            EXPECT_LE(move.to.z(), -15 + point_mm + 0.6);
+        }
+    EXPECT_EQ(sequence.steps.back().leaves.floors_mm, 0);
+}
+
+TEST(SequenceTools, ADearToolChangeKeepsAFlatHoleMilled) {
+    Machine machine = makeMachine();
+    machine.tool_change_s = 100000;
+    const ToolSequence sequence =
+        sequenceTools(makeHole(FeatureClass::HoleBlind), makeLibrary({makeDrill(8), makeMill(6, 200)}),
+                      machine, inAluminium(), kTol);
+    EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM6"});
+}
+
+TEST(SequenceTools, DrillsAllHolesOfAGroupInOneStep) {
+    Feature group = makeHole(FeatureClass::HoleThrough);
+    const Region other = makeCircle(Vec2(60, 20), 4);
+    group.target.loops.push_back(other.loops.front());
+    group.obstruction = subtract(group.obstruction, other, kTol);
+    group.area_mm2 *= 2;
+    group.volume_mm3 *= 2;
+    const ToolSequence sequence =
+        sequenceTools(group, makeLibrary({makeDrill(8)}), makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(sequence.steps.size(), 1U);
+    EXPECT_EQ(sequence.steps.front().holes, 2);
+}
+
 TEST(SequenceTools, ADrillWhoseHolderWouldTouchIsNotUsed) {
     Feature hole = makeHole(FeatureClass::HoleThrough);
     // A wall 10 mm from the axis stands 60 mm over the top; the holder is 40 mm wide.

@@ -21,7 +21,7 @@ ToolAssembly drill(double diameter_mm) {
 
 TEST(DrillHole, PecksDownAndOut) {
     CuttingData cutting = cuttingData(0, 5);
-    const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(6), cutting, kMachine);
+    const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(3), cutting, kMachine);
     EXPECT_EQ(path.depths, 3);
     double lowest_rapid = 10;
     double deepest = 0;
@@ -49,6 +49,53 @@ TEST(DrillHole, PecksDownAndOut) {
 TEST(DrillHole, PecksTwoDiametersWithoutAStepDown) {
     const Toolpath path = drillHole({0, 0}, 0, -30, 10, drill(5), cuttingData(0, 0), kMachine);
     EXPECT_EQ(path.depths, 3);
+}
+
+TEST(DrillHole, TakesAHoleOfThreeDiametersInOneGo) {
+    EXPECT_EQ(drillHole({0, 0}, 0, -18, 10, drill(6), cuttingData(0, 5), kMachine).depths, 1);
+    EXPECT_EQ(drillHole({0, 0}, 0, -18.1, 10, drill(6), cuttingData(0, 5), kMachine).depths, 4);
+}
+
+TEST(DrillHoles, MakesEveryHoleFromTheRetractHeight) {
+    const std::vector<Vec2> centres{{0, 0}, {10, 0}, {10, 5}};
+    const Toolpath path = drillHoles(centres, 0, -12, 10, drill(6), cuttingData(0, 6), kMachine);
+    std::vector<Vec2> drilled;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const bool across = Vec2(move.to.head<2>()) != Vec2(from.head<2>());
+        if (across) {
+            EXPECT_EQ(std::min(from.z(), move.to.z()), 10);
+        }
+        if (move.kind == MoveKind::Plunge && move.to.z() == -12) drilled.push_back(move.to.head<2>());
+        from = move.to;
+    }
+    EXPECT_EQ(drilled, centres);
+    EXPECT_EQ(from.z(), 10);
+}
+
+double wayMm(const std::vector<Vec2>& places) {
+    double sum_mm = 0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        sum_mm += (places[i] - places[i - 1]).norm();
+    return sum_mm;
+}
+
+TEST(ShortestTour, GoesRoundABoltCircle) {
+    std::vector<Vec2> places;
+    for (int i = 0; i < 12; ++i) {
+        const double angle_rad = 2 * kPi * (i * 5 % 12) / 12;
+        places.emplace_back(20 * std::cos(angle_rad), 20 * std::sin(angle_rad));
+    }
+    EXPECT_NEAR(wayMm(shortestTour(places)), 11 * 2 * 20 * std::sin(kPi / 12), 1e-9);
+}
+
+TEST(ShortestTour, KeepsEveryPlaceAndLosesNothingToTheOrderGiven) {
+    std::vector<Vec2> places;
+    for (int i = 0; i < 30; ++i)
+        places.emplace_back(i * 37 % 101, i * 53 % 97);
+    const std::vector<Vec2> tour = shortestTour(places);
+    EXPECT_LT(wayMm(tour), wayMm(places) / 2);
+    EXPECT_TRUE(std::is_permutation(tour.begin(), tour.end(), places.begin()));
 }
 
 TEST(Measure, AddsHelicesAndFeedsByKind) {

@@ -61,4 +61,14 @@ std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const T
                                    const Machine& machine, const SequenceOptions& options,
                                    const Tolerances& tol);
 
+/// A feature whose tools were looked at before.
+struct ReachedFeature {
+    double depth_mm = 0;
+    const std::vector<ToolReach>* tools = nullptr;  ///< as ToolSequence::tools
+};
+
+/// The same table from what a plan has looked at, which costs nothing more.
+std::vector<AccessRow> accessTable(const std::vector<ReachedFeature>& features, const ToolLibrary& library,
+                                   const Machine& machine, const std::string& material);
+
 }  // namespace stepmill
