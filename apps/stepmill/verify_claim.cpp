@@ -39,6 +39,18 @@ ToolLibrary libraryOf(const ClaimOptions& options, const PlanRecord& record, std
     return readToolLibrary(options.tools_file, max_bytes);
 }
 
+/// \throws Error(Usage) where the plan was made for another machine than the built-in one and none is given
+std::vector<ProofFailure> machineFailures(const ClaimOptions& options, const RecordedPlan& plan,
+                                          std::uintmax_t max_bytes) {
+    if (!options.machine_file.empty())
+        return compareWithMachine(plan, readMachine(options.machine_file, max_bytes));
+    const std::vector<ProofFailure> failures = compareWithMachine(plan, defaultMachine());
+    if (failures.empty()) return {};
+    throw Error(ErrorCode::Usage, "--machine",
+                fmt::format("the plan was not made for the built-in machine: give its file ({} {})",
+                            failures.front().operation, failures.front().text));
+}
+
 ReadOptions readOptions(int solid, const std::string& unit, std::uintmax_t max_bytes) {
     ReadOptions options;
     options.solid = solid;
@@ -79,21 +91,26 @@ void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
                       "STEP file that was planned: the plan's setups and features are derived anew from it");
     verify.add_option("--tools", options.tools_file,
                       "tool library that was planned with: the plan's tools and cutting data are compared");
+    verify.add_option(
+        "--machine", options.machine_file,
+        "machine file that was planned with; with --part or --tools, without it: the built-in one");
     verify.add_option("--stock", options.stock_file,
                       "with --part: the stock's STEP file, where there is one");
     verify.add_option("--fixtures", options.fixtures_file,
                       "with --part: the fixture file, where there is one");
 }
 
-void verifyClaim(const ClaimOptions& options, const PlanRecord& record, std::uintmax_t max_bytes,
+void verifyClaim(const ClaimOptions& options, const RecordedPlan& plan, std::uintmax_t max_bytes,
                  const Tolerances& tol, Verification& verification) {
+    if (options.part_file.empty() && options.tools_file.empty() && options.machine_file.empty()) return;
+    const auto add = [&](const std::vector<ProofFailure>& failures) {
+        verification.failures.insert(verification.failures.end(), failures.begin(), failures.end());
+    };
+    add(machineFailures(options, plan, max_bytes));
     if (options.part_file.empty() && options.tools_file.empty()) return;
-    const ToolLibrary library = libraryOf(options, record, max_bytes);
-    std::vector<ProofFailure> failures = compareWithLibrary(record, library);
-    if (!options.part_file.empty())
-        for (ProofFailure& failure : claimFailures(options, record, library, max_bytes, tol))
-            failures.push_back(std::move(failure));
-    verification.failures.insert(verification.failures.end(), failures.begin(), failures.end());
+    const ToolLibrary library = libraryOf(options, plan.record, max_bytes);
+    add(compareWithLibrary(plan.record, library));
+    if (!options.part_file.empty()) add(claimFailures(options, plan.record, library, max_bytes, tol));
 }
 
 }  // namespace stepmill

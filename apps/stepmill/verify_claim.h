@@ -12,6 +12,7 @@ namespace stepmill {
 struct ClaimOptions {
     std::string part_file;
     std::string tools_file;
+    std::string machine_file;
     std::string stock_file;
     std::string fixtures_file;
 };
@@ -19,7 +20,7 @@ void addClaimOptions(CLI::App& verify, ClaimOptions& options);
 
 /// The plan itself against these files; what differs is added to the failures.
 /// \throws Error(Usage) naming an option whose file is not the one that was planned with, or is missing
-void verifyClaim(const ClaimOptions& options, const PlanRecord& record, std::uintmax_t max_bytes,
+void verifyClaim(const ClaimOptions& options, const RecordedPlan& plan, std::uintmax_t max_bytes,
                  const Tolerances& tol, Verification& verification);
 
 }  // namespace stepmill

@@ -73,7 +73,7 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
         readPlan(options.dir, dialectFrom(options.dialect), tol, options.limits.maxFileBytes());
     place.progress.show("proving the programs", 0.1);
     Verification verification = verifyRecorded(plan, tol);
-    verifyClaim(options.claim, plan.record, options.limits.maxFileBytes(), tol, verification);
+    verifyClaim(options.claim, plan, options.limits.maxFileBytes(), tol, verification);
     addFolder(check, readManifest(options.dir).value_or(Manifest{}).files, plan.files, verification);
     if (options.json)
         printData(verificationJson(verification));
@@ -112,7 +112,7 @@ void addVerifyCommand(CLI::App& app, int& exit_code) {
         "2 a proof fails (file and line are named), or files are missing or unreadable.\n"
         "Examples:\n"
         "  stepmill verify bracket-plan\n"
-        "  stepmill verify bracket-plan --part bracket.step --tools my_tools.json\n"
+        "  stepmill verify bracket-plan --part bracket.step --tools my_tools.json --machine my_mill.json\n"
         "  stepmill verify bracket-plan --dialect grbl --json");
     verify->callback([options, &exit_code] { exit_code = runVerify(*options); });
 }

@@ -4,6 +4,7 @@
 #include "record/form_ground_json.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
+#include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/post/post.h"
 
@@ -80,6 +81,12 @@ Json cylinderJson(const HolderCylinder& cylinder) {
             {"top_mm", number(cylinder.top_mm)}};
 }
 
+Json spindlePointJson(const SpindlePoint& point) {
+    return {{"speed_rpm", number(point.speed_rpm)},
+            {"power_kw", number(point.power_kw)},
+            {"torque_nm", number(point.torque_nm)}};
+}
+
 Json machineJson(const Machine& machine) {
     Json json{{"name", machine.name},
               {"rapid_mm_per_min", number(machine.rapid_mm_per_min)},
@@ -95,6 +102,9 @@ Json machineJson(const Machine& machine) {
               {"top_clearance_mm", number(machine.top_clearance_mm)},
               {"inside_clearance_mm", number(machine.inside_clearance_mm)},
               {"dialect", machine.dialect}};
+    if (!machine.spindle_curve.empty())
+        json["spindle"] = {{"efficiency", number(machine.spindle_efficiency)},
+                           {"curve", listOf(machine.spindle_curve, spindlePointJson)}};
     if (!machine.spindle_nose.empty()) json["spindle_nose"] = listOf(machine.spindle_nose, cylinderJson);
     if (machine.gauge_over_table_mm[1] > 0) json["gauge_over_table_mm"] = machine.gauge_over_table_mm;
     if (machine.acceleration_mm_per_s2 > 0) {
@@ -128,6 +138,8 @@ Json toolJson(const ToolAssembly& tool) {
               {"diameter_mm", number(tool.diameter_mm)},
               {"corner_radius_mm", number(tool.corner_radius_mm)},
               {"flute_length_mm", number(tool.flute_length_mm)},
+              {"flutes", tool.flutes},
+              {"cutter_material", toString(tool.cutter_material)},
               {"max_plunge_mm", number(tool.max_plunge_mm)},
               {"stick_out_mm", number(tool.stick_out_mm)},
               {"stick_out_range_mm", std::move(range)},
@@ -137,6 +149,7 @@ Json toolJson(const ToolAssembly& tool) {
         json["tip_diameter_mm"] = number(tool.tip_diameter_mm);
         json["included_angle_deg"] = number(tool.included_angle_deg);
     }
+    if (tool.isDrill()) json["point_angle_deg"] = number(tool.point_angle_deg);
     return json;
 }
 
@@ -166,6 +179,28 @@ Json regionPatternsJson(const RegionPatterns& region) {
     return listOf(region.weighed, patternTimeJson);
 }
 
+Json ratingJson(const CutRating& rating) {
+    return {{"step_over_mm", number(rating.step_over_mm)},
+            {"step_down_mm", number(rating.step_down_mm)},
+            {"slot_step_down_mm", number(rating.slot_step_down_mm)},
+            {"removal_cm3_per_min", number(rating.removal_mm3_per_min / kMm3PerCm3)}};
+}
+
+Json cutsJson(const CutSummary& cuts) {
+    return {{"peak_kw", number(cuts.peak_kw)},
+            {"mean_kw", number(cuts.mean_kw)},
+            {"limit", toString(cuts.limit)},
+            {"deflection_mm", number(cuts.deflection_mm)},
+            {"length_shares", listOf(cuts.length_shares, [](double share) { return Json(number(share)); })}};
+}
+
+Json cutMaterialJson(const Material& material) {
+    return {{"name", material.name},
+            {"kc11_n_per_mm2", number(material.kc11_n_per_mm2)},
+            {"mc", number(material.mc)},
+            {"source", material.source}};
+}
+
 /// \param feature  that it cuts, or form ground \param band  the feature's
 Json operationJson(const Operation& operation, const std::string& feature, int band) {
     const Toolpath& path = operation.path;
@@ -191,12 +226,17 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
               {"cut_length_mm", number(path.totals.cut_length_mm)},
               {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
               {"air_length_mm", number(path.totals.air_length_mm)},
-              {"time_s", number(path.totals.time_s() + operation.dwell_s)},
-              {"motion_time_s", number(path.totals.motion_time_s + operation.dwell_s)}};
+              {"time_s", number(path.totals.time_s() + operation.dwellOfAll_s())},
+              {"motion_time_s", number(path.totals.motion_time_s + operation.dwellOfAll_s())}};
+    if (operation.holes > 0) json["holes"] = operation.holes;
     if (operation.ramp_angle_deg > 0) json["ramp_angle_deg"] = number(operation.ramp_angle_deg);
     if (operation.leaves.any()) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
         json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);
+    }
+    if (operation.rating) {
+        json["rating"] = ratingJson(*operation.rating);
+        json["cuts"] = cutsJson(operation.cuts);
     }
     if (!operation.takes.empty()) json["takes"] = listOf(operation.takes, reasonJson);
     return json;
@@ -334,8 +374,23 @@ std::string planJson(const Plan& plan) {
                  {"obstacles", tables.obstacles.rows()},
                  {"regions", tables.regions.regions()},
                  {"loops", tables.regions.loops()}};
+    if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
+}
+
+std::vector<MachineDifference> machineDifferences(std::string_view plan_json, const Machine& machine) {
+    const Json recorded = Json::parse(plan_json).at("machine");
+    const Json expected = Json::parse(machineJson(machine).dump());
+    const auto words = [](const Json& json, const Json::json_pointer& place) {
+        return json.contains(place) ? json.at(place).dump() : std::string();
+    };
+    std::vector<MachineDifference> differences;
+    for (const Json& step : Json::diff(recorded, expected)) {
+        const Json::json_pointer place(step.at("path").get<std::string>());
+        differences.push_back({place.to_string(), words(recorded, place), words(expected, place)});
+    }
+    return differences;
 }
 
 }  // namespace stepmill

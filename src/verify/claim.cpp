@@ -152,6 +152,7 @@ class SetupComparison {
         region(derived.id, "the obstruction", recorded.obstruction, derived.obstruction);
         if (recorded.parents != derived.parents)
             fail(derived.id, "waits for other features than the part says");
+        length(derived.id, "the drill's point under the floor", recorded.point_mm, derived.point_mm);
         if (recorded.feature_class != derived.feature_class)
             fail(derived.id, fmt::format("is a {}, not a {}", toString(derived.feature_class),
                                          toString(recorded.feature_class)));
@@ -245,7 +246,7 @@ class ClaimWalk {
         derived.stock = walk.cut(stage, derived.removed);
         derived.air = airOf(stage);
         for (const std::string& id : recorded.operation_ids)
-            if (record_.operations.at(id).role == Role::Form) {
+            if (!record_.operations.at(id).takes.empty()) {
                 derived.planned.operations.emplace_back();
                 derived.planned.operations.back().takes = record_.operations.at(id).takes;
             }

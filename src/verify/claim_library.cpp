@@ -1,10 +1,12 @@
-// Tools and cutting data of a plan against the library it names.
+// Tools and cutting data of a plan against the library it names, its machine against the machine file.
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "stepmill/catalog/spindle.h"
+#include "stepmill/record/plan_json.h"
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/verify/claim.h"
 
@@ -72,6 +74,10 @@ void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library, c
     compare.same("the corner radius", recorded.corner_radius_mm, in_library.corner_radius_mm);
     compare.same("the tip diameter", recorded.tip_diameter_mm, in_library.tip_diameter_mm);
     compare.same("the included angle", recorded.included_angle_deg, in_library.included_angle_deg);
+    compare.same("the point angle", recorded.point_angle_deg, in_library.point_angle_deg);
+    compare.same("the number of teeth", recorded.flutes, in_library.flutes);
+    compare.sameWord("the cutter's material", toString(recorded.cutter_material),
+                     toString(in_library.cutter_material));
     compare.same("the flute length", recorded.flute_length_mm, in_library.flute_length_mm);
     compare.same("the deepest plunge", recorded.max_plunge_mm, in_library.max_plunge_mm);
     if (!mayStandOut(in_library, recorded.stick_out_mm))
@@ -91,9 +97,33 @@ void compareRampAngle(const RecordedOperation& operation, const CuttingData& dat
     compare.atMost("the ramp angle", operation.ramp_angle_deg, angle_deg);
 }
 
-void compareCutting(const RecordedOperation& operation, const CuttingData& data,
-                    std::vector<ProofFailure>& failures) {
+/// A hole that is not deep is drilled in one go.
+double largestStepDownMm(const RecordedOperation& operation, const CuttingData& data) {
+    const bool one_go = operation.tool.isDrill() && operation.depths == 1;
+    return one_go ? std::max(data.step_down_mm, kOneGoDiameters * operation.tool.diameter_mm)
+                  : data.step_down_mm;
+}
+
+/// No cut may be rated for more than the library's; rated it is where the plan tells what cuts ask for.
+void compareRating(const RecordedOperation& operation, const ToolAssembly& in_library,
+                   const CuttingData& data, const PlanRecord& record, Comparison& compare) {
+    const bool told = record.cut_material && !record.machine.spindle_curve.empty();
+    if (!isClearing(operation.role)) return;
+    if (!operation.rating) {
+        if (told) compare.fail("no rating is told");
+        return;
+    }
+    compare.atMost("the rated step-over", operation.rating->step_over_mm, data.step_over_mm);
+    compare.atMost("the rated step-down", operation.rating->step_down_mm, data.step_down_mm);
+    compare.atMost("the slot step-down", operation.rating->slot_step_down_mm,
+                   slotStepDownMm(in_library, data));
+    compare.atMost("the rated removal", operation.rating->removal_mm3_per_min, ratedRemovalMm3PerMin(data));
+}
+
+void compareCutting(const RecordedOperation& operation, const ToolAssembly& in_library,
+                    const CuttingData& data, const PlanRecord& record, std::vector<ProofFailure>& failures) {
     Comparison compare(operation.id, failures);
+    compareRating(operation, in_library, data, record, compare);
     const double plunge =
         data.plunge_feed_mm_per_min > 0 ? data.plunge_feed_mm_per_min : data.feed_mm_per_min;
     compare.atMost("the feed", operation.feed_mm_per_min, data.feed_mm_per_min);
@@ -101,7 +131,7 @@ void compareCutting(const RecordedOperation& operation, const CuttingData& data,
     compare.atMost("the speed", operation.speed_rpm, data.speed_rpm);
     // A finishing pass takes little off a wall and goes deeper for it.
     if (operation.role != Role::Finish)
-        compare.atMost("the step-down", operation.step_down_mm, data.step_down_mm);
+        compare.atMost("the step-down", operation.step_down_mm, largestStepDownMm(operation, data));
     if (!operation.tool.isDrill()) compareRampAngle(operation, data, compare);
     compare.sameWord("the coolant", toString(operation.coolant), toString(data.coolant));
 }
@@ -121,11 +151,21 @@ std::vector<ProofFailure> compareWithLibrary(const PlanRecord& record, const Too
         const ToolAssembly* tool = toolIn(library, operation.tool.id);
         if (tool == nullptr) continue;
         if (const CuttingData* data = tool->cuttingFor(record.material))
-            compareCutting(operation, *data, failures);
+            compareCutting(operation, *tool, *data, record, failures);
         else
             Comparison(id, failures)
                 .fail(fmt::format("{} has no cutting data for {}", tool->id, record.material));
     }
+    return failures;
+}
+
+std::vector<ProofFailure> compareWithMachine(const RecordedPlan& plan, const Machine& machine) {
+    const auto orNothing = [](const std::string& value) { return value.empty() ? "missing" : value; };
+    std::vector<ProofFailure> failures;
+    for (const MachineDifference& found : machineDifferences(plan.files.plan_json, machine))
+        failures.push_back(
+            {"plan.json", 0, "machine" + found.pointer,
+             fmt::format("is {}, of the machine {}", orNothing(found.recorded), orNothing(found.expected))});
     return failures;
 }
 

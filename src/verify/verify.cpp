@@ -97,9 +97,11 @@ class SetupProver {
                         const verify::Findings& findings) {
         FeatureState& state = stateOf(planned.feature_id);
         proveOnStock(operation, planned, state, findings);
-        const Region cleared = verify::cleared(operation, planned, tol_);
+        proveCuts(operation, planned, state, findings);
+        const Region cleared = verify::cleared(operation, planned, state.feature, tol_);
+        const double down_to_mm = verify::clearedDownTo(planned, state.feature);
         for (verify::StandingAbove& above : state.standing)
-            if (!cleared.empty() && above.z_mm >= planned.z_floor_mm - verify::kSamePostedHeightMm)
+            if (!cleared.empty() && above.z_mm >= down_to_mm - verify::kSamePostedHeightMm)
                 above.region = subtract(above.region, cleared, tol_);
         done_.insert(operation.id);
         const bool last = isLastOfFeature(planned);
@@ -109,6 +111,26 @@ class SetupProver {
         for (const Region& piece : left)
             findings.proof.left_mm2 += area(piece);
         if (last) checkLeft(operation, planned.feature_id, floor_z_mm, state, left, findings);
+    }
+
+    /// The cuts on what the setup's operations have left of the feature so far; then these are gone too.
+    void proveCuts(const ReadOperation& operation, const RecordedOperation& planned, FeatureState& state,
+                   const verify::Findings& findings) const {
+        if (!state.ground) return;
+        if (planned.rating)
+            verify::proveCuts(*program_, operation, planned, *state.ground, *record_.cut_material,
+                              record_.machine, findings);
+        std::vector<Move> moves;
+        for (const ReadMove& read : operation.moves)
+            moves.push_back(read.fed.move);
+        state.ground->add(operation.start, moves, planned.tool.radius_mm());
+    }
+
+    /// Plans that rate operations tell the material that is cut; see record/plan_rules.h.
+    bool hasRatings(const std::string& feature_id) const {
+        return std::any_of(record_.operations.begin(), record_.operations.end(), [&](const auto& entry) {
+            return entry.second.feature_id == feature_id && entry.second.rating;
+        });
     }
 
     const RecordedOperation& plannedOf(const ReadOperation& operation) const {
@@ -128,10 +150,8 @@ class SetupProver {
         if (found != states_.end()) return found->second;
         const Feature& feature = record_.features.at(id).feature;
         FeatureState state;
-        state.feature = onGrownStock(
-            reduced(feature, parentsOf(feature, by_id_), ancestorsOf(feature, by_id_), setup_.fixtures, tol_)
-                .feature,
-            growth_, tol_);
+        state.feature = asFound(feature, by_id_, setup_.fixtures, growth_, tol_);
+        if (hasRatings(id)) state.ground.emplace(state.feature.target, state.feature.top_z_mm);
         state.safe_z_mm = safeZ();
         std::set<double> heights;
         for (const auto& [operation_id, operation] : record_.operations)
@@ -149,7 +169,8 @@ class SetupProver {
         const std::vector<std::string> undone = undoneAbove(planned);
         FeatureState beside_standing;
         if (!undone.empty()) {
-            beside_standing = state;
+            beside_standing.standing = state.standing;
+            beside_standing.safe_z_mm = state.safe_z_mm;
             beside_standing.feature = beside(state.feature, standingAbove(undone), tol_);
         }
         const FeatureState& now = undone.empty() ? state : beside_standing;
@@ -208,7 +229,9 @@ class SetupProver {
         for (const Residual& residual : recorded.residual) {
             // Area, height and volume are rounded in the file.
             const double rounding_mm3 = kWrittenDecimals * (1 + depth_mm + 2 * residual.area_mm2);
-            if (residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
+            // A drill's point leaves the rim of the floor alone.
+            if (residual.reason == Reason::DrillPoint ||
+                residual.volume_mm3 >= residual.area_mm2 * depth_mm - rounding_mm3)
                 named.push_back(residual.region);
         }
         const Region& found = state.standingAt(floor_z_mm);

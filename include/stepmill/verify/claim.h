@@ -30,4 +30,8 @@ std::vector<ProofFailure> compareWithPart(const PlanRecord& record, const ClaimS
 /// range; and the operations' feeds, speeds and step-downs against the cutting data.
 std::vector<ProofFailure> compareWithLibrary(const PlanRecord& record, const ToolLibrary& library);
 
+/// What the plan says of its machine (feeds, travel, clearances, spindle nose, all fields) against the
+/// machine itself.
+std::vector<ProofFailure> compareWithMachine(const RecordedPlan& plan, const Machine& machine);
+
 }  // namespace stepmill

@@ -284,7 +284,7 @@ TEST_F(SpoiltProgram, TakesHarmlessEdits) {
     const std::vector<std::string> whole = lines_;
     const std::size_t up = find(" G0 Z5", find(" G1 X"));
     for (const char* line : {"G53 G0 Z0", "G28 Z40", "M1", "M0", "G4 P0.5", "G0 Z40", "(a comment)",
-                             "; G0 Z-50", "N1", "G64 P0.01", "g90 g17", ""}) {
+                             "; G0 Z-50", "N1", "G64 P0.01", "g90 g17", "G94", "G61", "G0Z40.0", ""}) {
         lines_ = whole;
         lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(up) + 1, line);
         const ProgramRun run = verifySpoilt();

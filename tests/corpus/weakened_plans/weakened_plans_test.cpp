@@ -461,6 +461,19 @@ const std::vector<Weakening> kWeakenings{
      [](Json& plan) {
          plan["volume_balance"]["residual_mm3"] = plan["volume_balance"]["residual_mm3"].get<double>() + 500;
      }},
+    {"rapids that may go nearer to a raw side",
+     [](Json& plan) { plan["machine"]["side_clearance_mm"] = 0.1; }},
+    {"rapids that may go nearer to a raw top", [](Json& plan) { plan["machine"]["top_clearance_mm"] = 0.1; }},
+    {"a machine without spindle nose", [](Json& plan) { plan["machine"].erase("spindle_nose"); }},
+    {"a spindle that comes down to the table",
+     [](Json& plan) {
+         plan["machine"]["gauge_over_table_mm"] = {0.1, 900};
+     }},
+    {"a machine that travels farther",
+     [](Json& plan) {
+         plan["machine"]["travel_mm"] = {9000, 9000, 9000};
+     }},
+    {"a quicker machine", [](Json& plan) { plan["machine"]["max_feed_mm_per_min"] = 99000; }},
     {"a number that is none", [](Json& plan) { firstBand(plan)["top_z_mm"] = nullptr; }},
     {"a number beyond all limits", [](Json& plan) { firstBand(plan)["top_z_mm"] = 1e308; }},
 };
