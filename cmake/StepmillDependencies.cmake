@@ -18,6 +18,8 @@ find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(SQLite3 REQUIRED)
+# What the viewer of the report is drawn with; it stands in the page.
+find_path(THREE_JS_DIR build/three.min.js HINTS /usr/share/javascript/three REQUIRED NO_CACHE)
 find_path(VALIJSON_INCLUDE_DIR valijson/validator.hpp REQUIRED)
 
 # GEOS' C++ interface (OverlayNG, index trees) lives in libgeos beside the C one.

@@ -9,6 +9,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<PlanOptions>();
     addJobOptions(*plan, *options, "-plan");
     addFinishOptions(*plan, *options);
+    addOfferOptions(*plan, *options);
     plan->footer(
         "Examples:\n"
         "  stepmill plan bracket.step\n"
@@ -18,8 +19,11 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step --finish-walls 0.3 --finish-floors 0.2\n"
         "  stepmill plan cavity.step --scallop 0.05\n"
         "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
+        "  stepmill plan bracket.step --buy catalogue.json\n"
+        "  stepmill plan bracket.step --material steel --cutting-model\n"
         "  stepmill plan bracket.step --fixtures clamps.json\n"
-        "  stepmill plan bracket.step --job job42.json --display inch --pdf");
+        "  stepmill plan bracket.step --job job42.json --display inch --pdf\n"
+        "  stepmill plan bracket.step --no-viewer");
     plan->callback([options, &exit_code] { exit_code = runPlan(*options); });
 }
 

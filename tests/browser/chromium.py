@@ -14,9 +14,13 @@ def program():
 
 
 class Chromium:
-    """Use it as `with Chromium() as browser`."""
+    """Use it as `with Chromium() as browser`. It may be given more options of the browser."""
 
     WAIT_S = 120  # for any answer: only a browser that hangs takes so long
+
+    def __init__(self, *options):
+        self.options = options
+        self.heard = []  # what the browser tells of its own accord, once listen() was called
 
     def __enter__(self):
         self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
@@ -26,7 +30,7 @@ class Chromium:
         moved = f'exec "$@" 3<&{theirs_in} 4>&{theirs_out}'
         self.process = subprocess.Popen(
             ["bash", "-c", moved, "bash", program(), "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-             "--window-size=1400,900", f"--user-data-dir={self.profile.name}", "--remote-debugging-pipe", "about:blank"],
+             "--window-size=1400,900", *self.options, f"--user-data-dir={self.profile.name}", "--remote-debugging-pipe", "about:blank"],
             pass_fds=(theirs_in, theirs_out), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(theirs_in)
         os.close(theirs_out)
@@ -63,6 +67,8 @@ class Chromium:
         deadline = time.monotonic() + self.WAIT_S
         while True:
             answer = self.message(deadline)
+            if "method" in answer:
+                self.heard.append(answer)
             if answer.get("id") == self.last:
                 if "error" in answer:
                     raise RuntimeError(f"{method}: {answer['error']}")
@@ -83,3 +89,30 @@ class Chromium:
             if time.monotonic() > deadline:
                 raise TimeoutError(f"{path} is not shown")
             time.sleep(0.05)
+
+    def listen(self):
+        """From now on what the page logs and loads is heard."""
+        for domain in ("Log", "Runtime", "Network", "Page"):
+            self.ask(f"{domain}.enable")
+
+    # What a browser without a graphics card says of itself, whatever the page.
+    OWN_WORDS = ("GL Driver Message", "software WebGL")
+
+    def complaints(self):
+        """What the page said on the console, and what went wrong in its scripts."""
+        said = []
+        for event in self.heard:
+            if event["method"] == "Log.entryAdded":
+                words = event["params"]["entry"]["text"]
+                if not any(own in words for own in self.OWN_WORDS):
+                    said.append(words)
+            if event["method"] == "Runtime.consoleAPICalled":
+                said.append(str(event["params"]["args"]))
+            if event["method"] == "Runtime.exceptionThrown":
+                said.append(str(event["params"]["exceptionDetails"]))
+        return said
+
+    def requests(self):
+        """Addresses of all that was asked for."""
+        return [event["params"]["request"]["url"] for event in self.heard
+                if event["method"] == "Network.requestWillBeSent"]

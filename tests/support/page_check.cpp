@@ -1,6 +1,8 @@
 #include "support/page_check.h"
 
+#include <algorithm>
 #include <memory>
+#include <regex>
 
 #include <expat.h>
 #include <fmt/format.h>
@@ -60,6 +62,27 @@ PageContent readPage(const std::string& page) {
         reading.content.errors.push_back(fmt::format("line {}: {}", XML_GetCurrentLineNumber(parser.get()),
                                                      XML_ErrorString(XML_GetErrorCode(parser.get()))));
     return reading.content;
+}
+
+std::string withoutOwnScripts(const std::string& page, int scripts) {
+    static const std::regex element("<script([^>]*)>");
+    const std::string end = "</script>";
+    std::string rest;
+    std::size_t at = 0;
+    int run = 0;
+    std::smatch tag;
+    for (auto from = page.begin(); std::regex_search(from, page.end(), tag, element);
+         from = page.begin() + static_cast<std::ptrdiff_t>(at)) {
+        const auto begin = static_cast<std::size_t>(tag[0].first - page.begin());
+        rest += page.substr(at, begin - at);
+        at = page.find(end, begin) + end.size();
+        if (tag[1].str().find("type=\"application/json\"") == std::string::npos) ++run;
+    }
+    EXPECT_EQ(run, scripts);
+    const std::string policy = page.substr(
+        page.find("script-src "), page.find(';', page.find("script-src ")) - page.find("script-src "));
+    EXPECT_EQ(std::count(policy.begin(), policy.end(), '-'), 1 + scripts) << policy;
+    return rest + page.substr(at);
 }
 
 void expectSoundPage(const std::string& page, const std::string& what) {

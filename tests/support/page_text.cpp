@@ -77,7 +77,8 @@ std::string tidy(const std::string& line) {
 }  // namespace
 
 std::string pageText(const std::string& html) {
-    std::istringstream lines(withoutEntities(withoutTags(without("svg", without("style", html)))));
+    std::istringstream lines(
+        withoutEntities(withoutTags(without("svg", without("style", without("script", html))))));
     std::string text;
     for (std::string line; std::getline(lines, line);)
         if (const std::string words = tidy(line); !words.empty()) text += words + "\n";

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "report/page/chart_parts.h"
 #include "report/page/drawing.h"
 #include "report/page/words.h"
 
@@ -16,27 +17,6 @@ constexpr double kLeft = 64;
 constexpr double kRight = 46;
 constexpr double kTop = 22;
 constexpr double kBottom = 42;
-
-/// Step of 1, 2 or 5 times a power of ten that divides the range into at most that many.
-double niceStep(double range, int most) {
-    const double rough = range / most;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= rough) return factor * power;
-    return 10 * power;
-}
-
-Element lineFrom(Tag tag, const Vec2& from, const Vec2& to) {
-    return Element(tag)
-        .with("x1", fixed(from.x(), 2))
-        .with("y1", fixed(from.y(), 2))
-        .with("x2", fixed(to.x(), 2))
-        .with("y2", fixed(to.y(), 2));
-}
-
-Element textAt(Tag tag, const Vec2& at, const std::string& words) {
-    return Element(tag, words).with("x", fixed(at.x(), 2)).with("y", fixed(at.y(), 2));
-}
 
 /// The scales of a chart: where diameters and volumes stand in the picture.
 class Axes {

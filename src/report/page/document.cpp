@@ -1,54 +1,58 @@
 #include "report/page/document.h"
 
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "report/page/base64.h"
 #include "report/page/page_style.h"
+#include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 
 namespace stepmill::report {
 namespace {
 
-constexpr std::string_view kBase64 = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-unsigned hexValue(char digit) {
-    return static_cast<unsigned>(digit <= '9' ? digit - '0' : digit - 'a' + 10);
+std::uint8_t hexValue(char digit) {
+    return static_cast<std::uint8_t>(digit <= '9' ? digit - '0' : digit - 'a' + 10);
 }
 
-/// Six bits a character, filled up with "=" to four characters a group.
-std::string base64OfHex(const std::string& hex) {
-    std::string text;
-    unsigned bits = 0;
-    int count = 0;
-    for (const char digit : hex) {
-        bits = (bits << 4U) | hexValue(digit);
-        count += 4;
-        if (count < 6) continue;
-        count -= 6;
-        text += kBase64[(bits >> static_cast<unsigned>(count)) & 0x3FU];
-        bits &= (1U << static_cast<unsigned>(count)) - 1;
-    }
-    if (count > 0) text += kBase64[(bits << static_cast<unsigned>(6 - count)) & 0x3FU];
-    while (text.size() % 4 != 0)
-        text += '=';
-    return text;
+std::vector<std::uint8_t> bytesOfHex(const std::string& hex) {
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+        bytes.push_back(static_cast<std::uint8_t>(hexValue(hex[i]) * 16 + hexValue(hex[i + 1])));
+    return bytes;
 }
 
 std::string hashSource(std::string_view text) {
-    return "'sha256-" + base64OfHex(sha256(text)) + "'";
+    return "'sha256-" + base64(bytesOfHex(sha256(text))) + "'";
 }
 
-/// \param script  the only one of the page; empty: none runs
-Element policy(std::string_view style, std::string_view script) {
-    const std::string scripts = script.empty() ? "" : " script-src " + hashSource(script) + ";";
+/// \param scripts  as they stand in the page; without any none runs
+Element policy(std::string_view style, const std::vector<std::string>& scripts) {
+    std::string allowed;
+    for (const std::string& script : scripts)
+        allowed += (allowed.empty() ? " script-src " : " ") + hashSource(script);
     return Element("meta")
         .with("http-equiv", "Content-Security-Policy")
-        .with("content", "default-src 'none';" + scripts + " style-src " + hashSource(style) +
-                             "; base-uri 'none'; form-action 'none'");
+        .with("content",
+              fmt::format("default-src 'none';{}{} style-src {}; base-uri 'none'; form-action 'none'",
+                          allowed, allowed.empty() ? "" : ";", hashSource(style)));
 }
 
-Element headElement(const std::string& title, std::string_view style, std::string_view script) {
+Element headElement(const std::string& title, std::string_view style,
+                    const std::vector<std::string>& scripts) {
     return Element(
-        "head", Element("meta").with("charset", "utf-8"), policy(style, script),
+        "head", Element("meta").with("charset", "utf-8"), policy(style, scripts),
         Element("meta").with("name", "viewport").with("content", "width=device-width, initial-scale=1"),
         Element("title", title), styleElement(style));
+}
+
+/// A script as both readers of a page take it, HTML's and XML's: the marks of its ends are comments to the
+/// one and keep "<" and "&" text to the other.
+std::string forBothReaders(std::string_view script) {
+    for (const char* end : {"]]>", "</script", "<!--"})
+        STEPMILL_CHECK(script.find(end) == std::string_view::npos, "a script stays within its element");
+    return "//<![CDATA[\n" + std::string(script) + "\n//]]>";
 }
 
 std::string documentOf(Element head, Element body) {
@@ -59,16 +63,22 @@ std::string documentOf(Element head, Element body) {
 }  // namespace
 
 std::string htmlDocument(const std::string& title, Element main) {
-    return documentOf(headElement(title, kPageStyle, ""), Element("body", std::move(main)));
+    return documentOf(headElement(title, kPageStyle, {}), Element("body", std::move(main)));
 }
 
 std::string printedDocument(const std::string& title, Element main, std::string_view style) {
-    return documentOf(headElement(title, style, ""), Element("body", std::move(main)));
+    return documentOf(headElement(title, style, {}), Element("body", std::move(main)));
 }
 
-std::string partTableDocument(const std::string& title, Element main, Element data) {
-    return documentOf(headElement(title, kPageStyle, kPartTableScript),
-                      Element("body", std::move(main), std::move(data), scriptElement(kPartTableScript)));
+std::string scriptedDocument(const std::string& title, Element main, Element data, const PageScripts& with) {
+    std::vector<std::string> scripts;
+    for (const std::string_view script : with.scripts)
+        scripts.push_back(forBothReaders(script));
+    Element body("body", std::move(main), std::move(data));
+    for (const std::string& script : scripts)
+        body.add(scriptElement(script));
+    return documentOf(headElement(title, std::string(kPageStyle) + std::string(with.style), scripts),
+                      std::move(body));
 }
 
 }  // namespace stepmill::report

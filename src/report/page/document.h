@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "report/page/element.h"
 
@@ -16,8 +18,15 @@ std::string htmlDocument(const std::string& title, Element main);
 /// The same with a style sheet of its own in place of page.css.
 std::string printedDocument(const std::string& title, Element main, std::string_view style);
 
-/// The same with a table of many parts (part_table.js), which the policy allows by hash too.
-/// \param data  dataElement() of what the script shows
-std::string partTableDocument(const std::string& title, Element main, Element data);
+/// What makes a page more than a page to read.
+struct PageScripts {
+    std::vector<std::string_view> scripts;  ///< ours, or a library's; they run in this order
+    std::string_view style;                 ///< of what they build, beside page.css
+};
+
+/// The same with scripts, each of which the policy allows by hash. They take what they show from `data` and
+/// make text and elements of it, never markup.
+/// \param data  dataElement() of what the scripts show
+std::string scriptedDocument(const std::string& title, Element main, Element data, const PageScripts& with);
 
 }  // namespace stepmill::report

@@ -94,7 +94,8 @@ class Element {
     friend Element linkTo(const Anchor& anchor, std::string text);
     /// A style sheet as it is: what stands in it is ours, no text of strangers.
     friend Element styleElement(std::string_view sheet);
-    /// A script as it is: ours, no text of strangers. It has neither "<" nor "&".
+    /// A script as it is: ours, no text of strangers. Where it has "<" or "&" it says itself how a reader of
+    /// XML takes them.
     friend Element scriptElement(std::string_view script);
     /// JSON for a script of the page, which finds it by the anchor's id. It is data to a browser, whatever
     /// stands in it.

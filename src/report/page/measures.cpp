@@ -9,6 +9,11 @@ namespace stepmill::report {
 namespace {
 
 constexpr double kInchesAFoot = 12;
+constexpr double kMmAMetre = 1000;
+constexpr double kFineSteps = 1000;
+constexpr double kMm2ASquareInch = kMillimetresPerInch * kMillimetresPerInch;
+constexpr double kMm3ACubicInch = kMillimetresPerInch * kMm2ASquareInch;
+constexpr double kMm3ACm3 = 1000;
 
 }  // namespace
 
@@ -37,6 +42,35 @@ std::string Measures::feed(double feed_mm_per_min) const {
 
 std::string Measures::way(double length_mm) const {
     return inch_ ? fixed(mmToInch(length_mm) / kInchesAFoot, 1) + " ft" : fixed(length_mm / 1000, 1) + " m";
+}
+
+std::string Measures::wayNumber(double length_mm, int decimals) const {
+    return inch_ ? fixed(mmToInch(length_mm) / kInchesAFoot, decimals - 1)
+                 : fixed(length_mm / kMmAMetre, decimals);
+}
+
+std::string Measures::fine(double length_mm) const {
+    return fixed(kFineSteps * (inch_ ? mmToInch(length_mm) : length_mm), 2);
+}
+
+std::string Measures::area(double area_mm2, int decimals) const {
+    return inch_ ? fixed(area_mm2 / kMm2ASquareInch, decimals + 2) : fixed(area_mm2, decimals);
+}
+
+std::string Measures::volume(double volume_mm3, int decimals) const {
+    return inch_ ? fixed(volume_mm3 / kMm3ACubicInch, decimals + 1) : fixed(volume_mm3 / kMm3ACm3, decimals);
+}
+
+double Measures::lengthOf(double length_mm) const {
+    return inch_ ? mmToInch(length_mm) : length_mm;
+}
+
+double Measures::volumeOf(double volume_mm3) const {
+    return volume_mm3 / (inch_ ? kMm3ACubicInch : kMm3ACm3);
+}
+
+std::string Measures::crumb(double volume_mm3) const {
+    return inch_ ? fixed(volume_mm3 / kMm3ACubicInch, 5) + " in³" : fixed(volume_mm3, 2) + " mm³";
 }
 
 }  // namespace stepmill::report

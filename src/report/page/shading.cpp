@@ -6,13 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <BRep_Tool.hxx>
-#include <gp_Pnt.hxx>
-#include <gp_Vec.hxx>
-#include <Poly_Triangulation.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-
+#include "report/page/facets.h"
 #include "stepmill/part/part.h"
 
 namespace stepmill {
@@ -32,25 +26,15 @@ struct Facet {
 std::vector<Facet> facetsOf(const TopoDS_Shape& solid, const gp_Dir& towards_viewer, const gp_Dir& right,
                             const std::vector<int>& tints) {
     const gp_Dir up = towards_viewer.Crossed(right);
-    const auto seen = [&](const gp_Pnt& p) {
-        const gp_XYZ& at = p.XYZ();
-        return Vec3(at.Dot(right.XYZ()), at.Dot(up.XYZ()), at.Dot(towards_viewer.XYZ()));
+    const auto axis = [](const gp_Dir& along) { return Vec3(along.X(), along.Y(), along.Z()); };
+    const auto seen = [&](const Vec3& at) {
+        return Vec3(at.dot(axis(right)), at.dot(axis(up)), at.dot(axis(towards_viewer)));
     };
     std::vector<Facet> facets;
-    std::size_t face = 0;
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next(), ++face) {
-        TopLoc_Location location;
-        const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
-        if (mesh.IsNull()) continue;
-        for (int i = 1; i <= mesh->NbTriangles(); ++i) {
-            std::array<int, 3> node{};
-            mesh->Triangle(i).Get(node[0], node[1], node[2]);
-            Facet facet;
-            facet.tint = tints.at(face);
-            for (int k = 0; k < 3; ++k)
-                facet.corners[k] = seen(mesh->Node(node[k]).Transformed(location.Transformation()));
-            facets.push_back(facet);
-        }
+    for (const report::SolidFacet& facet : report::facetsOf(solid)) {
+        Facet& shown = facets.emplace_back();
+        shown.tint = tints.at(facet.face);
+        std::transform(facet.corners.begin(), facet.corners.end(), shown.corners.begin(), seen);
     }
     return facets;
 }

@@ -23,6 +23,11 @@ inline Column numbers(const char* head) {
     return {head, true};
 }
 
+/// A column of numbers in a unit: "depth mm".
+inline Column numbersIn(const char* unit, const char* head) {
+    return {std::string(head) + " " + unit, true};
+}
+
 /// A table made row by row.
 ///
 ///     Table table({"tool", numbers("Ø mm")});

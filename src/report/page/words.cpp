@@ -5,9 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "stepmill/feature/hole_group.h"
+
 namespace stepmill::report {
 namespace {
 
+/// Longer names may break within words [bytes].
+constexpr std::size_t kMostUnbroken = 40;
 constexpr const char* kNoTool = "none fits";
 
 }  // namespace
@@ -22,6 +26,26 @@ std::string sizeWords(const Vec3& size_mm) {
 
 std::string timesBound(double value_s, double bound_s) {
     return bound_s > 0 ? fixed(value_s / bound_s, 2) : std::string("-");
+}
+
+std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
+    const std::string words = toString(feature.featureClass());
+    const Feature& lowest = feature.lowest();
+    if (!isHole(lowest.feature_class) || lowest.target.loops.size() < 2) return words;
+    return fmt::format("{} x {}, {}", lowest.target.loops.size(), words, in.length(2 * holeRadiusMm(lowest)));
+}
+
+std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
+    const Feature& lowest = feature.lowest();
+    if (!isHole(lowest.feature_class) || lowest.target.loops.size() < 2) return {};
+    std::vector<std::string> places;
+    for (const Vec2& centre : holeCentres(lowest))
+        places.push_back(fmt::format("X {}, Y {}", in.number(centre.x(), 3), in.number(centre.y(), 3)));
+    return fmt::format("{}", fmt::join(places, "; "));
+}
+
+Element breakable(const std::string& name) {
+    return Element(name.size() > kMostUnbroken ? Tag("span.any") : Tag("span"), name);
 }
 
 std::string listed(const std::vector<std::string>& words) {

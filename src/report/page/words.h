@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "report/page/element.h"
+#include "report/page/measures.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/part/part.h"
 #include "stepmill/plan/plan.h"
@@ -23,11 +25,19 @@ std::string clockTime(double seconds);
 /// How often the bound goes into a time: "2.31"; "-" without a bound.
 std::string timesBound(double value_s, double bound_s);
 
+/// A name from a file, which may break anywhere where it is long: it makes no column wide.
+Element breakable(const std::string& name);
+
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
 /// "S1.F2 and 3 more".
 std::string subjectWords(const Warning& warning);
+
+/// "through hole"; of a group of equal ones "6 x through hole, 5.00 mm".
+std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in);
+/// Where the holes of a group are: "X 10, Y 20; X 30, Y 20"; empty for any other feature.
+std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in);
 
 /// The tools of a band in order: "EM25 (+ EM10) > EM4", surrogates in brackets after the tool they help;
 /// "none fits" without any.

@@ -9,6 +9,7 @@
 
 #include "report/page/drawing.h"
 #include "report/page/words.h"
+#include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill::report {
 namespace {
@@ -16,16 +17,21 @@ namespace {
 // The picture, in its own units, y down.
 constexpr double kWidth = 1000;
 constexpr double kLine = 190;  ///< where the nodes stand
-constexpr double kHeight = 226;
+constexpr double kHeight = 238;
+/// Names stand in two rows below the nodes, cut short where they are long.
+constexpr double kNameRow = 13;
+constexpr std::size_t kMostNameBytes = 9;
 constexpr double kMargin = 46;
 constexpr double kNode = 6;
 /// Height of an arc as a share of its width, and the highest.
 constexpr double kArcShare = 0.42;
 constexpr double kHighestArc = 165;
+/// Arcs that rise less have no words below them.
+constexpr double kRoomForWork = 60;
 
 /// Where each node stands: the source first, the sink last.
 using Places = std::map<std::string, double>;
-const std::string kSource;
+const std::string kStart;
 const std::string kSink = "\n";  // no tool's id
 
 const std::string& target(const DagEdge& edge) {
@@ -39,7 +45,7 @@ std::vector<std::string> nodesOf(const ToolSequence& sequence) {
         met.insert(edge.from);
         met.insert(edge.to);
     }
-    std::vector<std::string> nodes{kSource};
+    std::vector<std::string> nodes{kStart};
     for (const ToolReach& reach : sequence.tools)
         if (met.contains(reach.tool_id)) nodes.push_back(reach.tool_id);
     nodes.push_back(kSink);
@@ -58,23 +64,169 @@ Element label(const char* css_class, double x, double y, const std::string& word
     return Element("text", words).with("class", css_class).with("x", fixed(x, 1)).with("y", fixed(y, 1));
 }
 
-void drawEdge(Element& svg, const DagEdge& edge, const Places& places, bool chosen) {
-    const auto from = places.find(edge.from);
-    const auto to = places.find(target(edge));
-    if (from == places.end() || to == places.end()) return;
-    const double middle = (from->second + to->second) / 2;
-    const double rise = std::min(kHighestArc, kArcShare * std::abs(to->second - from->second));
-    // A quadratic curve goes half as high as its control point.
-    svg.add(Element("path")
-                .with("class", chosen            ? "chosen"
-                               : edge.to.empty() ? "to-sink"
-                                                 : "weighed")
-                .with("d", fmt::format("M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}", from->second, kLine,
-                                       middle, kLine - 2 * rise, to->second, kLine)));
-    if (chosen && !edge.to.empty()) svg.add(label("time", middle, kLine - rise - 5, clockTime(edge.time_s)));
+/// The beginning of a long name; plain characters alone can be counted.
+std::string shortened(const std::string& name) {
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) { return c >= ' ' && c <= '~'; });
+    if (name.size() <= kMostNameBytes) return name;
+    return plain ? name.substr(0, kMostNameBytes - 1) + "…" : "…";
+}
+
+/// What an edge is to the ways through the DAG.
+enum class EdgeLook { Weighed, RunnerUp, Chosen };
+
+const char* classOf(EdgeLook look, bool to_sink) {
+    if (look == EdgeLook::Chosen) return "chosen";
+    if (look == EdgeLook::RunnerUp) return "runner-up";
+    return to_sink ? "to-sink" : "weighed";
+}
+
+/// "EM16 to EM6: 412.0 mm², 0:33, 1.20 EUR".
+std::string edgeWords(const DagEdge& edge, const std::string& currency, const Measures& in) {
+    std::string ends =
+        (edge.from.empty() ? "start" : edge.from) + " to " + (edge.to.empty() ? "done" : edge.to);
+    if (edge.to.empty()) return ends;
+    return fmt::format("{}: {} {}, {}, {:.2f} {}", ends, in.area(edge.region_area_mm2, 1), in.areaUnit(),
+                       clockTime(edge.time_s), edge.cost, currency);
+}
+
+class Picture {
+  public:
+    Picture(const Plan& plan, const ToolSequence& sequence, const std::vector<std::string>& nodes,
+            const Measures& in)
+        : in_(in),
+          currency_(plan.machine.currency),
+          places_(placesOf(nodes)),
+          svg_(emptySvg("svg.dag", fmt::format("0 0 {:g} {:g}", kWidth, kHeight),
+                        "Tool DAG of " + sequence.feature_id)) {}
+
+    void edge(const DagEdge& edge, EdgeLook look) {
+        const auto from = places_.find(edge.from);
+        const auto to = places_.find(target(edge));
+        if (from == places_.end() || to == places_.end()) return;
+        const double middle = (from->second + to->second) / 2;
+        const double rise = std::min(kHighestArc, kArcShare * std::abs(to->second - from->second));
+        // A quadratic curve goes half as high as its control point.
+        svg_.add(Element("path", Element("title", edgeWords(edge, currency_, in_)))
+                     .with("class", classOf(look, edge.to.empty()))
+                     .with("d", fmt::format("M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}", from->second, kLine,
+                                            middle, kLine - 2 * rise, to->second, kLine)));
+        if (look != EdgeLook::Chosen || edge.to.empty()) return;
+        svg_.add(label("time", middle, kLine - rise - 5, clockTime(edge.time_s)));
+        // Below the arc, where it is high enough to have room for that.
+        if (rise > kRoomForWork)
+            svg_.add(label("work", middle, kLine - rise + 15,
+                           fmt::format("{} {}, {:.2f} {}", in_.area(edge.region_area_mm2, 0), in_.areaUnit(),
+                                       edge.cost, currency_)));
+    }
+
+    void node(const std::string& name) {
+        const double x = places_.at(name);
+        svg_.add(
+            Element("circle").with("cx", fixed(x, 1)).with("cy", fixed(kLine, 1)).with("r", fixed(kNode, 1)));
+        const std::string words = name == kStart ? "start" : name == kSink ? "done" : name;
+        const double y = kLine + 22 + (nodes_++ % 2 == 0 ? 0 : kNameRow);
+        svg_.add(label("node", x, y, shortened(words)).add(Element("title", words)));
+    }
+
+    Element take() && { return std::move(svg_); }
+
+  private:
+    const Measures& in_;
+    std::string currency_;
+    Places places_;
+    Element svg_;
+    int nodes_ = 0;
+};
+
+/// What an edge weighs in the plan's choice.
+double weightOf(const Plan& plan, const DagEdge& edge) {
+    if (plan.objective == Objective::Cost) return edge.cost;
+    return edge.motion_s > 0 ? edge.motion_s : edge.time_s;
+}
+
+/// A way through the DAG with what its edges weigh together; no tools: there is none.
+struct WeighedWay {
+    std::vector<std::string> tools;
+    double weight = 0;
+};
+
+/// The cheapest way over the edges but one. A change that a surrogate shares with the next tool counts twice.
+/// \param without  from, to; nothing is left out where it names no edge
+WeighedWay cheapestWithout(const Plan& plan, const ToolSequence& sequence,
+                           const std::pair<std::string, std::string>& without) {
+    std::map<std::string, int> numbers{{kStart, kSource}};
+    std::vector<std::string> names;
+    for (const ToolReach& reach : sequence.tools) {
+        numbers[reach.tool_id] = static_cast<int>(names.size());
+        names.push_back(reach.tool_id);
+    }
+    std::map<std::pair<int, int>, double> weights;
+    std::vector<bool> ends(names.size(), false);
+    for (const DagEdge& edge : sequence.edges) {
+        if (edge.from == without.first && edge.to == without.second) continue;
+        if (edge.to.empty())
+            ends[numbers.at(edge.from)] = true;
+        else
+            weights[{numbers.at(edge.from), numbers.at(edge.to)}] = weightOf(plan, edge);
+    }
+    const CheapestPath path = cheapestPath(
+        static_cast<int>(names.size()),
+        [&](int m, int n) {
+            const auto found = weights.find({m, n});
+            return found == weights.end() ? kNoEdge : found->second;
+        },
+        ends);
+    WeighedWay way{{}, path.cost};
+    for (const int tool : path.tools)
+        way.tools.push_back(names[tool]);
+    return way;
+}
+
+/// The second best way lacks at least one edge of the best.
+std::optional<RunnerUp> runnerUp(const Plan& plan, const ToolSequence& sequence, const WeighedWay& best) {
+    std::optional<RunnerUp> found;
+    for (const std::pair<std::string, std::string>& edge : wayAlong(best.tools)) {
+        const WeighedWay other = cheapestWithout(plan, sequence, edge);
+        if (other.tools.empty()) continue;
+        const double more = other.weight - best.weight;
+        if (!found || more < found->more) found = RunnerUp{other.tools, more};
+    }
+    return found;
+}
+
+std::string amountWords(double amount, const Plan& plan) {
+    return plan.objective == Objective::Time ? clockTime(amount)
+                                             : fmt::format("{:.2f} {}", amount, plan.machine.currency);
+}
+
+std::string captionOf(const Plan& plan, const ToolSequence& sequence, const DagWays& ways) {
+    std::string words = fmt::format(
+        "{} edges weighed, {} ruled out by their lower bounds. Thick: the way taken, with time, area and "
+        "money; "
+        "dotted: tools that may be the last.",
+        sequence.edges.size(), sequence.pruned_edges);
+    if (ways.runner_up)
+        words += fmt::format(" Dashed: the runner-up, {}, {} more.", listed(ways.runner_up->tools),
+                             amountWords(std::max(0.0, ways.runner_up->more), plan));
+    if (!ways.own_cheapest.empty())
+        words += fmt::format(
+            " By itself the feature would take {}: the part as a whole calls the tools taken anyway.",
+            listed(ways.own_cheapest));
+    return words;
 }
 
 }  // namespace
+
+DagWay wayAlong(const std::vector<std::string>& tools) {
+    DagWay way;
+    std::string previous;
+    for (const std::string& tool : tools) {
+        way.insert({previous, tool});
+        previous = tool;
+    }
+    if (!previous.empty()) way.insert({previous, ""});
+    return way;
+}
 
 DagWay chosenWay(const ToolSequence& sequence) {
     DagWay chosen;
@@ -88,29 +240,35 @@ DagWay chosenWay(const ToolSequence& sequence) {
     return chosen;
 }
 
-std::optional<Element> dagDrawing(const ToolSequence& sequence) {
+DagWays waysOf(const Plan& plan, const ToolSequence& sequence) {
+    DagWays ways;
+    ways.chosen = chosenWay(sequence);
+    if (sequence.edges.empty() || plan.cost_model != CostModel::Path) return ways;
+    const WeighedWay best = cheapestWithout(plan, sequence, {kSink, kSink});
+    if (best.tools.empty()) return ways;
+    ways.runner_up = runnerUp(plan, sequence, best);
+    if (wayAlong(best.tools) != ways.chosen) ways.own_cheapest = best.tools;
+    return ways;
+}
+
+std::optional<Element> dagDrawing(const Plan& plan, const ToolSequence& sequence, const Measures& in) {
     const std::vector<std::string> nodes = nodesOf(sequence);
     constexpr std::size_t kNoChoice = 3;  // source, one tool, sink
     if (nodes.size() <= kNoChoice) return std::nullopt;
-    const Places places = placesOf(nodes);
-    const DagWay chosen = chosenWay(sequence);
-    Element svg = emptySvg("svg.dag", fmt::format("0 0 {:g} {:g}", kWidth, kHeight),
-                           "Tool DAG of " + sequence.feature_id);
-    for (const bool thick : {false, true})
-        for (const DagEdge& edge : sequence.edges)
-            if (chosen.contains({edge.from, edge.to}) == thick) drawEdge(svg, edge, places, thick);
-    for (const std::string& node : nodes) {
-        const double x = places.at(node);
-        svg.add(
-            Element("circle").with("cx", fixed(x, 1)).with("cy", fixed(kLine, 1)).with("r", fixed(kNode, 1)));
-        svg.add(label("node", x, kLine + 24, node == kSource ? "start" : node == kSink ? "done" : node));
-    }
-    const std::string words = fmt::format(
-        "{} edges weighed, {} ruled out by their lower bounds. Thick: the way taken, with times; dashed: "
-        "tools "
-        "that may be the last.",
-        sequence.edges.size(), sequence.pruned_edges);
-    return Element("figure", std::move(svg), Element("figcaption", words));
+    const DagWays ways = waysOf(plan, sequence);
+    const DagWay second = ways.runner_up ? wayAlong(ways.runner_up->tools) : DagWay{};
+    Picture picture(plan, sequence, nodes, in);
+    for (const EdgeLook look : {EdgeLook::Weighed, EdgeLook::RunnerUp, EdgeLook::Chosen})
+        for (const DagEdge& edge : sequence.edges) {
+            const EdgeLook is = ways.chosen.contains({edge.from, edge.to}) ? EdgeLook::Chosen
+                                : second.contains({edge.from, edge.to})    ? EdgeLook::RunnerUp
+                                                                           : EdgeLook::Weighed;
+            if (is == look) picture.edge(edge, look);
+        }
+    for (const std::string& node : nodes)
+        picture.node(node);
+    return Element("figure", std::move(picture).take(),
+                   Element("figcaption", captionOf(plan, sequence, ways)));
 }
 
 }  // namespace stepmill::report

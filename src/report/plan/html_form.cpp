@@ -18,12 +18,12 @@ double takenMm3(const Operation& operation) {
     return sum;
 }
 
-Element takesTable(const std::vector<const Operation*>& operations) {
-    Table table({"operation", "tool", "what", numbers("takes mm³")});
+Element takesTable(const std::vector<const Operation*>& operations, const Measures& in) {
+    Table table({"operation", "tool", "what", numbers("takes")});
     for (const Operation* operation : operations)
         for (const ReasonVolume& taken : operation->takes)
             table.row(linkTo(operationAnchor(operation->id), operation->id), operation->tool_id,
-                      toString(taken.reason), fixed(taken.volume_mm3, 2));
+                      toString(taken.reason), in.crumb(taken.volume_mm3));
     return std::move(table).element();
 }
 
@@ -55,7 +55,7 @@ Anchor workAnchor(const Operation& operation) {
                                         : bandAnchor(operation.feature_id);
 }
 
-Element formSection(const PlannedSetup& setup) {
+Element formSection(const ReportSubject& subject, const PlannedSetup& setup) {
     std::vector<const Operation*> operations;
     double taken_mm3 = 0;
     for (const Operation& operation : setup.operations)
@@ -63,13 +63,12 @@ Element formSection(const PlannedSetup& setup) {
             operations.push_back(&operation);
             taken_mm3 += takenMm3(operation);
         }
-    Element section(
-        "section", Element("h3", "Leaning walls of " + setup.setup.id),
-        Element("p", fmt::format("After all flat operations form cutters take {:.1f} mm³ off what "
-                                 "flat layers leave over walls that lean, in fillets and at "
-                                 "chamfers.",
-                                 taken_mm3)),
-        takesTable(operations));
+    Element section("section", Element("h3", "Leaning walls of " + setup.setup.id),
+                    Element("p", fmt::format("After all flat operations form cutters take {} off what "
+                                             "flat layers leave over walls that lean, in fillets and at "
+                                             "chamfers.",
+                                             subject.in.crumb(taken_mm3))),
+                    takesTable(operations, subject.in));
     section.mark(Anchor("form", setup.setup.id));
     Element figures("div.pairs");
     for (const Operation* operation : operations)

@@ -6,6 +6,8 @@
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/plan/html_sections.h"
+#include "report/viewer/viewer_data.h"
+#include "report/viewer/viewer_section.h"
 #include "stepmill/plan/warning_order.h"
 #include "stepmill/report/report.h"
 
@@ -17,11 +19,11 @@ Element card(const std::string& value, const char* label) {
     return Element("div.card", Element("b", value), Element("span", label));
 }
 
-std::string cubicCentimetres(double volume_mm3, int decimals) {
-    return fixed(volume_mm3 / 1000, decimals);
+std::string volumeWords(const Measures& in, double volume_mm3, int decimals) {
+    return in.volume(volume_mm3, decimals) + " " + in.volumeUnit();
 }
 
-Element cards(const Plan& plan) {
+Element cards(const Plan& plan, const Measures& in) {
     const PlanTotals& totals = plan.totals;
     const VolumeBalance& books = plan.balance;
     Element cards("div.cards", card(clockTime(totals.time_s), "machining time"));
@@ -32,16 +34,15 @@ Element cards(const Plan& plan) {
         card(timesBound(totals.time_s, totals.lower_bound_s), "times the least possible with these tools"),
         card(std::to_string(totals.tool_changes), "tool changes"),
         card(fixed(totals.time_s > 0 ? 100 * totals.air_s / totals.time_s : 0.0, 1) + " %", "of it rapids"),
-        card(cubicCentimetres(books.planned_mm3, 2) + " cm³", "removed"),
-        card(cubicCentimetres(books.residual_mm3 + books.unreachable_mm3, 3) + " cm³",
-             "stays or is out of reach"));
+        card(volumeWords(in, books.planned_mm3, 2), "removed"),
+        card(volumeWords(in, books.residual_mm3 + books.unreachable_mm3, 3), "stays or is out of reach"));
     return cards;
 }
 
-Element partWords(const Plan& plan) {
+Element partWords(const Plan& plan, const Measures& in) {
     const Part& part = plan.part;
     return Element("p.soft", fmt::format("{} · {} (file unit: {}) · {} · {} · tools: {}", part.file,
-                                         sizeWords(part.bbox_mm.sizes()), part.unit_in_file, plan.material,
+                                         in.size(part.bbox_mm.sizes()), part.unit_in_file, plan.material,
                                          plan.machine.name, plan.library.file));
 }
 
@@ -105,11 +106,12 @@ std::string takerWords(const Residual& residual) {
     return residual.taken_by.empty() ? "" : ", taken by " + residual.taken_by;
 }
 
-Element booksSection(const Plan& plan) {
+Element booksSection(const Plan& plan, const Measures& in) {
     const VolumeBalance& books = plan.balance;
-    Table table({"account", "reason", numbers("cm³"), numbers("of it stays")});
-    const auto add = [&table](const std::string& account, const std::string& reason, double volume_mm3) {
-        table.row(account, reason, cubicCentimetres(volume_mm3, 4), "");
+    Table table({"account", "reason", numbersIn(in.volumeUnit(), "volume"),
+                 numbersIn(in.volumeUnit(), "of it stays")});
+    const auto add = [&table, &in](const std::string& account, const std::string& reason, double volume_mm3) {
+        table.row(account, reason, in.volume(volume_mm3, 4), "");
     };
     add("stock - part", "", books.stock_minus_part_mm3);
     add("planned", "", books.planned_mm3);
@@ -127,8 +129,8 @@ Element booksSection(const Plan& plan) {
         for (const PlannedFeature& planned : setup.features)
             for (const Residual& residual : planned.sequence.residual)
                 table.row("left by " + planned.feature.id + takerWords(residual), toString(residual.reason),
-                          cubicCentimetres(residual.volume_mm3, 4),
-                          cubicCentimetres(residual.stays_mm3.value_or(residual.volume_mm3), 4));
+                          in.volume(residual.volume_mm3, 4),
+                          in.volume(residual.stays_mm3.value_or(residual.volume_mm3), 4));
     return Element("section", Element("h2", "Volume books"), std::move(table).element(),
                    Element("p.soft", fmt::format("Unaccounted: {:.2e} of stock - part.", books.gapShare())))
         .at(Anchor("part", "books"));
@@ -149,14 +151,32 @@ Anchor operationAnchor(const std::string& operation_id) {
     return {"operation", operation_id};
 }
 
+namespace {
+
+/// \param viewer  its section, where the page has one
+Element mainOf(const Plan& plan, bool inch, const Tolerances& tol, std::optional<Element> viewer) {
+    ReportSubject subject{plan, Measures(inch), dialectOf(plan.machine)};
+    Element main("main", Element("h1", plan.part.name), partWords(plan, subject.in), cards(plan, subject.in),
+                 gapsWords(plan, tol), graveWarnings(plan), sharingWords(plan), otherWarnings(plan),
+                 contents(plan), std::move(viewer));
+    for (const PlannedSetup& setup : plan.setups)
+        main.add(setupSection(subject, setup));
+    main.add(booksSection(plan, subject.in));
+    return main;
+}
+
+}  // namespace
 }  // namespace stepmill::report
 
-std::string stepmill::reportHtml(const Plan& plan, const Tolerances& tol) {
+std::string stepmill::reportHtml(const ProvenPlan& proven, const ReportOptions& options,
+                                 const Tolerances& tol) {
     using namespace report;
-    Element main("main", Element("h1", plan.part.name), partWords(plan), cards(plan), gapsWords(plan, tol),
-                 graveWarnings(plan), sharingWords(plan), otherWarnings(plan), contents(plan));
-    for (const PlannedSetup& setup : plan.setups)
-        main.add(setupSection(plan, setup, dialectOf(plan.machine)));
-    main.add(booksSection(plan));
-    return htmlDocument(plan.part.name, std::move(main));
+    const Plan& plan = proven.plan;
+    if (!options.viewer) return htmlDocument(plan.part.name, mainOf(plan, options.inch, tol, std::nullopt));
+    return viewerDocument(plan.part.name, mainOf(plan, options.inch, tol, viewerSection()),
+                          viewerData(proven, options.inch));
+}
+
+std::string stepmill::reportHtml(const Plan& plan, const Tolerances& tol) {
+    return report::htmlDocument(plan.part.name, report::mainOf(plan, false, tol, std::nullopt));
 }

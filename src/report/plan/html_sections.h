@@ -1,6 +1,8 @@
 #pragma once
 
 #include "report/page/element.h"
+#include "report/page/measures.h"
+#include "report/plan/area_figures.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/post/post.h"
@@ -8,6 +10,14 @@
 // The sections of report.html that belong to one setup or to one feature, and where links lead to.
 
 namespace stepmill::report {
+
+/// What the sections of one report are made of.
+struct ReportSubject {
+    const Plan& plan;
+    Measures in;
+    Dialect dialect = Dialect::LinuxCnc;
+    std::size_t area_room = kMostAreaBytes;  ///< what is left of the page for pictures of areas
+};
 
 /// The section of a setup, of a band, of a feature (of its band where it has but one), and the row of an
 /// operation.
@@ -20,12 +30,13 @@ Anchor operationAnchor(const std::string& operation_id);
 Anchor workAnchor(const Operation& operation);
 
 /// What form cutters take off leaning walls, and their passes. \pre setup.form
-Element formSection(const PlannedSetup& setup);
+Element formSection(const ReportSubject& subject, const PlannedSetup& setup);
 
 /// Views, the setup sheet with its features, tools and operations, then each feature.
-Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialect);
+Element setupSection(ReportSubject& subject, const PlannedSetup& setup);
 
 /// What each step sweeps, what stays, and all that was weighed; of several bands each folded.
-Element featureSection(const PlannedSetup& setup, const WholeFeature<PlannedFeature>& feature);
+Element featureSection(ReportSubject& subject, const PlannedSetup& setup,
+                       const WholeFeature<PlannedFeature>& feature);
 
 }  // namespace stepmill::report

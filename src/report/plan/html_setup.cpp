@@ -11,24 +11,25 @@
 #include "report/page/words.h"
 #include "report/plan/feature_drawing.h"
 #include "report/plan/html_sections.h"
+#include "report/plan/tool_charts.h"
 #include "stepmill/plan/feature_times.h"
 
 namespace stepmill::report {
 namespace {
 
-std::string toleranceWords(const Stock& stock) {
+std::string toleranceWords(const Stock& stock, const Measures& in) {
     if (stock.tolerance_mm <= 0) return {};
-    return fmt::format(" (sides that are still raw may each stand out {} mm more)",
-                       fixed(stock.tolerance_mm, 2));
+    return fmt::format(" (sides that are still raw may each stand out {} more)",
+                       in.length(stock.tolerance_mm));
 }
 
-std::string setupWords(const PlannedSetup& setup, Dialect dialect) {
+std::string setupWords(const ReportSubject& subject, const PlannedSetup& setup) {
     return fmt::format(
         "Tool axis {}{} of the part. Stock {} as it arrives{}. Work offset G54: x and y zero at the stock's "
         "lower left corner seen from the spindle, z zero on its top. Program {}, {}. Clamping: {}.",
         axisName(setup.setup.axis), setup.setup.indexed ? " (indexed: not along the box)" : "",
-        sizeWords(setup.setup.stock_bbox_mm.sizes()), toleranceWords(setup.setup.stock),
-        programName(setup.setup.id, dialect), clockTime(setup.time_s), setup.clamping.text);
+        subject.in.size(setup.setup.stock_bbox_mm.sizes()), toleranceWords(setup.setup.stock, subject.in),
+        programName(setup.setup.id, subject.dialect), clockTime(setup.time_s), setup.clamping.text);
 }
 
 Element setupFigure(const PlannedSetup& setup) {
@@ -37,12 +38,12 @@ Element setupFigure(const PlannedSetup& setup) {
 }
 
 /// The smallest of all bands; "-" where none has one.
-std::string cornerWords(const WholeFeature<PlannedFeature>& feature) {
+std::string cornerWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
     std::optional<double> least_mm;
     for (const PlannedFeature* band : feature.bands)
         if (const std::optional<double>& radius_mm = band->feature.min_corner_radius_mm)
             least_mm = std::min(least_mm.value_or(*radius_mm), *radius_mm);
-    return least_mm ? fixed(*least_mm, 2) : "-";
+    return least_mm ? in.number(*least_mm) : "-";
 }
 
 /// Seen from above: of the band that covers most.
@@ -54,97 +55,145 @@ double areaMm2(const WholeFeature<PlannedFeature>& feature) {
 }
 
 /// A row for each, with all its bands.
-Element featuresTable(const PlannedSetup& setup, const Machine& machine) {
-    Table table({"id", "class", "after", numbers("top"), numbers("floor"), numbers("depth mm"),
-                 numbers("area mm²"), numbers("volume cm³"), numbers("corner R"), "tools", numbers("time"),
-                 numbers("× bound")});
+Element featuresTable(const ReportSubject& subject, const PlannedSetup& setup) {
+    const Measures& in = subject.in;
+    Table table({"id", "class", "after", numbersIn(in.unit(), "top"), numbersIn(in.unit(), "floor"),
+                 numbersIn(in.unit(), "depth"), numbersIn(in.areaUnit(), "area"),
+                 numbersIn(in.volumeUnit(), "volume"), numbersIn(in.unit(), "corner R"), "tools",
+                 numbers("time"), numbers("× bound")});
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features)) {
-        const FeatureTimes times = timesOf(feature, machine);
-        table.row(linkTo(featureAnchor(feature), feature.id()), toString(feature.featureClass()),
-                  listed(feature.uppermost().parents), fixed(feature.uppermost().top_z_mm, 3),
-                  fixed(feature.lowest().floor_z_mm, 3), fixed(feature.depth_mm(), 3),
-                  fixed(areaMm2(feature), 1), fixed(feature.volume_mm3() / 1000, 3), cornerWords(feature),
-                  toolWords(feature), clockTime(times.time_s), timesBound(times.time_s, times.lower_bound_s));
+        const FeatureTimes times = timesOf(feature, subject.plan.machine);
+        table.row(linkTo(featureAnchor(feature), feature.id()), classWords(feature, in),
+                  listed(feature.uppermost().parents), in.number(feature.uppermost().top_z_mm, 3),
+                  in.number(feature.lowest().floor_z_mm, 3), in.number(feature.depth_mm(), 3),
+                  in.area(areaMm2(feature), 1), in.volume(feature.volume_mm3()), cornerWords(feature, in),
+                  breakable(toolWords(feature)), clockTime(times.time_s),
+                  timesBound(times.time_s, times.lower_bound_s));
     }
     return std::move(table).element();
 }
 
 /// The stick-out to set, and the range it was chosen from.
-std::string stickOutWords(const ToolAssembly& tool) {
-    if (!tool.stick_out_range) return fixed(tool.stick_out_mm, 1);
-    return fmt::format("{:.1f} ({:.1f}–{:.1f})", tool.stick_out_mm, tool.stick_out_range->shortest_mm,
-                       tool.stick_out_range->longest_mm);
+std::string stickOutWords(const ToolAssembly& tool, const Measures& in) {
+    if (!tool.stick_out_range) return in.number(tool.stick_out_mm, 1);
+    return fmt::format("{} ({}–{})", in.number(tool.stick_out_mm, 1),
+                       in.number(tool.stick_out_range->shortest_mm, 1),
+                       in.number(tool.stick_out_range->longest_mm, 1));
 }
 
 /// The holder's cylinders; a plan's tools stand in the machine, so the nose's follow them.
-std::string holderWords(const ToolAssembly& tool, const Machine& machine) {
+std::string holderWords(const ToolAssembly& tool, const Machine& machine, const Measures& in) {
     std::vector<std::string> cylinders;
     const std::size_t own = tool.holder.size() - std::min(tool.holder.size(), machine.spindle_nose.size());
     for (const HolderCylinder& cylinder : std::span(tool.holder).first(own))
-        cylinders.push_back(
-            fmt::format("{:.1f}: {:.1f}–{:.1f}", cylinder.diameter_mm, cylinder.bottom_mm, cylinder.top_mm));
+        cylinders.push_back(fmt::format("{}: {}–{}", in.number(cylinder.diameter_mm, 1),
+                                        in.number(cylinder.bottom_mm, 1), in.number(cylinder.top_mm, 1)));
     if (own < tool.holder.size())
-        cylinders.push_back(fmt::format("spindle nose from {:.1f}", tool.holder[own].bottom_mm));
+        cylinders.push_back("spindle nose from " + in.number(tool.holder[own].bottom_mm, 1));
     return listed(cylinders);
 }
 
-Element toolsTable(const Plan& plan, const PlannedSetup& setup) {
+Element toolsTable(const ReportSubject& subject, const PlannedSetup& setup) {
+    const Plan& plan = subject.plan;
+    const Measures& in = subject.in;
     std::set<int> seen;
-    Table table({numbers("T"), "id", "description", numbers("Ø mm"), numbers("corner R"),
-                 numbers("flutes mm"), numbers("stick-out mm"), "holder Ø from–to mm"});
+    Table table({numbers("T"), "id", "description", numbersIn(in.unit(), "Ø"),
+                 numbersIn(in.unit(), "corner R"), numbersIn(in.unit(), "flutes"),
+                 numbersIn(in.unit(), "stick-out"), std::string("holder Ø from–to ") + in.unit()});
     for (const Operation& operation : setup.operations) {
         const ToolAssembly& tool = plan.library.tool(operation.tool_id);
         if (!seen.insert(tool.number).second) continue;
-        table.row(std::to_string(tool.number), tool.id, tool.description, fixed(tool.diameter_mm, 3),
-                  fixed(tool.corner_radius_mm, 2), fixed(tool.flute_length_mm, 1), stickOutWords(tool),
-                  holderWords(tool, plan.machine));
+        table.row(std::to_string(tool.number), breakable(tool.id), breakable(tool.description),
+                  in.number(tool.diameter_mm, 3), in.number(tool.corner_radius_mm),
+                  in.number(tool.flute_length_mm, 1), stickOutWords(tool, in),
+                  holderWords(tool, plan.machine, in));
     }
     return std::move(table).element();
 }
 
-std::string leavesWords(const FinishAllowance& leaves) {
+std::string leavesWords(const FinishAllowance& leaves, const Measures& in) {
     if (!leaves.any()) return {};
-    return fmt::format(", leaves {:g} on walls, {:g} on the floor", leaves.walls_mm, leaves.floors_mm);
+    return fmt::format(", leaves {} on walls, {} on the floor", in.length(leaves.walls_mm),
+                       in.length(leaves.floors_mm));
 }
 
-std::string clearanceWords(const Operation& operation) {
+std::string clearanceWords(const Operation& operation, const Measures& in) {
     if (operation.path.pattern == "drill") return "-";
-    return fixed(1000 * operation.proof.least_clearance_mm, 2);
+    return in.fine(operation.proof.least_clearance_mm);
 }
 
-std::string metres(double length_mm) {
-    return fixed(length_mm / 1000, 2);
-}
-
-Element operationsTable(const PlannedSetup& setup) {
-    Table table({"id", "feature", "tool", "role", "pattern", numbers("layers"), numbers("step-down"),
-                 numbers("step-over"), numbers("feed"), numbers("plunge"), numbers("rpm"), "coolant",
-                 numbers("even m"), numbers("cut m"), numbers("in air m"), numbers("rapid m"),
-                 numbers("clear of part µm"), numbers("time"), numbers("with acceleration")});
+Element operationsTable(const ReportSubject& subject, const PlannedSetup& setup) {
+    const Measures& in = subject.in;
+    Table table({"id", "feature", "tool", "role", "pattern", numbers("layers"),
+                 numbersIn(in.unit(), "step-down"), numbersIn(in.unit(), "step-over"),
+                 numbersIn(in.feedUnit(), "feed"), numbersIn(in.feedUnit(), "plunge"), numbers("rpm"),
+                 "coolant", numbersIn(in.wayUnit(), "even"), numbersIn(in.wayUnit(), "cut"),
+                 numbersIn(in.wayUnit(), "in air"), numbersIn(in.wayUnit(), "rapid"),
+                 numbersIn(in.fineUnit(), "clear of part"), numbers("time"), numbers("with acceleration")});
     for (const Operation& operation : setup.operations) {
         const Toolpath& path = operation.path;
         const PathTotals& totals = path.totals;
         table
-            .row(operation.id, linkTo(workAnchor(operation), operation.feature_id), operation.tool_id,
-                 toString(operation.role) + leavesWords(operation.leaves), path.pattern,
-                 std::to_string(path.depths), fixed(path.step_down_mm, 2), fixed(path.step_over_mm, 2),
-                 fixed(path.feed_mm_per_min, 0), fixed(path.plunge_feed_mm_per_min, 0),
-                 fixed(operation.speed_rpm, 0), toString(operation.coolant), metres(operation.even_length_mm),
-                 metres(totals.cut_length_mm), metres(totals.feed_air_length_mm),
-                 metres(totals.air_length_mm), clearanceWords(operation), clockTime(totals.time_s()),
-                 clockTime(totals.motion_time_s))
+            .row(operation.id, linkTo(workAnchor(operation), operation.feature_id),
+                 breakable(operation.tool_id), toString(operation.role) + leavesWords(operation.leaves, in),
+                 path.pattern, std::to_string(path.depths), in.number(path.step_down_mm),
+                 in.number(path.step_over_mm), in.feed(path.feed_mm_per_min),
+                 in.feed(path.plunge_feed_mm_per_min), fixed(operation.speed_rpm, 0),
+                 toString(operation.coolant), in.wayNumber(operation.even_length_mm),
+                 in.wayNumber(totals.cut_length_mm), in.wayNumber(totals.feed_air_length_mm),
+                 in.wayNumber(totals.air_length_mm), clearanceWords(operation, in),
+                 clockTime(totals.time_s()), clockTime(totals.motion_time_s))
             .mark(operationAnchor(operation.id));
     }
     return std::move(table).element();
 }
 
+/// What feeds go by, or that they go by nothing but the library.
+std::string cutsWords(const Plan& plan) {
+    const std::optional<Material>& material = plan.request.cut_material;
+    if (!material || plan.machine.spindle_curve.empty())
+        return "Feeds are the library's, whatever is cut: " +
+               std::string(material ? "the machine's file tells no spindle."
+                                    : "no cutting model was asked for (--cutting-model).");
+    return fmt::format(
+        "Feeds follow what each move cuts of {} (kc1.1 {:g} N/mm², mc {:g}: {}). Power is that of "
+        "the spindle's motor.",
+        material->name, material->kc11_n_per_mm2, material->mc, material->source);
+}
+
+std::string percent(double share) {
+    return fixed(100 * share, 0);
+}
+
+/// What the cuts ask of spindle and tools.
+Element cutsTable(const PlannedSetup& setup, const Measures& in) {
+    Table table({"id", "tool", numbers("peak kW"), numbers("mean kW"), "ruled by",
+                 numbersIn(in.fineUnit(), "bends"), numbers("% in air"), numbers("to ¼ D"), numbers("to ½ D"),
+                 numbers("to ¾ D"), numbers("to D")});
+    for (const Operation& operation : setup.operations) {
+        if (!operation.rating) continue;
+        const CutSummary& cuts = operation.cuts;
+        table.row(operation.id, operation.tool_id, fixed(cuts.peak_kw, 2), fixed(cuts.mean_kw, 2),
+                  toString(cuts.limit), in.fine(cuts.deflection_mm), percent(cuts.length_shares[0]),
+                  percent(cuts.length_shares[1]), percent(cuts.length_shares[2]),
+                  percent(cuts.length_shares[3]), percent(cuts.length_shares[4]));
+    }
+    return std::move(table).element();
+}
+
+/// Is some operation's feed by what it cuts?
+bool hasRatings(const PlannedSetup& setup) {
+    return std::any_of(setup.operations.begin(), setup.operations.end(),
+                       [](const Operation& operation) { return operation.rating.has_value(); });
+}
+
 /// How the order was found; nothing where there is nothing to order.
-std::optional<Element> ordersWords(const PlannedSetup& setup) {
+std::optional<Element> ordersWords(const PlannedSetup& setup, const Measures& in) {
     if (setup.orders.empty() || setup.operations.size() < 2) return std::nullopt;
     std::string words;
     for (const WeighedOrder& order : setup.orders)
-        words += fmt::format("{}{}: {:.0f} mm", words.empty() ? "Rapids between operations, " : "; ",
-                             toString(order.rule), order.travel_mm);
+        words += fmt::format("{}{}: {}", words.empty() ? "Rapids between operations, " : "; ",
+                             toString(order.rule), in.length(order.travel_mm, 0));
     return Element("p.soft", words + ". The first is taken.");
 }
 
@@ -157,19 +206,23 @@ Element keys() {
 
 }  // namespace
 
-Element setupSection(const Plan& plan, const PlannedSetup& setup, Dialect dialect) {
+Element setupSection(ReportSubject& subject, const PlannedSetup& setup) {
     const std::string& id = setup.setup.id;
     Element section("section", Element("h2", "The part as it stands in " + id),
-                    figuresOf(partDrawings(plan.part, setup.setup.part_to_setup)),
-                    Element("h2", "Setup " + id), Element("p", setupWords(setup, dialect)),
+                    figuresOf(partDrawings(subject.plan.part, setup.setup.part_to_setup)),
+                    Element("h2", "Setup " + id), Element("p", setupWords(subject, setup)),
                     setupFigure(setup));
     section.mark(setupAnchor(id));
-    section.add(Element("h3", "Features"), featuresTable(setup, plan.machine), Element("h3", "Tools"),
-                toolsTable(plan, setup), Element("h3", "Operations in machining order"), ordersWords(setup),
-                operationsTable(setup), Element("h2", "Feature by feature"), keys());
+    section.add(Element("h3", "Features"), featuresTable(subject, setup), Element("h3", "Tools"),
+                toolsTable(subject, setup), toolCharts(subject.plan, setup, subject.in),
+                Element("h3", "Operations in machining order"), ordersWords(setup, subject.in),
+                operationsTable(subject, setup), Element("h3", "Cuts"),
+                Element("p.soft", cutsWords(subject.plan)));
+    if (hasRatings(setup)) section.add(cutsTable(setup, subject.in));
+    section.add(Element("h2", "Feature by feature"), keys());
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
-        section.add(featureSection(setup, feature));
-    if (setup.form) section.add(formSection(setup));
+        section.add(featureSection(subject, setup, feature));
+    if (setup.form) section.add(formSection(subject, setup));
     return section;
 }
 

@@ -26,7 +26,7 @@ std::string featureLine(const WholeFeature<PlannedFeature>& feature, const Machi
     const double stays_mm3 =
         feature.sum([](const PlannedFeature& band) { return residualVolumeMm3(band.sequence); });
     return fmt::format("{:<9} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
-                       feature.id(), toString(feature.featureClass()), feature.depth_mm(),
+                       feature.id(), report::classWords(feature, report::Measures(false)), feature.depth_mm(),
                        feature.volume_mm3() / 1000, clockTime(times.time_s),
                        timesBound(times.time_s, times.lower_bound_s), plainLine(toolWords(feature)),
                        stays_mm3 / 1000);

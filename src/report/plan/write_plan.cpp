@@ -4,14 +4,15 @@
 
 namespace stepmill {
 
-void writePlan(const ProvenPlan& proven, const Sheets& sheets, JobFolder& folder, const Tolerances& tol) {
+void writePlan(const ProvenPlan& proven, const Sheets& sheets, const ReportOptions& report, JobFolder& folder,
+               const Tolerances& tol) {
     NewJob job;
     job.by = JobWriter::Plan;
     job.part_file = proven.plan.part.file;
     job.part_sha256 = proven.plan.part.sha256;
     job.plan_sha256 = sha256(proven.files.plan_json);
     job.files.push_back({"plan.json", "", proven.files.plan_json});
-    job.files.push_back({"report.html", "", reportHtml(proven.plan, tol)});
+    job.files.push_back({"report.html", "", reportHtml(proven, report, tol)});
     job.files.push_back({"sheets.html", "", sheets.html});
     if (!sheets.pdf.empty()) job.files.push_back({"sheets.pdf", "", sheets.pdf});
     if (proven.mayRun())

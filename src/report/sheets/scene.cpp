@@ -1,15 +1,15 @@
 #include "report/sheets/scene.h"
 
-#include <algorithm>
-#include <array>
+#include <BRepMesh_IncrementalMesh.hxx>
 
-#include <BRep_Tool.hxx>
-#include <Poly_Triangulation.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
+#include "report/page/facets.h"
+#include "report/page/hidden_lines.h"
 
 namespace stepmill::report {
 namespace {
+
+/// Facets of curved faces turn by no more than this from one to the next [rad].
+constexpr double kFacetAngle = 0.12;
 
 Vec3 lifted(const Vec2& p, double z_mm) {
     return {p.x(), p.y(), z_mm};
@@ -31,13 +31,15 @@ void addWalls(const std::vector<Vec2>& line, const Prism& prism, const Eigen::Is
     }
 }
 
-Patch triangle(const std::array<Vec3, 3>& corners, bool reversed) {
-    Patch facet;
-    facet.loops = {{corners[0], corners[1], corners[2]}};
+Patch patchOf(const SolidFacet& facet, const Eigen::Isometry3d& placed) {
+    Patch patch;
+    std::vector<Vec3>& corners = patch.loops.emplace_back();
+    for (const Vec3& corner : facet.corners)
+        corners.push_back(placed * corner);
     const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double length = across.norm();
-    facet.normal = length > 0 ? Vec3((reversed ? -1.0 : 1.0) / length * across) : Vec3(Vec3::Zero());
-    return facet;
+    patch.normal = length > 0 ? Vec3((facet.reversed ? -1.0 : 1.0) / length * across) : Vec3(Vec3::Zero());
+    return patch;
 }
 
 }  // namespace
@@ -65,22 +67,20 @@ Body prismBody(BodyKind kind, const Prism& prism, const Eigen::Isometry3d& place
 
 Body facetBody(BodyKind kind, const TopoDS_Shape& solid, const Eigen::Isometry3d& placed) {
     Body body{kind, {}};
-    for (TopExp_Explorer it(solid, TopAbs_FACE); it.More(); it.Next()) {
-        TopLoc_Location location;
-        const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
-        if (mesh.IsNull()) continue;
-        for (int i = 1; i <= mesh->NbTriangles(); ++i) {
-            std::array<int, 3> node{};
-            mesh->Triangle(i).Get(node[0], node[1], node[2]);
-            std::array<Vec3, 3> corners;
-            for (int k = 0; k < 3; ++k) {
-                const gp_Pnt at = mesh->Node(node[k]).Transformed(location.Transformation());
-                corners[k] = placed * Vec3(at.X(), at.Y(), at.Z());
-            }
-            body.patches.push_back(triangle(corners, it.Current().Orientation() == TopAbs_REVERSED));
-        }
-    }
+    for (const SolidFacet& facet : facetsOf(solid))
+        body.patches.push_back(patchOf(facet, placed));
     return body;
+}
+
+std::vector<Body> arrivingStock(const Setup& setup, double chord_mm) {
+    const TopoDS_Shape raw = solidIn(*setup.stock.shape, setup.part_to_setup);
+    const BRepMesh_IncrementalMesh facets(raw, chord_mm, false, kFacetAngle);
+    std::vector<Body> bodies{facetBody(BodyKind::Raw, raw, Eigen::Isometry3d::Identity())};
+    for (const CutPrisms& cut : setup.stock.cuts)
+        for (const Prism& prism : cut.prisms)
+            bodies.push_back(
+                prismBody(BodyKind::Cut, prism, setup.part_to_setup * cut.part_to_setup.inverse(), chord_mm));
+    return bodies;
 }
 
 }  // namespace stepmill::report

@@ -7,6 +7,7 @@
 
 #include "stepmill/part/part.h"
 #include "stepmill/setup/prism.h"
+#include "stepmill/setup/setup.h"
 
 namespace stepmill::report {
 
@@ -37,5 +38,9 @@ Body prismBody(BodyKind kind, const Prism& prism, const Eigen::Isometry3d& place
 /// The facets of a solid as a body.
 /// \param solid  with facets
 Body facetBody(BodyKind kind, const TopoDS_Shape& solid, const Eigen::Isometry3d& placed);
+
+/// The stock as it arrives in a setup: its raw solid, and all that was cut from it before.
+/// \param chord_mm  chords and facets are no farther off than that
+std::vector<Body> arrivingStock(const Setup& setup, double chord_mm);
 
 }  // namespace stepmill::report

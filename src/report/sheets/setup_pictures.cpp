@@ -3,10 +3,8 @@
 #include "report/sheets/setup_pictures.h"
 
 #include <fmt/format.h>
-#include <BRepMesh_IncrementalMesh.hxx>
 
 #include "report/page/drawing.h"
-#include "report/page/hidden_lines.h"
 #include "report/sheets/flip.h"
 #include "report/sheets/scene_raster.h"
 #include "report/sheets/traced_lines.h"
@@ -23,7 +21,6 @@ constexpr int kMargin = 46;
 /// Chords and facets as a share of the stock's diagonal, and their finest [mm].
 constexpr double kChordShare = 3e-5;
 constexpr double kFinestChordMm = 0.003;
-constexpr double kFacetAngle = 0.12;
 /// As shares of the stock's diagonal: how far around the stock fixtures are shown, the empty rim of a
 /// picture, length of the work offset's axes, and from where to where over the stock the tool's arrow goes.
 constexpr double kFixturesShown = 0.16;
@@ -48,14 +45,8 @@ Prism prismOf(const Fixture& fixture) {
 std::vector<Body> bodiesOf(const PlannedSetup& planned, const Tolerances& tol) {
     const Setup& setup = planned.setup;
     const double chord_mm = std::max(kFinestChordMm, kChordShare * setup.stock_bbox_mm.diagonal().norm());
-    const TopoDS_Shape raw = solidIn(*setup.stock.shape, setup.part_to_setup);
-    const BRepMesh_IncrementalMesh facets(raw, chord_mm, false, kFacetAngle);
     const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
-    std::vector<Body> bodies{facetBody(BodyKind::Raw, raw, here)};
-    for (const CutPrisms& cut : setup.stock.cuts)
-        for (const Prism& prism : cut.prisms)
-            bodies.push_back(
-                prismBody(BodyKind::Cut, prism, setup.part_to_setup * cut.part_to_setup.inverse(), chord_mm));
+    std::vector<Body> bodies = arrivingStock(setup, chord_mm);
     for (const Prism& prism : removedBy(planned.features, tol))
         bodies.push_back(prismBody(BodyKind::CutHere, prism, here, chord_mm));
     for (const Fixture& fixture : setup.fixtures)
@@ -107,15 +98,18 @@ Element arrow(const char* css_class, const Vec2& from, const Vec2& to) {
 /// The stock's own look: shades and lines.
 void drawImage(Element& svg, const Image& image, const Sight& sight) {
     const Vec3 left = sight.turned(-Vec3::UnitX());
-    svg.add(path("left", areaOf(image,
-                                [&](const SeenCell& cell) {
-                                    return cell.what != Shown::Nothing && cell.normal.dot(left) > kFacesLeft;
-                                })),
-            path("jaw", areaOf(image, [](const SeenCell& cell) { return cell.what == Shown::Fixture; })),
-            path("here", areaOf(image, [](const SeenCell& cell) { return cell.what == Shown::CutHere; })));
-    svg.add(path("around", strokesOf(image, sight.cell_mm(), Stroke::Cut)),
-            path("holds", strokesOf(image, sight.cell_mm(), Stroke::Fixture)),
-            path("edge", strokesOf(image, sight.cell_mm(), Stroke::Edge)));
+    const auto area = [&](const char* css_class, auto is_in) {
+        return path(css_class, areaOf(image, cellsWhere(image, is_in)));
+    };
+    svg.add(area("left",
+                 [&](const SeenCell& cell) {
+                     return cell.what != Shown::Nothing && cell.normal.dot(left) > kFacesLeft;
+                 }),
+            area("jaw", [](const SeenCell& cell) { return cell.what == Shown::Fixture; }),
+            area("here", [](const SeenCell& cell) { return cell.what == Shown::CutHere; }));
+    Strokes strokes = strokesOf(image, sight.cell_mm());
+    svg.add(path("around", std::move(strokes.cuts)), path("holds", std::move(strokes.fixtures)),
+            path("edge", std::move(strokes.edges)));
 }
 
 Vec2 flat(const Sight& sight, const Vec3& p) {

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/core/error.h"
+
 namespace stepmill::report {
 namespace {
 
@@ -141,6 +143,9 @@ bool isOneSurface(const SeenCell& a, const SeenCell& b, int columns, int rows, d
            std::abs(goesOnTo(b, -columns, -rows, cell_mm) - a.depth_mm) < most_mm;
 }
 
+/// How the line between two neighbouring cells is drawn.
+enum class Stroke : std::uint8_t { None, Edge, Fixture, Cut };
+
 Stroke strokeBetween(const SeenCell& a, const SeenCell& b, int columns, int rows, double cell_mm) {
     const bool fixture_a = a.what == Shown::Fixture;
     const bool fixture_b = b.what == Shown::Fixture;
@@ -153,32 +158,47 @@ Stroke strokeBetween(const SeenCell& a, const SeenCell& b, int columns, int rows
 
 }  // namespace
 
-std::string strokesOf(const Image& image, double cell_mm, Stroke stroke) {
-    Sides sides;
+Strokes strokesOf(const Image& image, double cell_mm) {
+    // By Stroke; nothing is added for None.
+    std::array<Sides, 4> sides;
+    const auto add = [&](const SeenCell& a, const SeenCell& b, const Corner& from, const Corner& to) {
+        // Most neighbours are pieces of one level plane, or of nothing.
+        if (a.what == b.what && a.depth_mm == b.depth_mm && a.normal == b.normal &&
+            (a.what == Shown::Nothing || a.normal.z() == 1))
+            return;
+        const Stroke stroke = strokeBetween(a, b, to[1] - from[1], to[0] - from[0], cell_mm);
+        if (stroke != Stroke::None) sides[static_cast<std::size_t>(stroke)].add(from, to);
+    };
     for (int row = 0; row < image.rows; ++row)
         for (int column = 0; column < image.columns; ++column) {
             const SeenCell& cell = image.at(column, row);
-            if (column + 1 < image.columns &&
-                strokeBetween(cell, image.at(column + 1, row), 1, 0, cell_mm) == stroke)
-                sides.add({column + 1, row}, {column + 1, row + 1});
-            if (row + 1 < image.rows &&
-                strokeBetween(cell, image.at(column, row + 1), 0, 1, cell_mm) == stroke)
-                sides.add({column, row + 1}, {column + 1, row + 1});
+            if (column + 1 < image.columns)
+                add(cell, image.at(column + 1, row), {column + 1, row}, {column + 1, row + 1});
+            if (row + 1 < image.rows)
+                add(cell, image.at(column, row + 1), {column, row + 1}, {column + 1, row + 1});
         }
-    return pathOf(sides.lines(), kLeastCells);
+    const auto drawn = [&](Stroke stroke) {
+        return pathOf(sides[static_cast<std::size_t>(stroke)].lines(), kLeastCells);
+    };
+    return {drawn(Stroke::Edge), drawn(Stroke::Fixture), drawn(Stroke::Cut)};
 }
 
-std::string areaOf(const Image& image, const std::function<bool(const SeenCell&)>& is_in) {
+std::string areaOf(const Image& image, const CellMask& mask) {
+    STEPMILL_CHECK(mask.size() == image.cells.size(), "a mask has all cells of its image");
     Sides sides;
     const auto in = [&](int column, int row) {
         return column >= 0 && row >= 0 && column < image.columns && row < image.rows &&
-               is_in(image.at(column, row));
+               mask[static_cast<std::size_t>(row) * image.columns + column] != 0;
     };
-    for (int row = 0; row <= image.rows; ++row)
+    for (int row = 0; row <= image.rows; ++row) {
+        bool before = false;
         for (int column = 0; column <= image.columns; ++column) {
-            if (in(column - 1, row) != in(column, row)) sides.add({column, row}, {column, row + 1});
-            if (in(column, row - 1) != in(column, row)) sides.add({column, row}, {column + 1, row});
+            const bool here = in(column, row);
+            if (before != here) sides.add({column, row}, {column, row + 1});
+            if (in(column, row - 1) != here) sides.add({column, row}, {column + 1, row});
+            before = here;
         }
+    }
     return pathOf(sides.loops(), 0);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,19 +9,29 @@
 
 namespace stepmill::report {
 
-/// How the line between two neighbouring cells is drawn.
-enum class Stroke : std::uint8_t {
-    None,
-    Edge,     ///< of the stock
-    Fixture,  ///< of what holds it
-    Cut       ///< around what is cut here
+/// Edges and outlines of a picture as data of SVG paths, in cells, y down.
+struct Strokes {
+    std::string edges;     ///< of the stock
+    std::string fixtures;  ///< of what holds it
+    std::string cuts;      ///< around what is cut here
 };
 
-/// Edges and outlines of a picture as data of SVG paths, in cells, y down. Lines that run along cells are
-/// straightened to about half a cell.
-std::string strokesOf(const Image& image, double cell_mm, Stroke stroke);
+/// Lines that run along cells are straightened to about half a cell.
+Strokes strokesOf(const Image& image, double cell_mm);
 
-/// The area of cells of which `is_in` holds, as data of an SVG path filled by the even-odd rule.
-std::string areaOf(const Image& image, const std::function<bool(const SeenCell&)>& is_in);
+/// Which cells of an image, row by row: 0 or 1.
+using CellMask = std::vector<std::uint8_t>;
+
+template <typename IsIn>
+CellMask cellsWhere(const Image& image, IsIn is_in) {
+    CellMask mask;
+    mask.reserve(image.cells.size());
+    for (const SeenCell& cell : image.cells)
+        mask.push_back(is_in(cell) ? 1 : 0);
+    return mask;
+}
+
+/// The area of these cells, as data of an SVG path filled by the even-odd rule.
+std::string areaOf(const Image& image, const CellMask& mask);
 
 }  // namespace stepmill::report

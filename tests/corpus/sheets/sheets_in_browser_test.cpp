@@ -179,6 +179,22 @@ INSTANTIATE_TEST_SUITE_P(Parts, SheetsInABrowser,
                                          SheetCase{"../shared/parts/machined/hole_model.stp", 5}),
                          caseName);
 
+const char* const kLongPath = "../shared/parts/nist/nist_ctc_01_asme1_rd.stp";
+
+INSTANTIATE_TEST_SUITE_P(Slow, SheetsInABrowser, testing::Values(SheetCase{kLongPath, 10}), caseName);
+
+/// Parts whose tool paths are hours long.
+class LongReport : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongReport, StaysBelowFifteenMegabytes) {
+    const std::string part = kSource + "/" + GetParam();
+    if (!fs::exists(part)) GTEST_SKIP() << part << " is not here";
+    const PlannedPart planned = plannedPart(part, {});
+    EXPECT_LE(fs::file_size(planned.folder / "report.html"), 15'000'000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Slow, LongReport, testing::Values(kLongPath));
+
 /// Rows of the table of fields: what, and here.
 std::vector<std::pair<std::string, std::string>> fieldsOf(const std::string& doc) {
     std::vector<std::pair<std::string, std::string>> fields;

@@ -94,7 +94,7 @@ TEST(SummaryText, NamesToolsTimesAndBooks) {
 TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     const test::TemporaryFolder folder;
     JobFolder job(fs::path(folder.path()) / "a" / "job");
-    writePlan(provenShoulder(), {"a page", "", ""}, job, Tolerances());
+    writePlan(provenShoulder(), {"a page", "", ""}, ReportOptions(), job, Tolerances());
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) names.insert(entry.path().filename().string());
@@ -105,10 +105,10 @@ TEST(WritePlan, LeavesAllFilesAndNothingElse) {
 TEST(WritePlan, WithoutAProofThereIsNoProgramAndNoneOfAnEarlierPlan) {
     const test::TemporaryFolder folder;
     JobFolder job(fs::path(folder.path()) / "job");
-    writePlan(provenShoulder(), {"a page", "", ""}, job, Tolerances());
+    writePlan(provenShoulder(), {"a page", "", ""}, ReportOptions(), job, Tolerances());
     ProvenPlan failed = provenShoulder();
     failed.verification.failures.push_back({"S1.ngc", 1, "S1.O1", "cuts too deep"});
-    writePlan(failed, {"a page", "", ""}, job, Tolerances());
+    writePlan(failed, {"a page", "", ""}, ReportOptions(), job, Tolerances());
     EXPECT_TRUE(fs::exists(job.path() / "plan.json"));
     EXPECT_FALSE(fs::exists(job.path() / "S1.ngc"));
 }

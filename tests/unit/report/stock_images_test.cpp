@@ -69,7 +69,7 @@ TEST(StockImages, ShowACylinderAsOneSmoothWall) {
     const Sight sight(Vec3(-1, -1, 1), Vec3(1, -1, 0), Box3(Vec3(0, 0, -20), Vec3(20, 20, 0)), 200);
     const Prism cylinder{makeCircle({10, 10}, 10), 0, -20};
     const StockImages images = stockImages({prismBody(BodyKind::Raw, cylinder, kHere, kChordMm)}, sight);
-    const std::string edges = strokesOf(images.arriving, sight.cell_mm(), Stroke::Edge);
+    const std::string edges = strokesOf(images.arriving, sight.cell_mm()).edges;
     // Outline and rim have points; chords of the wall, well inside of it, have none.
     std::istringstream points(std::regex_replace(edges, std::regex("[ML]"), " "));
     int count = 0;
@@ -82,7 +82,8 @@ TEST(TracedLines, StraightenTheOutlineOfASquare) {
     const StockImages images = stockImages(
         {prismBody(BodyKind::Raw, block({5, 5}, {15, 15}, -10, 0), kHere, kChordMm)}, fromAbove());
     const std::string area =
-        areaOf(images.arriving, [](const SeenCell& cell) { return cell.what == Shown::Stock; });
+        areaOf(images.arriving,
+               cellsWhere(images.arriving, [](const SeenCell& cell) { return cell.what == Shown::Stock; }));
     EXPECT_EQ(std::count(area.begin(), area.end(), 'M'), 1) << area;
     EXPECT_LE(std::count(area.begin(), area.end(), 'L'), 10) << area;
 }
@@ -91,8 +92,8 @@ TEST(TracedLines, DashTheBorderOfWhatIsCutInAPlainFace) {
     const Sight sight = fromAbove();
     const StockImages images =
         stockImages(blockWith(BodyKind::CutHere, block({10, 5}, {20, 15}, -4, 0)), sight);
-    EXPECT_FALSE(strokesOf(images.arriving, sight.cell_mm(), Stroke::Cut).empty());
-    EXPECT_TRUE(strokesOf(images.arriving, sight.cell_mm(), Stroke::Fixture).empty());
+    EXPECT_FALSE(strokesOf(images.arriving, sight.cell_mm()).cuts.empty());
+    EXPECT_TRUE(strokesOf(images.arriving, sight.cell_mm()).fixtures.empty());
 }
 
 }  // namespace
