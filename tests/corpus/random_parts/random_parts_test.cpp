@@ -145,7 +145,7 @@ void runSeed(std::uint64_t seed, double timeout_s, Totals& totals) {
     const Outcome outcome = outcomeOf(run, timeout_s);
     ++totals.seeds;
     ++totals.outcomes[outcome];
-    fmt::print("{:>6} {:<8} {:>6.1f} s  {}\n", seed, nameOf(outcome), run.seconds, job.about);
+    fmt::print("{:>6} {:<8} {:>6.1f} s of processor time  {}\n", seed, nameOf(outcome), run.cpu_s, job.about);
     std::fflush(stdout);
     if (outcome == Outcome::Refused) fmt::print("       {}\n", run.err.substr(0, run.err.find('\n')));
     if (outcome != Outcome::Failed && outcome != Outcome::Crashed) return;

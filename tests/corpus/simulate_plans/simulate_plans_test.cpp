@@ -1,5 +1,7 @@
 // Whole plans of the sample parts, simulated on height maps made from the solids' facets.
 
+#include <filesystem>
+
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -170,6 +172,48 @@ TEST_P(SimulateForms, CutWhatTheySayAndNothingElse) {
 
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateForms, testing::Values("die_cavity", "die_with_islands"),
                          [](const auto& parameter) { return std::string(parameter.param); });
+
+/// The shop's drills as the simulation knows them: with their points, and one for each blind hole there is.
+ToolLibrary libraryWithSmallDrills() {
+    ToolLibrary library = defaultToolLibrary();
+    for (const double diameter_mm : {2.0, 3.0}) {
+        ToolAssembly drill = library.tool("DR5");
+        drill.id = fmt::format("DR{:g}", diameter_mm);
+        drill.number = 900 + static_cast<int>(diameter_mm);
+        drill.diameter_mm = drill.shank.diameter_mm = diameter_mm;
+        for (CuttingData& cutting : drill.cutting)
+            cutting.step_down_mm = diameter_mm;
+        library.tools.push_back(std::move(drill));
+    }
+    return library;
+}
+
+TEST(SimulateHoles, DrillsStayInsideThePointsOfHoleModel) {
+    const std::filesystem::path file =
+        std::filesystem::path(STEPMILL_SOURCE_DIR) / "../shared/parts/machined/hole_model.stp";
+    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.scallop_mm = 0;
+    const Plan planned =
+        planPart(readStep(file.string()).front(), request, libraryWithSmallDrills(), defaultMachine(), kTol);
+    const PlannedSetup& setup = planned.setups.front();
+    const double bottom = setup.setup.stock_bbox_mm.min().z();
+    const Box2 box = mapBox(setup.setup);
+    HeightMap part(box, kCellMm, bottom);
+    raisePart(part, setup.setup);
+    HeightMap stock(box, kCellMm, bottom);
+    stock.raise(makeRectangle(box.min(), box.max()), setup.setup.stock_bbox_mm.max().z());
+    int drilled = 0;
+    for (const Operation& operation : setup.operations) {
+        const ToolAssembly& tool = planned.library.tool(operation.tool_id);
+        const HeightMap::Cut cut = stock.run(operation.path, profileOf(tool), kRimMm);
+        EXPECT_EQ(cut.rapid_hits, 0) << operation.id << " first at " << cut.first_hit.transpose();
+        if (operation.role == Role::Drill) drilled += operation.holes;
+    }
+    EXPECT_GE(drilled, 19);
+    EXPECT_EQ(gouged(stock, part), 0);
+}
 
 }  // namespace
 }  // namespace stepmill::test
