@@ -69,7 +69,6 @@ std::vector<double> crossings(const SeenPatch& patch, double y) {
 }
 
 struct Hit {
-    int column = 0;
     double depth_mm = 0;
     const SeenPatch* patch = nullptr;
 };
@@ -150,23 +149,64 @@ std::pair<SeenCell, SeenCell> along(const Hit* from, const Hit* to) {
     return {arriving.cell(), leaving.cell()};
 }
 
-std::vector<Hit> hitsOf(const std::vector<const SeenPatch*>& patches, int row, int columns) {
-    std::vector<Hit> hits;
-    const double y = row + 0.5;
+/// The cells of a row whose middles a patch covers: first to end, none where they are equal.
+struct Span {
+    int first = 0;
+    int end = 0;
+    const SeenPatch* patch = nullptr;
+};
+
+std::vector<Span> spansOf(const std::vector<const SeenPatch*>& patches, double y, int columns) {
+    std::vector<Span> spans;
     for (const SeenPatch* patch : patches) {
         const std::vector<double> at = crossings(*patch, y);
         for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
             const int first = std::max(0, static_cast<int>(std::ceil(std::max(-1.0, at[i] - 0.5))));
             const int end = static_cast<int>(std::ceil(std::min<double>(columns, at[i + 1] - 0.5)));
-            for (int column = first; column < end; ++column)
-                hits.push_back({column, patch->depthAt(Vec2(column + 0.5, y)), patch});
+            if (first < end) spans.push_back({first, end, patch});
         }
     }
-    std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-        return a.column != b.column ? a.column < b.column : a.depth_mm > b.depth_mm;
-    });
-    return hits;
+    return spans;
 }
+
+/// The hits of all rays of a row.
+class RowHits {
+  public:
+    RowHits(const std::vector<const SeenPatch*>& patches, int row, int columns) : ends_(columns + 1, 0) {
+        const double y = row + 0.5;
+        const std::vector<Span> spans = spansOf(patches, y, columns);
+        // Sorted by counting: a ray has few hits, a row has thousands.
+        for (const Span& span : spans)
+            for (int column = span.first; column < span.end; ++column)
+                ++ends_[column + 1];
+        for (int column = 0; column < columns; ++column)
+            ends_[column + 1] += ends_[column];
+        hits_.resize(ends_.back());
+        std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
+        for (const Span& span : spans)
+            for (int column = span.first; column < span.end; ++column)
+                hits_[next[column]++] = {span.patch->depthAt(Vec2(column + 0.5, y)), span.patch};
+        for (int column = 0; column < columns; ++column)
+            sortFromViewer(hits_.begin() + ends_[column], hits_.begin() + ends_[column + 1]);
+    }
+
+    const Hit* begin(int column) const { return hits_.data() + ends_[column]; }
+    const Hit* end(int column) const { return hits_.data() + ends_[column + 1]; }
+
+  private:
+    using Place = std::vector<Hit>::iterator;
+
+    /// By insertion: what is equally deep keeps the order of its patches.
+    static void sortFromViewer(Place from, Place to) {
+        for (Place at = from; at != to; ++at)
+            std::rotate(std::upper_bound(from, at, *at,
+                                         [](const Hit& a, const Hit& b) { return a.depth_mm > b.depth_mm; }),
+                        at, at + 1);
+    }
+
+    std::vector<std::size_t> ends_;  ///< of a column's hits; one place later
+    std::vector<Hit> hits_;
+};
 
 }  // namespace
 
@@ -207,16 +247,11 @@ StockImages stockImages(const std::vector<Body>& bodies, const Sight& sight) {
         image->cells.resize(static_cast<std::size_t>(image->columns) * image->rows);
     }
     tbb::parallel_for(0, sight.rows(), [&](int row) {
-        const std::vector<Hit> hits = hitsOf(by_row[row], row, sight.columns());
-        for (std::size_t i = 0; i < hits.size();) {
-            std::size_t end = i;
-            while (end < hits.size() && hits[end].column == hits[i].column)
-                ++end;
-            const std::size_t cell = static_cast<std::size_t>(row) * sight.columns() + hits[i].column;
-            std::tie(images.arriving.cells[cell], images.leaving.cells[cell]) =
-                along(hits.data() + i, hits.data() + end);
-            i = end;
-        }
+        const RowHits hits(by_row[row], row, sight.columns());
+        const std::size_t first = static_cast<std::size_t>(row) * sight.columns();
+        for (int column = 0; column < sight.columns(); ++column)
+            std::tie(images.arriving.cells[first + column], images.leaving.cells[first + column]) =
+                along(hits.begin(column), hits.end(column));
     });
     return images;
 }

@@ -1,9 +1,8 @@
 #include "report/sheets/traced_lines.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -21,56 +20,99 @@ constexpr double kStraightCells = 0.95;
 /// Shorter lines are crumbs of the raster [cells].
 constexpr std::size_t kLeastCells = 4;
 
-/// A corner of cells.
+/// A corner of cells: column and row.
 using Corner = std::array<int, 2>;
 
 /// Sides of cells, put together to lines.
 class Sides {
   public:
-    void add(const Corner& a, const Corner& b) {
-        ends_[a].insert(b);
-        ends_[b].insert(a);
+    explicit Sides(const Image& image)
+        : rows_(image.rows + 1), ways_(static_cast<std::size_t>(image.columns + 1) * rows_, 0) {}
+
+    /// The side from a corner to the next one to the right.
+    void addRight(const Corner& from) {
+        ways(from) |= kRight;
+        ways({from[0] + 1, from[1]}) |= kLeft;
+    }
+    /// The side from a corner to the next one below.
+    void addDown(const Corner& from) {
+        ways(from) |= kDown;
+        ways({from[0], from[1] + 1}) |= kUp;
     }
 
     /// Closed lines alone. \pre an even number of sides meet at every corner, as around areas
     std::vector<std::vector<Corner>> loops() {
         std::vector<std::vector<Corner>> loops;
-        for (auto& [corner, others] : ends_)
-            while (!others.empty())
-                loops.push_back(lineFrom(corner, {}));
+        forEachCorner([&](const Corner& corner) {
+            while (ways(corner) != 0)
+                loops.push_back(lineFrom(corner));
+        });
         return loops;
     }
 
     /// Lines between corners where others meet or end, then closed ones.
     std::vector<std::vector<Corner>> lines() {
         std::vector<Corner> forks;
-        for (const auto& [corner, others] : ends_)
-            if (others.size() != 2) forks.push_back(corner);
-        std::vector<std::vector<Corner>> lines;
-        const std::set<Corner> stops(forks.begin(), forks.end());
+        forEachCorner([&](const Corner& corner) {
+            const int sides = std::popcount(static_cast<unsigned>(ways(corner)));
+            if (sides != 0 && sides != 2) forks.push_back(corner);
+        });
         for (const Corner& fork : forks)
-            while (!ends_[fork].empty())
-                lines.push_back(lineFrom(fork, stops));
-        for (auto& [corner, others] : ends_)
-            if (!others.empty()) lines.push_back(lineFrom(corner, stops));
+            ways(fork) |= kStop;
+        std::vector<std::vector<Corner>> lines;
+        for (const Corner& fork : forks)
+            while ((ways(fork) & kSides) != 0)
+                lines.push_back(lineFrom(fork));
+        forEachCorner([&](const Corner& corner) {
+            if ((ways(corner) & kSides) != 0) lines.push_back(lineFrom(corner));
+        });
         return lines;
     }
 
   private:
-    std::vector<Corner> lineFrom(const Corner& start, const std::set<Corner>& stops) {
+    // In the order in which a line goes on at a crossing.
+    static constexpr std::uint8_t kLeft = 1;
+    static constexpr std::uint8_t kUp = 2;
+    static constexpr std::uint8_t kDown = 4;
+    static constexpr std::uint8_t kRight = 8;
+    static constexpr std::uint8_t kSides = kLeft | kUp | kDown | kRight;
+    static constexpr std::uint8_t kStop = 16;
+
+    std::uint8_t& ways(const Corner& corner) {
+        return ways_[static_cast<std::size_t>(corner[0]) * rows_ + corner[1]];
+    }
+
+    /// Column by column, each from above, those alone where sides meet.
+    template <typename Visit>
+    void forEachCorner(Visit visit) {
+        for (std::size_t i = 0; i < ways_.size(); ++i)
+            if (ways_[i] != 0) visit(Corner{static_cast<int>(i / rows_), static_cast<int>(i % rows_)});
+    }
+
+    /// Takes a side away. \return its other end
+    Corner take(const Corner& from) {
+        std::uint8_t& here = ways(from);
+        const auto way = static_cast<std::uint8_t>(here & kSides & -here);
+        here &= static_cast<std::uint8_t>(~way);
+        const int across = way == kRight ? 1 : way == kLeft ? -1 : 0;
+        const int down = way == kDown ? 1 : way == kUp ? -1 : 0;
+        const Corner to{from[0] + across, from[1] + down};
+        const std::uint8_t back = way == kRight ? kLeft : way == kLeft ? kRight : way == kDown ? kUp : kDown;
+        ways(to) &= static_cast<std::uint8_t>(~back);
+        return to;
+    }
+
+    std::vector<Corner> lineFrom(const Corner& start) {
         std::vector<Corner> line{start};
-        while (!ends_[line.back()].empty()) {
-            const Corner from = line.back();
-            const Corner to = *ends_[from].begin();
-            ends_[from].erase(to);
-            ends_[to].erase(from);
-            line.push_back(to);
-            if (stops.contains(to)) break;
+        while ((ways(line.back()) & kSides) != 0) {
+            line.push_back(take(line.back()));
+            if ((ways(line.back()) & kStop) != 0) break;
         }
         return line;
     }
 
-    std::map<Corner, std::set<Corner>> ends_;
+    std::size_t rows_;
+    std::vector<std::uint8_t> ways_;  ///< of every corner: its sides, and whether lines stop there
 };
 
 /// Middles of the sides, which lie nearer to a slanting line than the corners do; ends stay.
@@ -160,22 +202,28 @@ Stroke strokeBetween(const SeenCell& a, const SeenCell& b, int columns, int rows
 
 Strokes strokesOf(const Image& image, double cell_mm) {
     // By Stroke; nothing is added for None.
-    std::array<Sides, 4> sides;
-    const auto add = [&](const SeenCell& a, const SeenCell& b, const Corner& from, const Corner& to) {
+    std::array<Sides, 4> sides{Sides(image), Sides(image), Sides(image), Sides(image)};
+    /// How the line between a cell and its neighbour, 1 to the right or below, is drawn.
+    const auto between = [&](const SeenCell& a, const SeenCell& b, int columns, int rows) {
         // Most neighbours are pieces of one level plane, or of nothing.
         if (a.what == b.what && a.depth_mm == b.depth_mm && a.normal == b.normal &&
             (a.what == Shown::Nothing || a.normal.z() == 1))
-            return;
-        const Stroke stroke = strokeBetween(a, b, to[1] - from[1], to[0] - from[0], cell_mm);
-        if (stroke != Stroke::None) sides[static_cast<std::size_t>(stroke)].add(from, to);
+            return Stroke::None;
+        return strokeBetween(a, b, columns, rows, cell_mm);
     };
     for (int row = 0; row < image.rows; ++row)
         for (int column = 0; column < image.columns; ++column) {
             const SeenCell& cell = image.at(column, row);
-            if (column + 1 < image.columns)
-                add(cell, image.at(column + 1, row), {column + 1, row}, {column + 1, row + 1});
-            if (row + 1 < image.rows)
-                add(cell, image.at(column, row + 1), {column, row + 1}, {column + 1, row + 1});
+            if (column + 1 < image.columns) {
+                const Stroke stroke = between(cell, image.at(column + 1, row), 1, 0);
+                if (stroke != Stroke::None)
+                    sides[static_cast<std::size_t>(stroke)].addDown({column + 1, row});
+            }
+            if (row + 1 < image.rows) {
+                const Stroke stroke = between(cell, image.at(column, row + 1), 0, 1);
+                if (stroke != Stroke::None)
+                    sides[static_cast<std::size_t>(stroke)].addRight({column, row + 1});
+            }
         }
     const auto drawn = [&](Stroke stroke) {
         return pathOf(sides[static_cast<std::size_t>(stroke)].lines(), kLeastCells);
@@ -185,7 +233,7 @@ Strokes strokesOf(const Image& image, double cell_mm) {
 
 std::string areaOf(const Image& image, const CellMask& mask) {
     STEPMILL_CHECK(mask.size() == image.cells.size(), "a mask has all cells of its image");
-    Sides sides;
+    Sides sides(image);
     const auto in = [&](int column, int row) {
         return column >= 0 && row >= 0 && column < image.columns && row < image.rows &&
                mask[static_cast<std::size_t>(row) * image.columns + column] != 0;
@@ -194,8 +242,8 @@ std::string areaOf(const Image& image, const CellMask& mask) {
         bool before = false;
         for (int column = 0; column <= image.columns; ++column) {
             const bool here = in(column, row);
-            if (before != here) sides.add({column, row}, {column, row + 1});
-            if (in(column, row - 1) != here) sides.add({column, row}, {column + 1, row});
+            if (before != here) sides.addDown({column, row});
+            if (in(column, row - 1) != here) sides.addRight({column, row});
             before = here;
         }
     }
