@@ -62,10 +62,12 @@ std::vector<OfferWorth> offersFor(const Plan& plan, const PlanOptions& options, 
 }
 
 /// Plans, proves and writes one part, and tells what came of it.
-int planOne(const Part& part, const PlanOptions& options, const PlanRequest& request, const Shop& shop,
-            JobFolder& folder, ProgressLine& progress, const PlanListener& listener) {
+/// \param time_s  that the run has for it
+int planOne(const Part& part, const PlanOptions& options, PlanRequest request, double time_s,
+            const Shop& shop, JobFolder& folder, ProgressLine& progress, const PlanListener& listener) {
     const Tolerances tol;
     const SheetOptions sheet_options = sheetOptions(options);
+    request.patience = patienceFor(time_s);
     const ProvenPlan proven =
         planProven(part, request, shop.library, shop.machine, tol,
                    [&](const std::string& stage, double share) { progress.show(stage, share); });
@@ -100,15 +102,17 @@ NewJob withSolidsOf(const Manifest& before, NewJob job) {
 
 /// Each solid is a job of its own, in a folder below; the folder above names them.
 int planSolids(const std::vector<Part>& parts, const PlanOptions& options, const PlanRequest& request,
-               const Shop& shop, Workplace& place, const PlanListener& listener) {
+               const Deadline& end, const Shop& shop, Workplace& place, const PlanListener& listener) {
     int exit_code = kComplete;
     NewJob all{JobWriter::Plan, parts.front().file, parts.front().sha256, "", {}, {}};
     const Manifest before = readManifest(place.folder->path()).value_or(Manifest{});
+    std::size_t to_do = parts.size();
     for (const Part& part : parts) {
+        const double time_s = end.secondsLeft() / static_cast<double>(to_do--);
         all.solids.push_back(fmt::format("solid-{}", part.solid_index));
         JobFolder folder(place.folder->path() / all.solids.back());
-        exit_code =
-            std::max(exit_code, planOne(part, options, request, shop, folder, place.progress, listener));
+        exit_code = std::max(exit_code,
+                             planOne(part, options, request, time_s, shop, folder, place.progress, listener));
         place.folder->write(withSolidsOf(before, all));  // a run that is stopped later leaves none unnamed
     }
     place.folder->write(all);
@@ -118,6 +122,7 @@ int planSolids(const std::vector<Part>& parts, const PlanOptions& options, const
 }  // namespace
 
 int planFile(const PlanOptions& options, Workplace& place, const PlanListener& listener) {
+    const Deadline end = Deadline::in(options.limits.timeout_s);
     place.progress.show("reading tools and machine", 0);
     const Shop shop = loadShop(options);
     place.progress.showImport(options.part_file);
@@ -127,8 +132,9 @@ int planFile(const PlanOptions& options, Workplace& place, const PlanListener& l
     const std::vector<Part> parts = chooseParts(options);
     if (listener.imported) listener.imported(parts);
     reportImport(parts, options);
-    if (parts.size() > 1) return planSolids(parts, options, request, shop, place, listener);
-    return planOne(parts.front(), options, request, shop, *place.folder, place.progress, listener);
+    if (parts.size() > 1) return planSolids(parts, options, request, end, shop, place, listener);
+    return planOne(parts.front(), options, request, end.secondsLeft(), shop, *place.folder, place.progress,
+                   listener);
 }
 
 int runPlan(const PlanOptions& options) {

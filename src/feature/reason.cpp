@@ -33,6 +33,7 @@ constexpr ReasonWords kWords[] = {
     {Reason::LeftBetweenPasses, "left between passes"},
     {Reason::NotProven, "proof"},
     {Reason::PlanningFailed, "planning failed: ", "", ""},
+    {Reason::TimeLimit, "time limit"},
 };
 
 constexpr std::pair<SlopeCause, Reason> kSlopes[] = {

@@ -6,6 +6,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "plan/few_tools.h"
 #include "plan/nests.h"
 #include "plan/propose_ground.h"
 #include "plan/retract.h"
@@ -37,9 +38,6 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
                                 const std::function<ToolSequence()>& work) {
     try {
         return work();
-    } catch (const Error& error) {
-        if (error.code() == ErrorCode::TimedOut) throw;
-        failure = error.what();
     } catch (const std::exception& error) {
         failure = error.what();
     }
@@ -61,11 +59,13 @@ struct PlannedNest {
     std::vector<PlannedFeature> features;
     std::vector<ReducedFeature> free;   ///< what of each was free to be cut
     std::vector<std::string> failures;  ///< of each; empty where it was planned
+    std::vector<char> hasty;            ///< of each: were few tools weighed, or none, for want of time?
 
     bool failed() const {
         return std::any_of(failures.begin(), failures.end(),
                            [](const std::string& failure) { return !failure.empty(); });
     }
+    bool isHasty() const { return std::find(hasty.begin(), hasty.end(), 1) != hasty.end(); }
     double residualMm3() const {
         double sum_mm3 = 0;
         for (const PlannedFeature& planned : features)
@@ -216,6 +216,10 @@ class FeaturePlanner {
                 if (!itself && one.feature.ground_of.empty()) break;
                 if (!nest.failures[k].empty())
                     result.warnings.push_back({"feature-failed", one.feature.id, nest.failures[k]});
+                if (nest.hasty[k] != 0 && !one.sequence.steps.empty())
+                    result.warnings.push_back(
+                        {"time-limit", one.feature.id,
+                         "few tools were weighed: all of them take longer than --timeout allows"});
                 result.features.push_back(std::move(one));
                 if (itself) {
                     ++k;
@@ -234,7 +238,7 @@ class FeaturePlanner {
             levels.push_back(belowGround(features_[i]));
         }
         PlannedNest best = planAll(levels, {}, {});
-        if (!mayShareGround(levels) || best.failed()) return best;
+        if (!mayShareGround(levels) || best.failed() || best.isHasty()) return best;
         for (int round = 0; round < kMostGroundRounds; ++round)
             if (!shareMoreGround(groundIds(levels.front()), best)) break;
         return best;
@@ -247,6 +251,7 @@ class FeaturePlanner {
         const NestLimit limit{best.residualMm3() + kVolumeRoundingMm3, kGroundPays * weightOf(best, shop_)};
         // All of them, or the one that promises most: every trial takes as long as the nest itself.
         for (std::size_t count = grounds.size(); count > 0; count = count > 1 ? 1 : 0) {
+            if (shop_.request.patience.all_tools.passed()) return false;
             std::vector<Feature> features;
             for (const PlannedFeature& planned : best.features)
                 features.push_back(planned.feature);
@@ -254,7 +259,8 @@ class FeaturePlanner {
                 if (isCommonGround(features, grounds[i], shop_.tol))
                     features = withCommonGround(std::move(features), grounds[i], shop_.tol);
             PlannedNest together = planAll(features, best, limit);
-            if (together.features.size() < features.size() || together.failed()) continue;
+            if (together.features.size() < features.size() || together.failed() || together.isHasty())
+                continue;
             if (weightOf(together, shop_) > limit.weight) continue;
             best = std::move(together);
             return true;
@@ -300,11 +306,12 @@ class FeaturePlanner {
         for (const Feature& feature : features) {
             ReducedFeature& free = nest.free.emplace_back();
             std::string& failure = nest.failures.emplace_back();
+            char& hasty = nest.hasty.emplace_back(0);
             ToolSequence sequence = sequenceOrResidual(feature, failure, [&] {
                 free = reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id),
                                setup_.fixtures, shop_.tol);
                 const ToolSequence* same = sequenceIn(known, free);
-                return same != nullptr ? *same : sequenceOf(free, feature);
+                return same != nullptr ? *same : sequenceOf(free, feature, hasty);
             });
             nest.features.push_back({feature, std::move(sequence)});
             if (isBeyond(nest, limit, shop_)) break;
@@ -323,14 +330,14 @@ class FeaturePlanner {
         return nullptr;
     }
 
-    ToolSequence sequenceOf(const ReducedFeature& free, const Feature& feature) const {
-        ToolSequence sequence = sequenceOf(free.feature, feature);
+    ToolSequence sequenceOf(const ReducedFeature& free, const Feature& feature, char& hasty) const {
+        ToolSequence sequence = sequenceOf(free.feature, feature, hasty);
         sequence.residual.insert(sequence.residual.end(), free.blocked.begin(), free.blocked.end());
         return sequence;
     }
 
     /// \param free  what of the feature is free to be cut
-    ToolSequence sequenceOf(const Feature& free, const Feature& feature) const {
+    ToolSequence sequenceOf(const Feature& free, const Feature& feature, char& hasty) const {
         const FeatureCaution& caution = shop_.cautionOf(feature.id);
         ToolSequence sequence;
         sequence.feature_id = feature.id;
@@ -342,11 +349,44 @@ class FeaturePlanner {
             return sequence;
         }
         const Feature grown = onGrownStock(free, growth_, shop_.tol);
-        sequence = sequenceTools(grown, shop_.libraryOf(feature.id), shop_.machine, sequenceOptions(feature),
-                                 shop_.tol);
+        std::optional<ToolSequence> in_time = sequenceInTime(grown, feature, hasty);
+        if (!in_time) {
+            sequence.residual.push_back(
+                wholeAsResidual(free, {Reason::TimeLimit, {}}, "more time (--timeout), or fewer tools"));
+            return sequence;
+        }
+        sequence = std::move(*in_time);
         sequence.residual = onNominalStock(std::move(sequence.residual), free, grown, shop_.tol);
         sequence.residual.insert(sequence.residual.end(), caution.left.begin(), caution.left.end());
         return sequence;
+    }
+
+    /// Of all tools, of a few where these take too long, or nothing where the few do too.
+    std::optional<ToolSequence> sequenceInTime(const Feature& grown, const Feature& feature,
+                                               char& hasty) const {
+        const ToolLibrary& library = shop_.libraryOf(feature.id);
+        SequenceOptions options = sequenceOptions(feature);
+        options.deadline = shop_.request.patience.allToolsOfOne();
+        if (auto sequence = sequenceBefore(grown, library, options)) return sequence;
+        hasty = 1;
+        options.surrogates = SurrogateRule::Single;
+        options.deadline = shop_.request.patience.fewToolsOfOne();
+        auto sequence = sequenceBefore(grown, fewTools(library, options.material), options);
+        // Nothing is known of what the other tools could do.
+        if (sequence) sequence->lower_bound_s = sequence->cutting_bound_s = 0;
+        return sequence;
+    }
+
+    /// Nothing where the deadline passes.
+    std::optional<ToolSequence> sequenceBefore(const Feature& grown, const ToolLibrary& library,
+                                               const SequenceOptions& options) const {
+        try {
+            options.deadline.check(grown.id);
+            return sequenceTools(grown, library, shop_.machine, options, shop_.tol);
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::TimedOut) throw;
+            return std::nullopt;
+        }
     }
 
     SequenceOptions sequenceOptions(const Feature& feature) const {

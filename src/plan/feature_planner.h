@@ -28,7 +28,7 @@ struct PlanningShop {
 /// The features of a setup with their sequences.
 struct PlannedFeatures {
     std::vector<PlannedFeature> features;
-    std::vector<Warning> warnings;  ///< of features whose planning failed: they are residuals
+    std::vector<Warning> warnings;  ///< of features whose planning failed or that few tools were weighed for
 };
 
 /// Plans features generation by generation, each below what those above it leave.

@@ -51,6 +51,7 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
     FormStep step{&tool, {}, 0, 0, stairs};
     std::vector<toolpath::FormLevel> levels;
     for (const double z_mm : formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm)) {
+        shop_.deadline.check(site_.ground.id);
         std::optional<toolpath::FormLevel> level = levelAt(*centres, step.left, form, cutting, z_mm);
         if (!level) continue;
         step.left.cut({z_mm, level->passes}, form);

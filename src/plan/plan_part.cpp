@@ -179,7 +179,6 @@ std::optional<FormFinishing> formsOf(const FormSources& sources, const FormShop&
     try {
         return finishForms(sources, shop);
     } catch (const Error& error) {
-        if (error.code() == ErrorCode::TimedOut) throw;
         warnings.push_back({"planning-failed", formGroundId(sources.setup.id),
                             fmt::format("leaning walls stay as flat layers leave them: {}", error.what())});
         return std::nullopt;
@@ -204,6 +203,7 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
                              request.scallop_mm,
                              retractMm(setup.setup, request.sequence.retract_mm, shop.machine),
                              shop.cautionOf(formGroundId(setup.setup.id)),
+                             request.patience.few_tools,
                              shop.tol};
         std::optional<FormFinishing> finishing =
             formsOf({setup.setup, stages[i].layers, stages[i].left, at_end}, forms, warnings);

@@ -24,6 +24,7 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"no-allowance", Consequence::MissingOnThePart},
                                              {"magazine", Consequence::Cost},
                                              {"slow", Consequence::Cost},
+                                             {"time-limit", Consequence::Cost},
                                              {"deflection", Consequence::Cost},
                                              {"tool-unusable", Consequence::Cost}};
 

@@ -187,6 +187,7 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
         if (progress) progress("proving the programs", 1);
         ProvenPlan proven = proved(std::move(plan), tol, prover);
         if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
+        careful.patience = patienceFor(careful.patience.end.secondsLeft());
     }
 }
 

@@ -17,7 +17,7 @@ enum class ErrorCode {
     ImplausibleSize,   ///< dimensions no mill can take or no cutter can follow
     InvalidCatalog,    ///< tool library, machine or plan file breaks its schema
     OutputUnwritable,  ///< the output folder or file cannot be written
-    TimedOut,          ///< the time limit ended the run
+    TimedOut,          ///< the time for it was over
     SystemLimit,       ///< the system grants no further process or memory
     InvalidRegion,     ///< a planar region breaks the rules of region.h
     GeometryKernel,    ///< OpenCASCADE or GEOS failed on good input

@@ -37,6 +37,7 @@ enum class Reason {
     LeftBetweenPasses,  ///< small places that the proof found
     NotProven,          ///< no program that cuts it was proven
     PlanningFailed,     ///< an error ended the planning of its feature
+    TimeLimit,          ///< the time for planning was over
     Unknown,            ///< of a plan.json: words of another version
 };
 

@@ -16,6 +16,7 @@
 #include "stepmill/part/part.h"
 #include "stepmill/plan/operation.h"
 #include "stepmill/plan/operation_order.h"
+#include "stepmill/plan/patience.h"
 #include "stepmill/sequence/sequence.h"
 #include "stepmill/setup/clamping.h"
 #include "stepmill/setup/setup.h"
@@ -125,6 +126,7 @@ struct PlanRequest {
     std::optional<FinishAllowance> roughing;
     bool common_ground = true;  ///< nested features may be cut down together where that is quicker
     Cautions cautions;          ///< none in the first plan of a part
+    Patience patience;
 };
 
 struct Plan {

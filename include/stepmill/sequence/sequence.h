@@ -8,6 +8,7 @@
 #include "stepmill/access/access.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
+#include "stepmill/core/deadline.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/sequence/advice/area_models.h"
@@ -52,6 +53,8 @@ struct SequenceOptions {
     /// What the chosen sequence leaves on walls and floors, and then takes off in finishing steps. The choice
     /// itself is made without: finishing adds about the same to every sequence.
     FinishAllowance finish;
+    /// A choice that is not made by then ends with Error(TimedOut).
+    Deadline deadline;
 };
 
 /// What a surrogate does on an edge of the tool DAG.
@@ -181,6 +184,7 @@ double lowerBoundS(const FeatureGround& ground, const std::vector<ToolReach>& to
 /// kept off [section 5]; one whose lumps no other can serve takes part with what it reaches itself where that
 /// is more than all others reach. Where going less deep machines more than that, the steps end at the depth
 /// the best tool reaches, and what is below is residual ("too deep").
+/// \throws Error(TimedOut) soon after `options.deadline`, between two tools or edges
 ToolSequence sequenceTools(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                            const SequenceOptions& options, const Tolerances& tol);
 

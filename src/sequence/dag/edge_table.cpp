@@ -19,6 +19,10 @@ double changeWeight(const Candidate& to, const DagTask& task) {
     return weigh(edgeCost({}, *to.tool, task.machine), task);
 }
 
+void checkTime(const DagTask& task) {
+    task.options.deadline.check(task.ground.feature().id);
+}
+
 /// Least weight of an edge whose tool has surrogates: they clear what the tool itself does not. A surrogate
 /// may wear less than the tool, so only machine time counts.
 double leastWithLumps(const Candidate& to, double new_mm2, double own_new_mm2, const DagTask& task) {
@@ -67,6 +71,7 @@ int EdgeTable::evaluate(const EdgeList& edges, double known) {
     makeMissingRings(edges);
     std::vector<char> left_out(edges.size(), 0);
     tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+        checkTime(task_);
         const auto [m, n] = edges[i];
         slot(m, n).settled = true;
         left_out[i] = evaluate(m, n, known, slot(m, n)) ? 0 : 1;
@@ -81,8 +86,10 @@ void EdgeTable::makeMissingRings(const EdgeList& edges) {
         if (!rings_[n] && !task_.tools[n].drill() && needsPaths(task_)) missing.insert(n);
     }
     const std::vector<int> tools(missing.begin(), missing.end());
-    tbb::parallel_for(std::size_t{0}, tools.size(),
-                      [&](std::size_t i) { rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]); });
+    tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
+        checkTime(task_);
+        rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]);
+    });
 }
 
 /// False when the edge was left out.

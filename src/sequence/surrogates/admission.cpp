@@ -95,6 +95,7 @@ std::vector<ToolReach> reachesOfAllTools(const SequenceJob& job) {
     const std::vector<const ToolAssembly*> tools = byFallingDiameter(job.library);
     std::vector<ToolReach> reaches(tools.size());
     tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
+        job.checkTime();
         reaches[i] = reachFor(job.ground, *tools[i], job.options);
         checkDrill(job, *tools[i], reaches[i]);
     });

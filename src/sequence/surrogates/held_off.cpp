@@ -54,6 +54,7 @@ HeldOffTools heldOffTools(const SequenceJob& job, const std::vector<ToolReach>& 
     found.own.resize(reaches.size());
     found.held_off.resize(reaches.size());
     tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
+        job.checkTime();
         const ToolReach& reach = reaches[i];
         if (!isHeldOff(reach) || reach.collision_free_area_mm2 <= tol.area_mm2) return;
         auto own = collisionFreeArea(job.ground, job.library.tool(reach.tool_id), reach);

@@ -35,6 +35,7 @@ ToolReach LumpTools::reachIn(int surrogate) const {
     const Feature feature =
         lumpFeature(job().feature(), lump_, obstruction, tool.diameter_mm + kBesideMm, tol_);
     const FeatureGround ground(feature, tol_);
+    job().checkTime();
     ToolReach found = toolReach(ground, tool, job().options.material);
     found.cutter.wider_obstruction = feature.obstruction;
     found.cutter.opens_target = false;
@@ -106,12 +107,14 @@ DagTask LumpTools::task() const {
 
 void LumpTools::makeRings(const std::vector<int>& nodes) {
     tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+        job().checkTime();
         SharedRings& rings = rings_[nodes[i]];
         if (!rings && needsPaths(task())) rings = ringsOf(task(), nodes_[nodes[i]]);
     });
 }
 
 std::optional<PathTotals> LumpTools::totalsOf(int before, int node) const {
+    job().checkTime();
     const Candidate* from = before == kSource ? nullptr : &nodes_[before];
     const auto work = edgeWork(task(), from, nodes_[node], rings_[node]);
     return work ? std::optional(work->totals) : std::nullopt;
