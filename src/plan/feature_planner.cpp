@@ -341,9 +341,14 @@ class FeaturePlanner {
                 wholeAsResidual(free, {Reason::NotProven, {}}, "a report of this part"));
             return sequence;
         }
+        const std::optional<HoleMaking> making = shop_.wishes.makingOf(feature, setup_);
+        if (making == HoleMaking::Leave) {
+            sequence.residual.push_back(wholeAsResidual(free, {Reason::AsAsked, {}}, "another hole table"));
+            return sequence;
+        }
+        const ToolLibrary& library = making == HoleMaking::Drill ? shop_.drills : shop_.libraryOf(feature.id);
         const Feature grown = onGrownStock(free, growth_, shop_.tol);
-        sequence = sequenceTools(grown, shop_.libraryOf(feature.id), shop_.machine, sequenceOptions(feature),
-                                 shop_.tol);
+        sequence = sequenceTools(grown, library, shop_.machine, sequenceOptions(feature), shop_.tol);
         sequence.residual = onNominalStock(std::move(sequence.residual), free, grown, shop_.tol);
         sequence.residual.insert(sequence.residual.end(), caution.left.begin(), caution.left.end());
         return sequence;

@@ -66,9 +66,11 @@ Json requestJson(const Plan& plan) {
             {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
 }
 
-/// Of roughing what stays on the part too.
+/// Of roughing what stays on the part too, and the hole table where there is one.
 Json requestAndRoughingJson(const Plan& plan) {
     Json json = requestJson(plan);
+    if (const HoleTable& holes = plan.request.holes; !holes.sha256.empty())
+        json["holes"] = sourceJson(holes.file, holes.sha256);
     if (const std::optional<FinishAllowance>& leaves = plan.request.roughing)
         json["roughing"] = {{"leaves_on_walls_mm", number(leaves->walls_mm)},
                             {"leaves_on_floors_mm", number(leaves->floors_mm)}};
