@@ -44,6 +44,9 @@ constexpr UnifiedRow kUnifiedCoarse[] = {
 /// Heights of the profile over the pitch: from D to D1 it is 5/8 of the whole triangle, twice.
 constexpr double kMinorShare = 1.0825318;
 
+/// Names on drawings are shorter; a regular expression takes stack for every character.
+constexpr std::size_t kLongestName = 24;
+
 /// A pitch is between these shares of the diameter in all series.
 constexpr double kFinestShare = 0.02;
 constexpr double kCoarsestShare = 0.3;
@@ -139,6 +142,7 @@ std::vector<const ThreadSize*> threadsForCore(double bore_mm) {
 }
 
 std::optional<Thread> threadFrom(std::string_view name) {
+    if (name.size() > kLongestName) return std::nullopt;
     static const std::regex kMetric("M([0-9]{1,3}(?:\\.[0-9]{1,2})?)(?:x([0-9](?:\\.[0-9]{1,3})?))?");
     static const std::regex kUnified("(#?[0-9 /]+)-([0-9]{1,2})( UNC| UNF| UN| UNEF)?");
     const std::string text(name);

@@ -75,6 +75,7 @@ TEST(Thread, OtherWordsAreNoThread) {
     for (const char* name : {"", "M", "8x1.25", "M8x", "M8x0", "M8x5", "M8 x 1.25", "m8", "1/0-20", "1/4-0",
                              "1/4", "#-24", "M8x1.25 6H", "M999x0.1", "///-20"})
         EXPECT_FALSE(threadFrom(name)) << name;
+    EXPECT_FALSE(threadFrom("M" + std::string(1'000'000, '8')));
 }
 
 TEST(Thread, ABoreMayBeTheCoreOfThreadsOfBothStandards) {

@@ -2,11 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/error.h"
 #include "stepmill/proven/proven_plan.h"
+#include "stepmill/verify/claim.h"
 
 namespace stepmill {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 const Tolerances kTol;
 const std::string kSource = STEPMILL_SOURCE_DIR;
@@ -128,6 +134,60 @@ TEST(ThreadsProven, FanucProgramsOfTheSamePlanAreProvenToo) {
     ASSERT_NE(at, std::string::npos);
     text.replace(at, 8, "F1000.10");
     EXPECT_TRUE(anySays(verifyPlan(fanuc, kTol).failures, "goes 1.250125 mm a turn at S800"));
+}
+
+/// The first tapping operation, and its tool.
+Json& tapping(Json& plan) {
+    return *std::find_if(plan["operations"].begin(), plan["operations"].end(),
+                         [](const Json& one) { return one["role"] == "tap"; });
+}
+Json& tapOf(Json& plan) {
+    return *std::find_if(plan["tools"].begin(), plan["tools"].end(),
+                         [&](const Json& one) { return one["id"] == tapping(plan)["tool"]; });
+}
+
+/// Is the plan refused, or not proven by its programs or the library?
+bool isCaught(const Json& plan) {
+    PlanFiles files = threaded().files;
+    files.plan_json = plan.dump();
+    try {
+        const PlanRecord record = planRecordFromText(files.plan_json, kTol);
+        return !verifyPlan(files, kTol).proven() || !compareWithLibrary(record, shopWithTaps()).empty();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::InvalidCatalog);
+        return true;
+    }
+}
+
+TEST(ThreadsProven, APlanThatWasWeakenedIsCaught) {
+    const std::vector<std::pair<const char*, void (*)(Json&)>> weakenings{
+        {"shorter lead", [](Json& plan) { tapOf(plan)["lead_mm"] = 1; }},
+        {"longer reach", [](Json& plan) { tapOf(plan)["flute_length_mm"] = 50; }},
+        {"another thread",
+         [](Json& plan) { tapOf(plan)["thread"] = tapping(plan)["thread"]["name"] = "M10x1"; }},
+        {"no thread at all", [](Json& plan) { tapOf(plan)["thread"] = std::string(100000, 'M'); }},
+        {"a drill", [](Json& plan) { tapOf(plan)["type"] = "drill"; }},
+        {"a drill's work", [](Json& plan) { tapping(plan)["role"] = "drill"; }},
+        {"nothing to tap", [](Json& plan) { tapping(plan).erase("thread"); }},
+        {"one place less",
+         [](Json& plan) {
+             Json& operation = tapping(plan);
+             operation["thread"]["places"].erase(0);
+             operation["holes"] = operation["thread"]["places"].size();
+         }},
+        {"a place beside", [](Json& plan) { tapping(plan)["thread"]["places"][0][0] = 11; }},
+        {"deeper", [](Json& plan) { tapping(plan)["z_floor_mm"] = -40; }},
+        {"deeper thread", [](Json& plan) { tapping(plan)["thread"]["full_to_z_mm"] = -9.9; }},
+        {"slower", [](Json& plan) { tapping(plan)["speed_rpm"] = 100; }},
+        {"lower feed", [](Json& plan) { tapping(plan)["feed_mm_per_min"] = 100; }},
+        {"higher feed", [](Json& plan) { tapping(plan)["feed_mm_per_min"] = 2000; }}};
+    const Json plan = Json::parse(threaded().files.plan_json);
+    EXPECT_FALSE(isCaught(plan));
+    for (const auto& [name, weaken] : weakenings) {
+        Json weak = plan;
+        weaken(weak);
+        EXPECT_TRUE(isCaught(weak)) << name;
+    }
 }
 
 TEST(ThreadsProven, AMachineWithoutCoupledMotionMakesTheHolesAlone) {
