@@ -42,7 +42,8 @@ TEST(InspectParts, ThreadsWhoseCoreAHoleIsAreAHint) {
     const std::string pages = folder.path();
     EXPECT_NE(slurp(fs::path(pages) / "inspect.html").find("M10x1.5"), std::string::npos);
     std::map<double, std::set<std::string>> hints;
-    for (const auto& hole : nlohmann::json::parse(slurp(fs::path(pages) / "inspect.json")).at("holes"))
+    const auto inspected = nlohmann::json::parse(slurp(fs::path(pages) / "inspect.json"));
+    for (const auto& hole : inspected.at("holes"))
         for (const auto& name : hole.at("tap_core_of"))
             hints[hole.at("diameter_mm")].insert(name);
     EXPECT_EQ(hints, (std::map<double, std::set<std::string>>{
