@@ -76,7 +76,10 @@ class SetupThreads {
         for (const ToolAssembly& tool : library.tools) {
             const CuttingData* cutting = tool.cuttingFor(shop_.request.sequence.material);
             if (!tool.isTap() || cutting == nullptr || !sameThread(*tool.thread, thread)) continue;
-            TapStep made = tapStep(task, tool, *cutting, shop_.machine);
+            const Feature hole = asTapFinds(task.hole, tool, setup_.setup.fixtures, shop_.tol);
+            TapStep made = tapStep({hole, task.bored_to_z_mm, task.top_z_mm, task.thread_depth_mm,
+                                    task.places, task.retract_z_mm},
+                                   tool, *cutting, shop_.machine);
             if (!made.step) {
                 trouble = std::move(made.trouble);
                 continue;

@@ -30,11 +30,13 @@ std::string otherToolsTrouble(const ReadMove& read) {
 class TapProver {
   public:
     TapProver(const ReadProgram& program, const ReadOperation& operation, const RecordedOperation& planned,
-              const FeatureState& state, const Tolerances& tol, const Findings& findings)
+              const FeatureState& state, const std::vector<Fixture>& fixtures, const Tolerances& tol,
+              const Findings& findings)
         : program_(program),
           operation_(operation),
           planned_(planned),
           state_(state),
+          fixtures_(fixtures),
           tol_(tol),
           findings_(findings),
           tapped_(planned.thread->places.size(), 0) {}
@@ -85,7 +87,8 @@ class TapProver {
     /// Below the whole thread there is room for the tap's lead, and below the tip in a blind hole a pitch.
     void proveDepth() const {
         const double tip_z_mm = planned_.z_floor_mm;
-        const double deepest_z_mm = deepestTapTipZ(state_.feature, planned_.tool, state_.feature.floor_z_mm);
+        const Feature hole = asTapFinds(state_.feature, planned_.tool, fixtures_, tol_);
+        const double deepest_z_mm = deepestTapTipZ(hole, planned_.tool, hole.floor_z_mm);
         if (tip_z_mm < deepest_z_mm - kSamePostedHeightMm)
             tell(operation_.line,
                  fmt::format("taps to Z{:.4f}, the hole lets its tip go to Z{:.4f}", tip_z_mm, deepest_z_mm));
@@ -159,6 +162,7 @@ class TapProver {
     const ReadOperation& operation_;
     const RecordedOperation& planned_;
     const FeatureState& state_;
+    const std::vector<Fixture>& fixtures_;
     const Tolerances& tol_;
     const Findings& findings_;
     std::vector<int> tapped_;  ///< how often each place is tapped
@@ -167,9 +171,9 @@ class TapProver {
 }  // namespace
 
 void proveTapping(const ReadProgram& program, const ReadOperation& operation,
-                  const RecordedOperation& planned, const FeatureState& state, const Tolerances& tol,
-                  const Findings& findings) {
-    if (planned.thread) return TapProver(program, operation, planned, state, tol, findings).prove();
+                  const RecordedOperation& planned, const FeatureState& state,
+                  const std::vector<Fixture>& fixtures, const Tolerances& tol, const Findings& findings) {
+    if (planned.thread) return TapProver(program, operation, planned, state, fixtures, tol, findings).prove();
     for (const ReadMove& read : operation.moves)
         if (read.pitch_mm > 0) return findings.add(read.line, otherToolsTrouble(read));
 }

@@ -187,7 +187,7 @@ class SetupProver {
         const std::size_t failures = into_.failures.size();
         verify::proveMoves(operation, planned, now, tol_, findings);
         verify::proveDrilling(operation, planned, now, findings);
-        verify::proveTapping(*program_, operation, planned, now, tol_, findings);
+        verify::proveTapping(*program_, operation, planned, now, setup_.fixtures, tol_, findings);
         verify::proveHolder(operation, planned, now, tol_, findings);
         verify::proveDepths(operation, planned, now, tol_, findings);
         if (into_.failures.size() == failures) return;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/catalog/fixture.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/feature/feature.h"
@@ -13,6 +14,11 @@ namespace stepmill {
 
 /// Down to here the steps of a hole make it in its whole width; nothing where they do not make it [mm].
 std::optional<double> boredToZ(const Feature& hole, const ToolSequence& made, const ToolLibrary& library);
+
+/// The hole as that tap finds it: a through hole with a fixture below, as far down as the tap would go out of
+/// it, is none to a tap. Taps go out farther than drills, for whom Feature::through tells of fixtures.
+Feature asTapFinds(Feature hole, const ToolAssembly& tap, const std::vector<Fixture>& fixtures,
+                   const Tolerances& tol);
 
 /// The tip of a tap goes no deeper: in a blind hole a pitch over the end of its whole width, so that chips
 /// have room and an overrun of the spindle breaks nothing; through a hole by its lead and a pitch, where
@@ -29,7 +35,7 @@ double tapSpeedRpm(const ToolAssembly& tap, const CuttingData& cutting, const Ma
 
 /// What is to be tapped.
 struct TapTask {
-    const Feature& hole;  ///< as its tools find it, its raw top as high as it may be
+    const Feature& hole;  ///< as its tap finds it, its raw top as high as it may be
     double bored_to_z_mm = 0;
     double top_z_mm = 0;         ///< the hole's own
     double thread_depth_mm = 0;  ///< of full thread from there on; 0: as deep as the hole allows

@@ -8,6 +8,7 @@
 #include "sequence/steps/hole_room.h"
 #include "stepmill/access/access.h"
 #include "stepmill/feature/hole_group.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 
 namespace stepmill {
@@ -61,6 +62,21 @@ std::optional<double> boredToZ(const Feature& hole, const ToolSequence& made, co
     const SequenceStep& last = made.steps.back();
     if (last.role == Role::Drill) return drilledToZ(hole, library.tool(last.tool_id));
     return made.floor_z_mm;
+}
+
+Feature asTapFinds(Feature hole, const ToolAssembly& tap, const std::vector<Fixture>& fixtures,
+                   const Tolerances& tol) {
+    if (!hole.through) return hole;
+    const double deepest_z = deepestTapTipZ(hole, tap, hole.floor_z_mm);
+    const std::vector<Vec2> axes = holeCentres(hole);
+    const auto lies_below = [&](const Fixture& fixture) {
+        if (fixture.bottom_z_mm >= hole.floor_z_mm || fixture.top_z_mm <= deepest_z) return false;
+        return std::any_of(axes.begin(), axes.end(), [&](const Vec2& axis) {
+            return area(intersect(fixture.section, makeCircle(axis, tap.radius_mm()), tol)) > 0;
+        });
+    };
+    hole.through = std::none_of(fixtures.begin(), fixtures.end(), lies_below);
+    return hole;
 }
 
 double deepestTapTipZ(const Feature& hole, const ToolAssembly& tap, double bored_to_z_mm) {

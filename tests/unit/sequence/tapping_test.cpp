@@ -54,6 +54,20 @@ TEST(Tapping, ThroughAHoleTheLastTurnIsWhole) {
     EXPECT_DOUBLE_EQ(made.step->thread->tip_z_mm, -10 - 5 - 1.25);
 }
 
+TEST(Tapping, AFixtureBelowMakesAThroughHoleABlindOne) {
+    const Tolerances tol;
+    const ToolAssembly tap = makeTap("M8");
+    // Below a drill's way out, above a tap's.
+    const std::vector<Fixture> parallel{{"parallel", makeRectangle(Vec2(10, 23.8), Vec2(30, 40)), -30, -15}};
+    const Feature hole = asTapFinds(coreHole(10, true), tap, parallel, tol);
+    EXPECT_FALSE(hole.through);
+    EXPECT_TRUE(asTapFinds(coreHole(10, true), tap, {}, tol).through);
+    const TapStep made = tapped(hole, tap);
+    ASSERT_TRUE(made.step) << made.trouble;
+    EXPECT_DOUBLE_EQ(made.step->thread->tip_z_mm, -10 + 1.25);
+    EXPECT_DOUBLE_EQ(made.step->thread->full_to_z_mm, -10 + 1.25 + 5);
+}
+
 TEST(Tapping, TheFeedIsPitchTimesSpeedToTheLastDecimal) {
     for (const char* name : {"M8", "M5", "1/4-20 UNC", "#10-24"}) {
         const ToolAssembly tap = makeTap(name);

@@ -49,7 +49,7 @@ class ProveTapping : public testing::Test {
     /// What fails, joined.
     std::string failures() {
         failures_.clear();
-        proveTapping(program_, operation_, planned_, state_, tol_, {"S1.ngc", proof_, failures_});
+        proveTapping(program_, operation_, planned_, state_, fixtures_, tol_, {"S1.ngc", proof_, failures_});
         std::string all;
         for (const ProofFailure& failure : failures_)
             all += std::to_string(failure.line) + ": " + failure.text + "\n";
@@ -66,6 +66,7 @@ class ProveTapping : public testing::Test {
     ReadProgram program_;
     RecordedOperation planned_;
     FeatureState state_;
+    std::vector<Fixture> fixtures_;
     ReadOperation operation_;
     OperationProof proof_;
     std::vector<ProofFailure> failures_;
@@ -150,6 +151,20 @@ TEST_F(ProveTapping, ThereIsRoomForTheLeadAndForAnOverrun) {
     expectFailure("the hole lets its tip go to Z-16.7500");
     planned_.thread->full_to_z_mm = -13;
     expectFailure("its thread cannot be whole down to Z-13.0000");
+}
+
+TEST_F(ProveTapping, AFixtureBelowAThroughHoleStopsTheTap) {
+    state_.feature.through = true;
+    const double tip_z = -18 - 5 - 1.25;
+    planned_.z_floor_mm = tip_z;
+    planned_.thread->full_to_z_mm = -18;
+    hole(20, tip_z);
+    hole(60, tip_z);
+    EXPECT_EQ(failures(), "");
+    fixtures_.push_back({"parallel", makeRectangle(Vec2(58, 0), Vec2(62, 40)), -40, -23});
+    expectFailure("the hole lets its tip go to Z-16.7500");
+    fixtures_.front().top_z_mm = -25;
+    EXPECT_EQ(failures(), "") << "too far below to be met";
 }
 
 TEST_F(ProveTapping, AcrossItGoesOverStockAndFixtures) {
