@@ -35,7 +35,7 @@ struct PlanningApp {
 
 /// Options whose value is a file, if it is no word of their own.
 bool namesFile(const std::string& name, const std::string& value) {
-    constexpr std::array kFiles = {"tools", "machine", "fixtures", "stock", "buy"};
+    constexpr std::array kFiles = {"tools", "machine", "fixtures", "holes", "stock", "buy"};
     const bool takes_file = std::find(kFiles.begin(), kFiles.end(), name) != kFiles.end();
     return takes_file && !(name == "stock" && value == "box");
 }

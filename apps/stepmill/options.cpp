@@ -201,6 +201,11 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     request.sequence.retract_mm = machine.safe_height_mm;
     if (!options.fixtures_file.empty())
         request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());
+    if (!options.holes_file.empty()) {
+        if (options.rough)
+            throw Error(ErrorCode::Usage, "--holes", "expected none: roughing makes no hole to size");
+        request.holes = readHoleTable(options.holes_file, options.limits.maxFileBytes());
+    }
     request.sequence.finish = {allowance(options.finish_walls_mm, "--finish-walls"),
                                allowance(options.finish_floors_mm, "--finish-floors")};
     if (options.rough)

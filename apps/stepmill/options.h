@@ -18,6 +18,7 @@ struct PlanOptions {
     std::string part_file;
     std::string out_dir;         ///< empty: "<part>-plan" in the current folder
     std::string fixtures_file;   ///< empty: suggested vises
+    std::string holes_file;      ///< empty: nothing is said of holes
     std::string tools_file;      ///< empty: the built-in shop library
     std::string machine_file;    ///< empty: the built-in machining centre
     bool cutting_model = false;  ///< feeds by what is cut, of built-in materials

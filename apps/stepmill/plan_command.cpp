@@ -22,6 +22,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step --buy catalogue.json\n"
         "  stepmill plan bracket.step --material steel --cutting-model\n"
         "  stepmill plan bracket.step --fixtures clamps.json\n"
+        "  stepmill plan bracket.step --holes threads.json\n"
         "  stepmill plan bracket.step --job job42.json --display inch --pdf\n"
         "  stepmill plan bracket.step --no-viewer");
     plan->callback([options, &exit_code] { exit_code = runPlan(*options); });

@@ -148,6 +148,8 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--machine", options.machine_file, "machine (JSON); default: a machining centre");
     command.add_option("--fixtures", options.fixtures_file,
                        "what holds the part in each setup (JSON); default: the jaws of the suggested vise");
+    command.add_option("--holes", options.holes_file,
+                       "which holes are tapped, drilled alone or left (JSON); default: nothing is said");
     command.add_flag("--cutting-model", options.cutting_model,
                      "let feeds follow what each move cuts: rated removal, slots, power and torque of the "
                      "spindle");

@@ -38,6 +38,8 @@ std::optional<Exclusion> wrongHole(const Feature& feature, const ToolAssembly& t
 
 std::optional<Exclusion> unsuitable(const FeatureGround& ground, const ToolAssembly& tool,
                                     const std::string& material) {
+    if (tool.isTap())
+        return Exclusion{ExclusionReason::WrongType, "a tap cuts threads into holes that are made"};
     if (tool.type == ToolType::Chamfer)
         return Exclusion{ExclusionReason::WrongType, "a chamfer mill leaves its cone on a flat floor"};
     if (tool.type == ToolType::Ball || tool.type == ToolType::Bull)

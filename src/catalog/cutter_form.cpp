@@ -15,7 +15,7 @@ double halfAngleRad(const ToolAssembly& tool) {
 }  // namespace
 
 CutterForm::CutterForm(const ToolAssembly& tool)
-    : full_mm_(tool.radius_mm()),
+    : full_mm_(tool.isTap() ? coreRange(*tool.thread).least_mm / 2 : tool.radius_mm()),
       tip_mm_(full_mm_ - std::min(tool.corner_radius_mm, full_mm_)),
       corner_mm_(full_mm_ - tip_mm_),
       height_mm_(corner_mm_) {

@@ -12,6 +12,7 @@ extern const std::string_view kPlanSchema;
 extern const std::string_view kInspectSchema;
 extern const std::string_view kRankSchema;
 extern const std::string_view kFixturesSchema;
+extern const std::string_view kHolesSchema;
 extern const std::string_view kVerifySchema;
 extern const std::string_view kManifestSchema;
 extern const std::string_view kQuoteSchema;

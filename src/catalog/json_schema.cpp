@@ -77,6 +77,7 @@ constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kT
                                     {SchemaName::Inspect, "inspect", 1, embedded::kInspectSchema},
                                     {SchemaName::Rank, "rank", 1, embedded::kRankSchema},
                                     {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
+                                    {SchemaName::Holes, "holes", 1, embedded::kHolesSchema},
                                     {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
                                     {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema},
                                     {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema},

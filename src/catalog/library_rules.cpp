@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "catalog/json_text.h"
+#include "stepmill/catalog/tool.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -59,6 +60,7 @@ class ToolRules {
         checkCornerRadius();
         checkCone();
         checkPoint();
+        checkThread();
         checkPlunge();
         checkLengths();
         checkShank();
@@ -135,7 +137,7 @@ class ToolRules {
         if (type == "ball")
             expect(nearlyEqual(corner, radius), at,
                    "half the diameter of a ball cutter, " + lengthText(radius), found);
-        else if (type == "flat" || type == "drill" || type == "chamfer")
+        else if (type == "flat" || type == "drill" || type == "chamfer" || type == "tap")
             expect(corner == 0, at,
                    "0 for a " + type +
                        (type == "flat"      ? " end mill"
@@ -152,6 +154,40 @@ class ToolRules {
     void checkPoint() {
         if (tool_["type"] != "drill" && tool_.contains("point_angle_deg"))
             findings_.push_back({childPointer(pointer_, "point_angle_deg"), "expected on a drill alone"});
+    }
+
+    /// A tap is as wide as its thread, and its cutting part is longer than its lead.
+    void checkThread() {
+        const bool tap = tool_["type"] == "tap";
+        for (const char* field : {"thread", "lead_threads"})
+            if (!tap && tool_.contains(field))
+                findings_.push_back({childPointer(pointer_, field), "expected on a tap alone"});
+        if (!tap) return;
+        if (!tool_.contains("thread")) {
+            findings_.push_back({pointer_, "expected the field \"thread\" of a tap, found none"});
+            return;
+        }
+        const std::optional<Thread> thread = threadFrom(tool_["thread"].get<std::string>());
+        if (!thread)
+            return expect(false, childPointer(pointer_, "thread"), "a thread such as M8, M8x1 or 1/4-20 UNC",
+                          tool_["thread"]);
+        const double major = thread->diameter_mm / mm_per_unit_;
+        expect(nearlyEqual(diameter_, major), childPointer(pointer_, "diameter"),
+               "that of " + thread->name + ", " + lengthText(major), tool_["diameter"]);
+        const double lead = tool_.value("lead_threads", kUsualLeadThreads) * thread->pitch_mm / mm_per_unit_;
+        expect(tool_["flute_length"] > lead, childPointer(pointer_, "flute_length"),
+               fmt::format("more than the tap's lead, {:g}", lead), tool_["flute_length"]);
+        for (std::size_t i = 0; i < tool_["cutting"].size(); ++i)
+            checkTapFeed(tool_["cutting"][i], *thread, childPointer(childPointer(pointer_, "cutting"), i));
+    }
+
+    /// A tap goes its pitch with every turn, whatever else is written.
+    void checkTapFeed(const json& data, const Thread& thread, const std::string& at) {
+        const double feed = thread.pitch_mm / mm_per_unit_ * data["speed_rpm"].get<double>();
+        for (const char* field : {"feed", "plunge_feed"})
+            if (data.contains(field))
+                expect(nearlyEqual(data[field], feed), childPointer(at, field),
+                       fmt::format("pitch x speed, {:.6g}", feed), data[field]);
     }
 
     void checkPlunge() {
@@ -253,7 +289,7 @@ class ToolRules {
 
     void checkSteps(const json& data, const std::string& at) {
         const double flutes = tool_["flute_length"];
-        const bool mills = tool_["type"] != "drill";
+        const bool mills = tool_["type"] != "drill" && tool_["type"] != "tap";
         for (const char* name : {"step_over", "step_down"})
             if (mills && !data.contains(name))
                 findings_.push_back(

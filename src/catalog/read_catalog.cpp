@@ -39,6 +39,7 @@ class ToolReader {
         tool.tip_diameter_mm = length(from, "tip_diameter");
         tool.included_angle_deg = from.value("included_angle_deg", 0.0);
         tool.point_angle_deg = from.value("point_angle_deg", tool.point_angle_deg);
+        if (tool.isTap()) readThread(from, tool);
         tool.flute_length_mm = length(from, "flute_length");
         tool.flutes = from.value("flutes", 0);
         tool.centre_cutting = from.value("centre_cutting", tool.isDrill());
@@ -67,6 +68,13 @@ class ToolReader {
     }
 
     double length(const json& from, const char* field) const { return from.value(field, 0.0) * mm_per_unit_; }
+
+    /// The thread's own diameter: inches in files are rounded.
+    static void readThread(const json& from, ToolAssembly& tool) {
+        tool.thread = threadFrom(from["thread"].get<std::string>()).value();
+        tool.diameter_mm = tool.thread->diameter_mm;
+        tool.lead_mm = from.value("lead_threads", kUsualLeadThreads) * tool.thread->pitch_mm;
+    }
 
     /// Of a range the longest stands until a plan chooses: heights in the file are those of that.
     void readStickOut(const json& from, ToolAssembly& tool) const {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"}, {ToolType::Ball, "ball"},
                                              {ToolType::Bull, "bull"}, {ToolType::Drill, "drill"},
-                                             {ToolType::Face, "face"}, {ToolType::Chamfer, "chamfer"}};
+                                             {ToolType::Face, "face"}, {ToolType::Chamfer, "chamfer"},
+                                             {ToolType::Tap, "tap"}};
 constexpr EnumWord<Coolant> kCoolants[] = {
     {Coolant::Off, "off"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}};
 constexpr EnumWord<CutterMaterial> kCutterMaterials[] = {{CutterMaterial::Carbide, "carbide"},

@@ -30,6 +30,7 @@ constexpr ReasonWords kWords[] = {
     {Reason::Fixture, "fixture"},
     {Reason::BelowStanding, "below material that stays in ", "", ""},
     {Reason::Allowance, "allowance"},
+    {Reason::AsAsked, "left as the hole table asks"},
     {Reason::LeftBetweenPasses, "left between passes"},
     {Reason::NotProven, "proof"},
     {Reason::PlanningFailed, "planning failed: ", "", ""},

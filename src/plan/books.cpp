@@ -280,7 +280,8 @@ std::string largestGap(const std::vector<SetupAccount>& accounts, double stock_m
 double unwantedMm3(const std::vector<ReasonVolume>& left, bool roughing) {
     double sum_mm3 = 0;
     for (const ReasonVolume& entry : left)
-        if (!roughing || !isLeftByRoughing(entry.reason)) sum_mm3 += entry.volume_mm3;
+        if (!(entry.reason == Reason::AsAsked) && (!roughing || !isLeftByRoughing(entry.reason)))
+            sum_mm3 += entry.volume_mm3;
     return sum_mm3;
 }
 

@@ -348,8 +348,14 @@ class FeaturePlanner {
                 wholeAsResidual(free, {Reason::NotProven, {}}, "a report of this part"));
             return sequence;
         }
+        const std::optional<HoleMaking> making = shop_.wishes.makingOf(feature, setup_);
+        if (making == HoleMaking::Leave) {
+            sequence.residual.push_back(wholeAsResidual(free, {Reason::AsAsked, {}}, "another hole table"));
+            return sequence;
+        }
+        const ToolLibrary& library = making == HoleMaking::Drill ? shop_.drills : shop_.libraryOf(feature.id);
         const Feature grown = onGrownStock(free, growth_, shop_.tol);
-        std::optional<ToolSequence> in_time = sequenceInTime(grown, feature, hasty);
+        std::optional<ToolSequence> in_time = sequenceInTime(grown, library, feature, hasty);
         if (!in_time) {
             sequence.residual.push_back(
                 wholeAsResidual(free, {Reason::TimeLimit, {}}, "more time (--timeout), or fewer tools"));
@@ -362,9 +368,8 @@ class FeaturePlanner {
     }
 
     /// Of all tools, of a few where these take too long, or nothing where the few do too.
-    std::optional<ToolSequence> sequenceInTime(const Feature& grown, const Feature& feature,
-                                               char& hasty) const {
-        const ToolLibrary& library = shop_.libraryOf(feature.id);
+    std::optional<ToolSequence> sequenceInTime(const Feature& grown, const ToolLibrary& library,
+                                               const Feature& feature, char& hasty) const {
         SequenceOptions options = sequenceOptions(feature);
         options.deadline = shop_.request.patience.allToolsOfOne();
         if (auto sequence = sequenceBefore(grown, library, options)) return sequence;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "plan/hole_wishes.h"
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {
@@ -17,6 +18,8 @@ struct PlanningShop {
     const PlanRequest& request;
     const ToolLibrary& library;
     const SmallerLibraries& smaller;
+    const HoleWishes& wishes;
+    const ToolLibrary& drills;  ///< of the library, for holes that nothing else may make
     const Machine& machine;
     const Tolerances& tol;
 

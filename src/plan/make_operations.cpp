@@ -20,7 +20,7 @@ void takeShopData(Operation& operation, const ToolLibrary& library, const std::s
     operation.coolant = cutting->coolant;
     if (operation.role == Role::Drill)
         operation.dwell_s = cutting->dwell_s;
-    else
+    else if (operation.role != Role::Tap)
         operation.ramp_angle_deg = toolpath::rampAngleDeg(*cutting);
 }
 
@@ -39,17 +39,20 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_
     operation.tool_id = step.tool_id;
     operation.role = step.role;
     operation.path = std::move(step.path);
-    // Drills come with cycles, whose rapids stay in the hole.
-    if (operation.role != Role::Drill && takesPlainWays(operation.feature_id, settings.cautions))
+    // Drills and taps come with cycles, whose rapids stay over or in the hole.
+    const bool cycle = operation.role == Role::Drill || operation.role == Role::Tap;
+    if (!cycle && takesPlainWays(operation.feature_id, settings.cautions))
         operation.path = withPlainRapids(operation.path, stock_top_mm, settings.machine);
     operation.proof = step.proof;
     operation.leaves = step.leaves;
     operation.z_floor_mm = planned.sequence.floor_z_mm + step.leaves.floors_mm;
+    if (step.thread) operation.z_floor_mm = step.thread->tip_z_mm;
     operation.z_top_mm = step.role == Role::Finish
                              ? operation.z_floor_mm + operation.path.depths * operation.path.step_down_mm
                              : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
     operation.holes = step.holes;
+    operation.thread = step.thread;
     operation.takes = step.takes;
     takeShopData(operation, settings.library, settings.material);
     if (operation.path.step_over_mm > 0)

@@ -5,7 +5,7 @@
 namespace stepmill {
 
 bool Plan::complete(const Tolerances& tol) const {
-    return leavesNothing(balance, request.roughing.has_value(), tol) &&
+    return threads_missing == 0 && leavesNothing(balance, request.roughing.has_value(), tol) &&
            balance.gapShare() <= tol.volume_share;
 }
 

@@ -11,6 +11,7 @@
 #include "plan/retract.h"
 #include "plan/share_tools.h"
 #include "plan/stick_outs.h"
+#include "plan/threads.h"
 #include "plan/totals.h"
 #include "stepmill/core/error.h"
 #include "stepmill/plan/books.h"
@@ -270,6 +271,11 @@ void nameWhatStays(std::vector<PlannedSetup>& setups, const StayingResiduals& st
             }
 }
 
+ToolLibrary drillsOf(ToolLibrary library) {
+    std::erase_if(library.tools, [](const ToolAssembly& tool) { return !tool.isDrill(); });
+    return library;
+}
+
 /// The plan of these setups and no operation yet.
 Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine, const Stock& stock) {
     Plan plan;
@@ -294,13 +300,16 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     requireMachinableSize(part, setups, machine);
     const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
     const SmallerLibraries smaller = smallerLibraries(request.cautions, usable.library);
-    const PlanningShop shop{request, usable.library, smaller, machine, tol};
+    const HoleWishes wishes(request.holes, part, tol);
+    const ToolLibrary drills = drillsOf(usable.library);
+    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol};
 
     std::vector<PlannedStage> stages = planStages(setups, shop, progress);
     SharedSetups shared =
         withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
+    ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, wishes);
     std::vector<PlannedSetup> operating =
-        withOperations(std::move(shared.setups),
+        withOperations(std::move(threaded.setups),
                        {usable.library, machine, request.sequence.material, request.cautions, tol});
     Warnings form_warnings;
     const double stock_minus_part_mm3 = setups.front().stock.volume_mm3 - part.volume_mm3;
@@ -308,6 +317,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
+    plan.threads_missing = threaded.missing;
     plan.library = withStickOuts(usable.library, operating);
     operating = withCuttingFeeds(std::move(operating), {request, plan.library, machine, tol});
     TimedSetups timed = withTimes(std::move(operating), plan.library, machine);
@@ -324,6 +334,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     for (const PlannedStage& stage : stages)
         append(plan.warnings, stage.warnings);
     append(plan.warnings, form_warnings);
+    append(plan.warnings, threaded.warnings);
+    append(plan.warnings, wishes.unused(plan.setups));
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
     plan.warnings = byConsequence(std::move(plan.warnings));

@@ -46,7 +46,7 @@ void warnOfResiduals(const std::vector<PlannedSetup>& setups, Warnings& into) {
     for (const PlannedSetup& setup : setups)
         for (const PlannedFeature& planned : setup.features)
             for (const Residual& residual : planned.sequence.residual) {
-                if (staysMm3(residual) < kWorthAWarningMm3) continue;
+                if (staysMm3(residual) < kWorthAWarningMm3 || residual.reason == Reason::AsAsked) continue;
                 StayingKind& kind = kinds[{planned.sequence.steps.empty(), residual.reason.kind}];
                 kind.sum_mm3 += staysMm3(residual);
                 ++kind.places;

@@ -26,7 +26,8 @@ Dialect dialectOf(const Machine& machine) {
 }
 
 const DialectRules& rulesOf(Dialect dialect) {
-    static const DialectRules kLinuxCnc{.cycles = true,
+    static const DialectRules kLinuxCnc{.tapping = Tapping::G331,
+                                        .cycles = true,
                                         .tool_changer = true,
                                         .tool_lengths = true,
                                         .percent = false,
@@ -41,7 +42,8 @@ const DialectRules& rulesOf(Dialect dialect) {
                                         .longest_block = 252,
                                         .safe_start = "G17 G40 G49 G80 G90 G94",
                                         .extension = ".ngc"};
-    static const DialectRules kFanuc{.cycles = true,
+    static const DialectRules kFanuc{.tapping = Tapping::G84,
+                                     .cycles = true,
                                      .tool_changer = true,
                                      .tool_lengths = true,
                                      .percent = true,
@@ -57,7 +59,8 @@ const DialectRules& rulesOf(Dialect dialect) {
                                      .safe_start = "G17 G40 G49 G80 G90 G94",
                                      .extension = ".nc"};
     // GRBL 1.1 refuses H words and M6; G49 and G80 it takes.
-    static const DialectRules kGrbl{.cycles = false,
+    static const DialectRules kGrbl{.tapping = Tapping::None,
+                                    .cycles = false,
                                     .tool_changer = false,
                                     .tool_lengths = false,
                                     .percent = false,

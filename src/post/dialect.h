@@ -7,8 +7,16 @@
 
 namespace stepmill {
 
+/// How a controller couples a motion to the spindle's turns.
+enum class Tapping {
+    None,
+    G331,  ///< G33.1 with K, down and back up
+    G84    ///< a cycle, after M29
+};
+
 /// What tells one controller's language from another's.
 struct DialectRules {
+    Tapping tapping;
     bool cycles;                ///< has G81, G82, G83
     bool tool_changer;          ///< M6 changes the tool; else the operator does, at an M0
     bool tool_lengths;          ///< G43 H takes the tool's length from a table

@@ -29,6 +29,20 @@ std::string feedWord(double feed_mm_per_min, bool inch) {
     return fmt::format(" F{:.{}f}", raised ? std::floor(steps) / std::pow(10.0, decimals) : feed, decimals);
 }
 
+/// A pitch needs more decimals than a place: a turn's error adds up with the turns.
+std::string pitchWord(double pitch_mm, bool inch) {
+    const int decimals = inch ? 8 : 6;
+    std::string number = fmt::format("{:.{}f}", inch ? mmToInch(pitch_mm) : pitch_mm, decimals);
+    number.erase(number.find_last_not_of('0') + 1);
+    return " K" + number;
+}
+
+/// Of a tap: pitch x speed, rounded to the last decimal and to nothing else.
+std::string tapFeedWord(const TapCycle& cycle, bool inch) {
+    const double feed = cycle.pitch_mm * cycle.speed_rpm;
+    return fmt::format(" F{:.{}f}", inch ? mmToInch(feed) : feed, inch ? 3 : 2);
+}
+
 /// How far the arc bulges from its chord.
 double sagitta(double radius_mm, double sweep_rad) {
     return radius_mm * (1 - std::cos(std::abs(sweep_rad) / 2));
@@ -187,6 +201,33 @@ void MotionWriter::drill(const DrillCycle& cycle, std::string_view dwell_word) {
         out_ += nextNumber() + " X" + number(at_.x) + " Y" + number(at_.y) + "\n";
     }
     out_ += nextNumber() + " G80\n";
+}
+
+void MotionWriter::tapCoupled(const TapCycle& cycle) {
+    const auto at = [&](const Vec2& place, double z_mm) { return toGrid({place.x(), place.y(), z_mm}); };
+    for (const Vec2& place : cycle.places) {
+        straight(0, at(place, cycle.initial_z_mm), 0);
+        straight(0, at(place, cycle.r_z_mm), 0);
+        out_ += nextNumber() + " G33.1 Z" + number(gridOf(cycle.bottom_z_mm)) +
+                pitchWord(cycle.pitch_mm, inch_) + "\n";
+        // It comes back to where it began.
+        straight(0, at(place, cycle.initial_z_mm), 0);
+    }
+}
+
+void MotionWriter::tapRigid(const TapCycle& cycle) {
+    const auto over = [&](const Vec2& place) { return toGrid({place.x(), place.y(), cycle.initial_z_mm}); };
+    straight(0, over(cycle.places.front()), 0);
+    out_ += nextNumber() + fmt::format(" M29 S{:.0f}\n", cycle.speed_rpm);
+    out_ += nextNumber() + fmt::format(" G98 G84 X{} Y{} Z{} R{}", number(at_.x), number(at_.y),
+                                       number(gridOf(cycle.bottom_z_mm)), number(gridOf(cycle.r_z_mm)));
+    out_ += tapFeedWord(cycle, inch_) + "\n";
+    for (auto place = cycle.places.begin() + 1; place != cycle.places.end(); ++place) {
+        at_ = over(*place);
+        out_ += nextNumber() + " X" + number(at_.x) + " Y" + number(at_.y) + "\n";
+    }
+    out_ += nextNumber() + " G80\n";
+    feed_ = 0;
 }
 
 }  // namespace stepmill

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "post/drill_cycle.h"
+#include "post/tap_cycle.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
@@ -31,6 +32,11 @@ class MotionWriter {
     void write(const Vec3& start, const std::vector<FedMove>& moves);
     /// A hole from where the tool is, as G81, or G83 with pecks, or G82 with `dwell_word` (" P0.5").
     void drill(const DrillCycle& cycle, std::string_view dwell_word);
+
+    /// Holes from where the tool is, as G33.1, which LinuxCNC couples to the spindle both ways.
+    void tapCoupled(const TapCycle& cycle);
+    /// The same as M29 and G84 of a Fanuc, with F as pitch x speed.
+    void tapRigid(const TapCycle& cycle);
 
   private:
     using Grid = std::int64_t;

@@ -10,6 +10,8 @@
 #include "post/motion_writer.h"
 #include "post/operation_start.h"
 #include "post/program_header.h"
+#include "post/tap_cycle.h"
+#include "stepmill/core/error.h"
 
 namespace stepmill {
 namespace {
@@ -68,6 +70,7 @@ class ProgramWriter {
     }
 
     void writeMoves(const JobOperation& operation) {
+        if (operation.thread) return writeTapping(operation);
         const std::string dwell = dwellWord(operation.dwell_s);
         const auto found = rules_.cycles ? findCycle(operation) : std::nullopt;
         // No cycle has both pecks and a dwell.
@@ -79,6 +82,25 @@ class ProgramWriter {
                                        operation.moves.begin() + found->moves_before);
         motion_.write(operation.start, way);
         motion_.drill(found->cycle, dwell);
+    }
+
+    void writeTapping(const JobOperation& operation) {
+        if (rules_.tapping == Tapping::None)
+            throw Error(ErrorCode::Usage, operation.id,
+                        fmt::format("taps {}, and this controller has no motion coupled to the spindle: plan "
+                                    "for its machine, which leaves the thread out",
+                                    operation.thread->thread.name));
+        const std::optional<FoundTapCycle> found = findTapCycle(operation);
+        if (!found)
+            throw Error(ErrorCode::InvalidCatalog, operation.id,
+                        "its moves are no tapping: down, up again at the same place, and on to the next");
+        motion_.write(operation.start,
+                      {operation.moves.begin(),
+                       operation.moves.begin() + static_cast<std::ptrdiff_t>(found->moves_before)});
+        if (rules_.tapping == Tapping::G331)
+            motion_.tapCoupled(found->cycle);
+        else
+            motion_.tapRigid(found->cycle);
     }
 
     /// Move by move, with a dwell at the bottom of every hole.

@@ -169,7 +169,7 @@ class Gatherer {
         if (to == from) return;
         Move move;
         move.to = to;
-        operation.moves.push_back({{move, 0}, action_->line, action_->state, 0, home});
+        operation.moves.push_back({{move, 0}, action_->line, action_->state, 0, 0, home});
     }
 
     void addMoves(const Motion& motion, const Vec3& from, const Vec3& to) {
@@ -210,6 +210,7 @@ class Gatherer {
                                    action_->line,
                                    action_->state,
                                    motion.radii_differ_mm,
+                                   motion.pitch_mm,
                                    false});
     }
 

@@ -66,9 +66,11 @@ Json requestJson(const Plan& plan) {
             {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
 }
 
-/// Of roughing what stays on the part too.
+/// Of roughing what stays on the part too, and the hole table where there is one.
 Json requestAndRoughingJson(const Plan& plan) {
     Json json = requestJson(plan);
+    if (const HoleTable& holes = plan.request.holes; !holes.sha256.empty())
+        json["holes"] = sourceJson(holes.file, holes.sha256);
     if (const std::optional<FinishAllowance>& leaves = plan.request.roughing)
         json["roughing"] = {{"leaves_on_walls_mm", number(leaves->walls_mm)},
                             {"leaves_on_floors_mm", number(leaves->floors_mm)}};
@@ -150,6 +152,10 @@ Json toolJson(const ToolAssembly& tool) {
         json["included_angle_deg"] = number(tool.included_angle_deg);
     }
     if (tool.isDrill()) json["point_angle_deg"] = number(tool.point_angle_deg);
+    if (tool.isTap()) {
+        json["thread"] = tool.thread->name;
+        json["lead_mm"] = number(tool.lead_mm);
+    }
     return json;
 }
 
@@ -201,6 +207,12 @@ Json cutMaterialJson(const Material& material) {
             {"source", material.source}};
 }
 
+Json threadJson(const ThreadCut& thread) {
+    return {{"name", thread.thread.name},
+            {"full_to_z_mm", number(thread.full_to_z_mm)},
+            {"places", listOf(thread.places, [](const Vec2& place) { return point(place); })}};
+}
+
 /// \param feature  that it cuts, or form ground \param band  the feature's
 Json operationJson(const Operation& operation, const std::string& feature, int band) {
     const Toolpath& path = operation.path;
@@ -229,6 +241,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
               {"time_s", number(path.totals.time_s() + operation.dwellOfAll_s())},
               {"motion_time_s", number(path.totals.motion_time_s + operation.dwellOfAll_s())}};
     if (operation.holes > 0) json["holes"] = operation.holes;
+    if (operation.thread) json["thread"] = threadJson(*operation.thread);
     if (operation.ramp_angle_deg > 0) json["ramp_angle_deg"] = number(operation.ramp_angle_deg);
     if (operation.leaves.any()) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);

@@ -37,6 +37,8 @@ ToolAssembly tool(const Json& json) {
     tool.tip_diameter_mm = json.value("tip_diameter_mm", 0.0);
     tool.included_angle_deg = json.value("included_angle_deg", 0.0);
     tool.point_angle_deg = json.value("point_angle_deg", tool.point_angle_deg);
+    if (json.contains("thread")) tool.thread = threadFrom(json["thread"].get<std::string>());
+    tool.lead_mm = json.value("lead_mm", 0.0);
     tool.flute_length_mm = json["flute_length_mm"];
     tool.flutes = json.value("flutes", 0);
     tool.cutter_material = *cutterMaterialFrom(json.value("cutter_material", "carbide"));
@@ -61,6 +63,17 @@ CutRating rating(const Json& json) {
             json["removal_cm3_per_min"].get<double>() * kMm3PerCm3};
 }
 
+ThreadCut threadCut(const Json& operation) {
+    const Json& json = operation["thread"];
+    ThreadCut cut;
+    cut.thread = threadFrom(json["name"].get<std::string>()).value();
+    cut.tip_z_mm = operation["z_floor_mm"];
+    cut.full_to_z_mm = json["full_to_z_mm"];
+    for (const Json& place : json["places"])
+        cut.places.emplace_back(place[0], place[1]);
+    return cut;
+}
+
 RecordedOperation operation(const Json& json, const std::map<std::string, ToolAssembly>& tools,
                             const BandsOf& bands) {
     RecordedOperation operation;
@@ -82,6 +95,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
     operation.dwell_s = json["dwell_s"];
     operation.holes = json.value("holes", operation.role == Role::Drill ? 1 : 0);
+    if (json.contains("thread")) operation.thread = threadCut(json);
     if (json.contains("rating")) operation.rating = rating(json["rating"]);
     if (json.contains("takes"))
         for (const Json& entry : json["takes"])

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/catalog/thread.h"
 #include "stepmill/core/error.h"
 #include "stepmill/post/post.h"
 
@@ -187,13 +188,28 @@ void checkBands(const Json& feature, const std::string& pointer) {
     checkSame(feature, "volume_mm3", volume_mm3, slack + kSameShare * volume_mm3, pointer);
 }
 
+/// A tap's name tells its thread, and that its diameter.
+void checkTap(const Json& tool, const std::string& pointer) {
+    const bool tap = tool["type"] == "tap";
+    if (tap != tool.contains("thread") || tap != tool.contains("lead_mm"))
+        failAt(pointer, "expected thread and lead of a tap, and of nothing else");
+    if (!tap) return;
+    const std::optional<Thread> thread = threadFrom(tool["thread"].get<std::string>());
+    if (!thread)
+        failAt(pointer + "/thread", fmt::format("expected a thread, found {}", tool["thread"].dump()));
+    if (std::abs(thread->diameter_mm - tool["diameter_mm"].get<double>()) > kWritten)
+        failAt(pointer + "/diameter_mm", fmt::format("expected that of {}, {:.6f}, found {}", thread->name,
+                                                     thread->diameter_mm, tool["diameter_mm"].dump()));
+}
+
 void checkTool(const Json& tool, const std::string& pointer) {
+    checkTap(tool, pointer);
     const std::string type = tool["type"];
     const double corner_mm = tool["corner_radius_mm"];
     const double radius_mm = tool["diameter_mm"].get<double>() / 2;
     const bool fits = type == "ball"   ? std::abs(corner_mm - radius_mm) <= kSameRadiusMm
                       : type == "bull" ? corner_mm > 0 && corner_mm <= radius_mm + kSameRadiusMm
-                      : type == "flat" || type == "drill" || type == "chamfer"
+                      : type == "flat" || type == "drill" || type == "chamfer" || type == "tap"
                           ? corner_mm == 0
                           : corner_mm <= radius_mm + kSameRadiusMm;
     if (!fits)
@@ -215,6 +231,23 @@ void checkTool(const Json& tool, const std::string& pointer) {
     }
 }
 
+/// A tap cuts its own thread, in holes.
+void checkThread(const Json& operation, const Json& tool, const std::string& pointer) {
+    const bool taps = operation["role"] == "tap";
+    if (taps != (tool["type"] == "tap"))
+        failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
+                                              tool["type"].get<std::string>()));
+    if (taps != operation.contains("thread"))
+        failAt(pointer, "expected a thread of an operation of role tap, and of no other");
+    if (!taps) return;
+    const Json& thread = operation["thread"];
+    if (thread["name"] != tool["thread"])
+        failAt(pointer + "/thread/name", fmt::format("expected that of the tap, {}, found {}",
+                                                     tool["thread"].dump(), thread["name"].dump()));
+    if (operation.value("holes", std::size_t{0}) != thread["places"].size())
+        failAt(pointer + "/holes", fmt::format("expected as many as places, {}", thread["places"].size()));
+}
+
 void checkOperation(const Json& operation, const std::map<std::string, Json>& tools,
                     const std::map<BandName, std::string>& setups_of_work, const std::string& pointer) {
     const auto tool = tools.find(operation["tool"]);
@@ -225,6 +258,7 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     if (drills != (operation["role"] == "drill"))
         failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
                                               tool->second["type"].get<std::string>()));
+    checkThread(operation, tool->second, pointer);
     const bool form = operation["role"] == "form";
     const std::string type = tool->second["type"];
     if (form && type != "ball" && type != "bull" && type != "chamfer")

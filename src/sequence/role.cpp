@@ -5,8 +5,8 @@ namespace stepmill {
 namespace {
 
 constexpr EnumWord<Role> kRoles[] = {
-    {Role::Face, "face"},   {Role::Rough, "rough"},   {Role::Rest, "rest"}, {Role::Surrogate, "surrogate"},
-    {Role::Drill, "drill"}, {Role::Finish, "finish"}, {Role::Form, "form"}};
+    {Role::Face, "face"},   {Role::Rough, "rough"}, {Role::Rest, "rest"},     {Role::Surrogate, "surrogate"},
+    {Role::Drill, "drill"}, {Role::Tap, "tap"},     {Role::Finish, "finish"}, {Role::Form, "form"}};
 
 }  // namespace
 

@@ -75,6 +75,11 @@ void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library, c
     compare.same("the tip diameter", recorded.tip_diameter_mm, in_library.tip_diameter_mm);
     compare.same("the included angle", recorded.included_angle_deg, in_library.included_angle_deg);
     compare.same("the point angle", recorded.point_angle_deg, in_library.point_angle_deg);
+    if (in_library.isTap()) {
+        compare.sameWord("the thread", recorded.thread ? recorded.thread->name : "none",
+                         in_library.thread->name);
+        compare.same("the lead", recorded.lead_mm, in_library.lead_mm);
+    }
     compare.same("the number of teeth", recorded.flutes, in_library.flutes);
     compare.sameWord("the cutter's material", toString(recorded.cutter_material),
                      toString(in_library.cutter_material));
@@ -124,15 +129,18 @@ void compareCutting(const RecordedOperation& operation, const ToolAssembly& in_l
                     const CuttingData& data, const PlanRecord& record, std::vector<ProofFailure>& failures) {
     Comparison compare(operation.id, failures);
     compareRating(operation, in_library, data, record, compare);
-    const double plunge =
-        data.plunge_feed_mm_per_min > 0 ? data.plunge_feed_mm_per_min : data.feed_mm_per_min;
-    compare.atMost("the feed", operation.feed_mm_per_min, data.feed_mm_per_min);
+    // A tap's feed is its pitch x speed, whatever the library rounds it to.
+    const double feed =
+        in_library.isTap() ? in_library.thread->pitch_mm * data.speed_rpm : data.feed_mm_per_min;
+    const bool same_down = in_library.isTap() || data.plunge_feed_mm_per_min <= 0;
+    const double plunge = same_down ? feed : data.plunge_feed_mm_per_min;
+    compare.atMost("the feed", operation.feed_mm_per_min, feed);
     compare.atMost("the feed down", operation.plunge_feed_mm_per_min, plunge);
     compare.atMost("the speed", operation.speed_rpm, data.speed_rpm);
     // A finishing pass takes little off a wall and goes deeper for it.
     if (operation.role != Role::Finish)
         compare.atMost("the step-down", operation.step_down_mm, largestStepDownMm(operation, data));
-    if (!operation.tool.isDrill()) compareRampAngle(operation, data, compare);
+    if (!operation.tool.isDrill() && !operation.tool.isTap()) compareRampAngle(operation, data, compare);
     compare.sameWord("the coolant", toString(operation.coolant), toString(data.coolant));
 }
 

@@ -213,7 +213,10 @@ const Region& FeatureState::standingAt(double z_mm) const {
 void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                 const Tolerances& tol, const Findings& findings) {
     const Feature& feature = state.feature;
-    const double radius_mm = planned.tool.radius_mm();
+    // What a tap cuts of the hole's wall is the thread; the rest of it is proven beside: proveTapping().
+    const bool taps = planned.tool.isTap() && isHole(feature.feature_class);
+    const double radius_mm =
+        taps ? std::min(planned.tool.radius_mm(), holeRadiusMm(feature)) : planned.tool.radius_mm();
     checkFloor(operation, lowestZ(planned, feature), tol, findings);
     checkArcs(operation, findings);
 
@@ -319,6 +322,7 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
 
 Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Feature& feature,
                const Tolerances& tol) {
+    if (planned.tool.isTap()) return {};
     const ToolAssembly& tool = planned.tool;
     double radius_mm = tool.radius_mm() + tol.sliver_mm;
     const bool fits = tool.isDrill() && tool.radius_mm() >= holeRadiusMm(feature) - kDrillUndersizeMm / 2;

@@ -45,4 +45,12 @@ class TravelProver {
 void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
                    const FeatureState& state, const Findings& findings);
 
+/// A tap cuts its thread in holes that were made for it, with the spindle's turns: at every planned place and
+/// no other, down to the planned height and up again at the planned pitch, in a hole of the thread's core
+/// diameter that is empty down to there and a pitch more. No other tool moves with the spindle.
+/// \param fixtures  of the setup: a tap goes out of a through hole where none lies below
+void proveTapping(const ReadProgram& program, const ReadOperation& operation,
+                  const RecordedOperation& planned, const FeatureState& state,
+                  const std::vector<Fixture>& fixtures, const Tolerances& tol, const Findings& findings);
+
 }  // namespace stepmill::verify

@@ -120,6 +120,7 @@ class SetupProver {
         if (planned.rating)
             verify::proveCuts(*program_, operation, planned, *state.ground, *record_.cut_material,
                               record_.machine, findings);
+        if (planned.tool.isTap()) return;
         std::vector<Move> moves;
         for (const ReadMove& read : operation.moves)
             moves.push_back(read.fed.move);
@@ -145,6 +146,13 @@ class SetupProver {
         return found->second;
     }
 
+    /// Down to where the operation's height matters to what stands: a tap's tip goes on below the floor of a
+    /// through hole.
+    static double lowestStanding(const RecordedOperation& operation, const Feature& feature) {
+        return operation.tool.isTap() ? std::max(operation.z_floor_mm, feature.floor_z_mm)
+                                      : operation.z_floor_mm;
+    }
+
     FeatureState& stateOf(const std::string& id) {
         const auto found = states_.find(id);
         if (found != states_.end()) return found->second;
@@ -155,8 +163,10 @@ class SetupProver {
         state.safe_z_mm = safeZ();
         std::set<double> heights;
         for (const auto& [operation_id, operation] : record_.operations)
-            if (operation.feature_id == id)
-                heights.insert({operation.z_floor_mm, operation.z_floor_mm - operation.leaves.floors_mm});
+            if (operation.feature_id == id) {
+                const double floor_z_mm = lowestStanding(operation, feature);
+                heights.insert({floor_z_mm, floor_z_mm - operation.leaves.floors_mm});
+            }
         for (const double z_mm : heights)
             if (state.standing.empty() || z_mm > state.standing.back().z_mm + verify::kSamePostedHeightMm)
                 state.standing.push_back({z_mm, state.feature.target});
@@ -177,6 +187,7 @@ class SetupProver {
         const std::size_t failures = into_.failures.size();
         verify::proveMoves(operation, planned, now, tol_, findings);
         verify::proveDrilling(operation, planned, now, findings);
+        verify::proveTapping(*program_, operation, planned, now, setup_.fixtures, tol_, findings);
         verify::proveHolder(operation, planned, now, tol_, findings);
         verify::proveDepths(operation, planned, now, tol_, findings);
         if (into_.failures.size() == failures) return;

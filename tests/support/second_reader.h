@@ -85,6 +85,8 @@ class SecondReader {
     void parse() {
         double feed = 0;
         int tool = 0;
+        double speed_rpm = 0;
+        double pitch = 0;
         for (const CanonCall& call : canonCalls(output)) {
             if (call.name == "COMMENT") {
                 noteOperation(call.inside);
@@ -92,12 +94,33 @@ class SecondReader {
                 tool = std::stoi(call.inside);
             } else if (call.name == "SET_FEED_RATE") {
                 feed = std::stod(call.inside);
+            } else if (call.name == "SET_SPINDLE_SPEED") {
+                speed_rpm = call.numbers().at(1);
+            } else if (call.name == "START_SPEED_FEED_SYNC") {
+                pitch = call.numbers().at(0);
+            } else if (call.name == "RIGID_TAP") {
+                addTapping(call, pitch * speed_rpm);
             } else if (call.name == "STRAIGHT_TRAVERSE" || call.name == "STRAIGHT_FEED" ||
                        call.name == "ARC_FEED") {
                 if (operations.empty()) operations.emplace_back();
                 operations.back().tool = tool;
                 operations.back().motions.push_back(motion(call, feed));
             }
+        }
+    }
+
+    /// Down, and back up to where it began.
+    void addTapping(const CanonCall& call, double feed_mm_per_min) {
+        const std::vector<double> v = call.numbers();
+        std::vector<CanonMotion>& motions = operations.back().motions;
+        const Vec3 from = motions.back().to;
+        for (const Vec3& to : {Vec3(v.at(0), v.at(1), v.at(2)), from}) {
+            CanonMotion motion;
+            motion.kind = CanonMotion::Kind::Feed;
+            motion.to = to;
+            motion.feed_mm_per_min = feed_mm_per_min;
+            motion.n_word = call.n_word;
+            motions.push_back(motion);
         }
     }
 

@@ -5,6 +5,7 @@
 namespace stepmill {
 
 /// What a cutter is turned to: its radius over the height from its tip. The radius never gets less upwards.
+/// Of a tap it is the thread's core: what teeth cut beyond is the thread, no volume of the part.
 class CutterForm {
   public:
     explicit CutterForm(const ToolAssembly& tool);

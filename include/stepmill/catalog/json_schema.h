@@ -16,6 +16,7 @@ enum class SchemaName {
     Inspect,
     Rank,
     Fixtures,
+    Holes,
     Verify,
     Manifest,
     Quote,

@@ -5,9 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "stepmill/catalog/thread.h"
+
 namespace stepmill {
 
-enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer };
+enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer, Tap };
 
 /// A cylinder of shank or holder over the cutter: anything as wide as `diameter_mm` between two heights
 /// over the tool tip.
@@ -45,6 +47,9 @@ std::string toString(CutterMaterial material);
 /// The reverse; nothing for another word.
 std::optional<CutterMaterial> cutterMaterialFrom(std::string_view word);
 
+/// Of a tap whose library does not say: so many threads its lead is long, as of a plug tap.
+inline constexpr double kUsualLeadThreads = 4;
+
 /// How far a cutter may be set out of its holder.
 struct StickOutRange {
     double shortest_mm = 0;
@@ -61,6 +66,8 @@ struct ToolAssembly {
     double tip_diameter_mm = 0;     ///< of a chamfer mill: where its cone ends below
     double included_angle_deg = 0;  ///< of a chamfer mill: between its flanks, 90 for chamfers of 45 degrees
     double point_angle_deg = 118;   ///< of a drill: between the flanks of its point
+    std::optional<Thread> thread;   ///< of a tap: what it cuts, right-hand
+    double lead_mm = 0;             ///< of a tap: from its tip to its first full tooth
     double flute_length_mm = 0;
     int flutes = 0;
     CutterMaterial cutter_material = CutterMaterial::Carbide;
@@ -81,6 +88,7 @@ struct ToolAssembly {
 
     double radius_mm() const { return diameter_mm / 2; }
     bool isDrill() const { return type == ToolType::Drill; }
+    bool isTap() const { return type == ToolType::Tap; }
     /// Does it cut forms that flat layers leave: walls that lean, fillets, chamfers?
     bool isForm() const {
         return type == ToolType::Ball || type == ToolType::Bull || type == ToolType::Chamfer;

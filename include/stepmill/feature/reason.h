@@ -34,6 +34,7 @@ enum class Reason {
     Fixture,            ///< a fixture stands there
     BelowStanding,      ///< below what the features above leave
     Allowance,          ///< roughing leaves it on walls and floors, as asked
+    AsAsked,            ///< the hole table leaves it
     LeftBetweenPasses,  ///< small places that the proof found
     NotProven,          ///< no program that cuts it was proven
     PlanningFailed,     ///< an error ended the planning of its feature

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stepmill/catalog/fixture.h"
+#include "stepmill/catalog/hole_table.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/material.h"
 #include "stepmill/catalog/tool.h"
@@ -122,6 +123,7 @@ struct PlanRequest {
     std::optional<Material> cut_material;
     std::string materials_file;  ///< where that was looked for; empty: nowhere
     FixtureFile fixtures;        ///< of setups it does not name the suggested vise's jaws stand
+    HoleTable holes;             ///< what is said of holes beyond the part's file; none: nothing
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
     bool common_ground = true;  ///< nested features may be cut down together where that is quicker
@@ -142,10 +144,11 @@ struct Plan {
     ToolSharing sharing;
     PlanTotals totals;
     VolumeBalance balance;
+    int threads_missing = 0;  ///< holes that the hole table wants tapped and no operation taps
     std::vector<Warning> warnings;
 
-    /// Is all of stock - part machined, nothing left over but rounding? Of roughing: nothing but what it is
-    /// meant to leave.
+    /// Is every thread cut that was asked for, and all of stock - part machined, nothing left over but
+    /// rounding? Of roughing: nothing but what it is meant to leave.
     bool complete(const Tolerances& tol) const;
 };
 

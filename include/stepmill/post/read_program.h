@@ -16,6 +16,8 @@ struct ReadMove {
     std::size_t state = 0;  ///< index into ReadProgram::states
     /// How much nearer to its centre than to its start an arc ends; controllers take some of that [mm].
     double radii_differ_mm = 0;
+    /// The way it goes with each turn of the spindle, coupled to that; 0: not coupled [mm].
+    double pitch_mm = 0;
     /// Ends at the top of the machine's travel, for which the program's highest place stands.
     bool home = false;
 };

@@ -94,13 +94,21 @@ struct Residual {
     std::string taken_by;  ///< id of the later setup that takes the rest; empty: none does
 };
 
-enum class Role { Face, Rough, Rest, Surrogate, Drill, Finish, Form };
+enum class Role { Face, Rough, Rest, Surrogate, Drill, Tap, Finish, Form };
 std::string toString(Role role);
 /// The reverse; nothing for another word.
 std::optional<Role> roleFrom(std::string_view word);
 
-/// Does it clear ground in depths of cut: no drilling, no finishing pass, no form?
+/// Does it clear ground in depths of cut: no drilling, no tapping, no finishing pass, no form?
 bool isClearing(Role role);
+
+/// A thread that a step cuts into holes made before: with the spindle's turns, no volume of the part.
+struct ThreadCut {
+    Thread thread;
+    double tip_z_mm = 0;      ///< the tap goes down to here, ...
+    double full_to_z_mm = 0;  ///< ... and cuts the whole thread down to here
+    std::vector<Vec2> places;
+};
 
 /// One tool's part in a feature.
 struct SequenceStep {
@@ -112,8 +120,9 @@ struct SequenceStep {
     double speed_rpm = 0;
     /// How far the tool must be set out at least for this step; its only stick-out where it has no range.
     double least_stick_out_mm = 0;
-    FinishAllowance leaves;  ///< what a finishing step after it takes off
-    int holes = 0;           ///< that a drilling step makes
+    FinishAllowance leaves;           ///< what a finishing step after it takes off
+    int holes = 0;                    ///< that a drilling step makes, or a tapping one taps
+    std::optional<ThreadCut> thread;  ///< of a tapping step
     /// Of a drilling step: what its point takes below the floor, of volumes that belong to no feature.
     std::vector<ReasonVolume> takes;
 };

@@ -165,6 +165,12 @@ Toolpath drillHoles(const std::vector<Vec2>& centres, double top_z_mm, double ti
 Toolpath drillHole(const Vec2& at, double top_z_mm, double tip_z_mm, double retract_z_mm,
                    const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
 
+/// Taps drilled holes, one after another in this order: rapid over the hole, down to a height from which the
+/// spindle may come up to speed, down to `tip_z_mm` and up again with the spindle's turns, rapid out to the
+/// retract height. The feed is pitch x speed both ways. \pre tool.isTap(), at least one hole
+Toolpath tapHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
+                  const ToolAssembly& tool, double speed_rpm, const Machine& machine);
+
 /// Holes no deeper than so many diameters clear their chips by themselves.
 inline constexpr double kOneGoDiameters = 3;
 

@@ -34,6 +34,7 @@ struct Motion {
     int turns = 1;  ///< P: whole turns before the last one are turns - 1
     double radii_differ_mm = 0;
     double feed_mm_per_min = 0;
+    double pitch_mm = 0;       ///< coupled to the spindle: its way with each turn; 0: not coupled
     bool across = false;       ///< x or y change
     bool names_place = false;  ///< ends at a place of the work offset's, not at the machine's own
 };

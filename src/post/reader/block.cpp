@@ -9,7 +9,7 @@ namespace stepmill::reader {
 namespace {
 
 /// Which controllers have a code?
-enum class Having { All, LinuxCncAlone, AllButGrbl };
+enum class Having { All, LinuxCncAlone, FanucAlone, AllButGrbl };
 
 struct KnownCode {
     char letter;
@@ -31,6 +31,9 @@ constexpr KnownCode kKnownCodes[] = {
     {'G', code(81), ModalGroup::Motion, Having::AllButGrbl},
     {'G', code(82), ModalGroup::Motion, Having::AllButGrbl},
     {'G', code(83), ModalGroup::Motion, Having::AllButGrbl},
+    // On LinuxCNC it is for taps in a chuck that gives way: the feed is not coupled to the spindle.
+    {'G', code(84), ModalGroup::Motion, Having::FanucAlone},
+    {'G', code(33, 1), ModalGroup::Motion, Having::LinuxCncAlone},
     {'G', code(17), ModalGroup::Plane},
     {'G', code(18), ModalGroup::Plane},
     {'G', code(19), ModalGroup::Plane},
@@ -68,18 +71,21 @@ constexpr KnownCode kKnownCodes[] = {
     {'M', code(3), ModalGroup::Spindle},
     {'M', code(4), ModalGroup::Spindle},
     {'M', code(5), ModalGroup::Spindle},
+    {'M', code(29), ModalGroup::RigidTapping, Having::FanucAlone},
     {'M', code(7), ModalGroup::Coolant},
     {'M', code(8), ModalGroup::Coolant},
     {'M', code(9), ModalGroup::Coolant},
 };
 
 /// Letters that some code of ours uses; that it does is looked at with the block's motion.
-constexpr const char* kKnownLetters = "NXYZIJRPQFSTH";
+constexpr const char* kKnownLetters = "NXYZIJKRPQFSTH";
 
 bool hasIt(Having having, const DialectRules& rules) {
     switch (having) {
         case Having::LinuxCncAlone:
             return rules.own_words;
+        case Having::FanucAlone:
+            return rules.tapping == Tapping::G84;
         case Having::AllButGrbl:
             return rules.cycles;
         case Having::All:

@@ -7,7 +7,7 @@
 
 namespace stepmill::reader {
 
-/// Of the codes in one group only one is in force [RS274/NGC, 3.4]. The last four hold M codes.
+/// Of the codes in one group only one is in force [RS274/NGC, 3.4]. The last five hold M codes.
 enum class ModalGroup {
     NonModal,  ///< G4, G28, G30, G53: for their block alone
     Motion,
@@ -24,6 +24,7 @@ enum class ModalGroup {
     Stop,
     ToolChange,
     Spindle,
+    RigidTapping,
     Coolant
 };
 
@@ -33,7 +34,7 @@ constexpr int code(int whole, int tenths = 0) {
 }
 
 constexpr bool isCycle(int motion) {
-    return motion >= code(81) && motion <= code(83);
+    return motion >= code(81) && motion <= code(84);
 }
 constexpr bool isArc(int motion) {
     return motion == code(2) || motion == code(3);

@@ -24,6 +24,7 @@ void checkWords(const Control& control, const Block& block, std::optional<int> m
     };
     need('I', arc, "G2 or G3");
     need('J', arc, "G2 or G3");
+    need('K', motion == code(33, 1), "G33.1");
     need('R', arc || cycle, "G2, G3 or a cycle");
     need('P', dwells || blends || (arc && control.rules.own_words) || motion == code(82),
          "G4, G64, G82 or an arc");
@@ -49,6 +50,9 @@ void checkModes(const Control& control, const Block& block, std::optional<int> m
     if (dwells && motion && isArc(*motion)) control.refuse("G4 with an arc: both use P");
     if (dwells && control.rules.dwell_in_ms && block.hasAny("XYZ"))
         control.refuse("G4 with axis words, of which X is a time on this controller");
+    if (motion == code(33, 1) && !(block.has('Z') && block.has('K'))) control.refuse("G33.1 without Z and K");
+    if (block.has(ModalGroup::RigidTapping, code(29)) && block.hasAny("XYZ"))
+        control.refuse("M29 with axis words");
     if (motion && isCycle(*motion) && !block.hasAny("XYZ"))
         control.refuse(codeName('G', *motion) + " without axis words");
     if (!block.has(ModalGroup::NonModal, code(53))) return;

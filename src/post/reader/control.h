@@ -34,6 +34,7 @@ struct Control {
     std::optional<int> motion_in_force;  ///< nothing after G80 and at first
     std::optional<bool> back_to_start;   ///< G98: cycles return to the height they came from; else to R
     CycleWords cycle;
+    bool rigid_tapping = false;         ///< M29: the next G84 couples the feed to the spindle
     std::optional<double> cycles_from;  ///< height at which the first of the cycles in a row began [mm]
     double feed = 0;                    ///< F in force, mm/min or mm/rev
     std::optional<int> prepared_tool;

@@ -33,6 +33,27 @@ CycleWords cycleWords(const Control& control, const Block& block, int cycle) {
     return words;
 }
 
+/// To a height with the spindle's turns.
+void goCoupled(Control& control, double z_mm, double pitch_mm) {
+    Motion motion;
+    motion.kind = MotionKind::Feed;
+    motion.pitch_mm = pitch_mm;
+    motion.feed_mm_per_min = pitch_mm * control.state.speed_rpm;
+    Place to = control.at;
+    to.z = snapToGrid(z_mm);
+    control.goTo(motion, to);
+}
+
+void tapDown(Control& control, double r, double bottom, double clear_mm) {
+    if (!control.rigid_tapping)
+        control.refuse("G84 without M29 before it: the feed may not be coupled to the spindle");
+    if (control.state.feed_mode != FeedMode::PerMinute) control.refuse("G84 in another feed mode than G94");
+    const double pitch_mm = control.feed / control.state.speed_rpm;
+    goCoupled(control, bottom * control.unit(), pitch_mm);
+    goCoupled(control, r * control.unit(), pitch_mm);
+    control.goToHeight(MotionKind::Rapid, clear_mm);
+}
+
 void feedDown(Control& control, int cycle, const CycleWords& words, double r, double bottom,
               double clear_mm) {
     if (cycle == code(83)) {
@@ -77,7 +98,23 @@ void drill(Control& control, const Block& block, int cycle) {
     over.z = *control.at.z > snapToGrid(r * control.unit()) ? *control.at.z : snapToGrid(clear_mm);
     control.goTo(Motion{}, over);
     control.goToHeight(MotionKind::Rapid, r * control.unit());
+    if (cycle == code(84)) return tapDown(control, r, bottom, clear_mm);
     feedDown(control, cycle, control.cycle, r, bottom, clear_mm);
+}
+
+void tap(Control& control, const Block& block) {
+    if (control.state.plane != Plane::XY) control.refuse("G33.1 is read in G17 alone");
+    if (!control.at.known()) control.refuse("G33.1 from a place that is not known");
+    if (control.state.spin == Spin::Off || control.state.speed_rpm <= 0)
+        control.refuse("G33.1 while the spindle does not turn");
+    const double pitch_mm = control.lengthOf(block, 'K').value();
+    if (pitch_mm <= 0) control.refuse("K is not over zero");
+    const Place from = control.at;
+    const Place to = target(control, block);
+    if (to.x != from.x || to.y != from.y) control.refuse("G33.1 at a slant");
+    if (*to.z >= *from.z) control.refuse("G33.1 that does not go down");
+    goCoupled(control, *to.z, pitch_mm);
+    goCoupled(control, *from.z, pitch_mm);
 }
 
 }  // namespace stepmill::reader

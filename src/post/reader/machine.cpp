@@ -16,6 +16,7 @@ bool Machine::obey(const Block& block, const Where& where) {
     if (block.has(ModalGroup::Motion, code(80))) {
         control_.motion_in_force.reset();
         control_.cycles_from.reset();
+        control_.rigid_tapping = false;
     }
     return stop(block);
 }

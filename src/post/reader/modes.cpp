@@ -35,6 +35,12 @@ void setSpin(Control& control, const Block& block) {
     if (block.has(ModalGroup::Spindle, code(5))) control.state.spin = Spin::Off;
 }
 
+void setRigidTapping(Control& control, const Block& block) {
+    if (!block.has(ModalGroup::RigidTapping, code(29))) return;
+    if (control.state.speed_rpm <= 0) control.refuse("M29 at S0");
+    control.rigid_tapping = true;
+}
+
 void prepareTool(Control& control, const Block& block) {
     const auto t = block.number('T');
     if (!t) return;
@@ -122,6 +128,7 @@ void setModes(Control& control, const Block& block) {
     prepareTool(control, block);
     changeTool(control, block);
     setSpin(control, block);
+    setRigidTapping(control, block);
     setCoolant(control, block);
     dwellIn(control, block);
     setPlaneUnitsDistance(control, block);

@@ -96,10 +96,13 @@ void goHome(Control& control, const Block& block) {
 
 void move(Control& control, const Block& block, int motion) {
     if (!isCycle(motion)) control.cycles_from.reset();
+    if (motion != code(84)) control.rigid_tapping = false;
     if (block.has(ModalGroup::NonModal, code(53))) {
         moveInMachine(control, block);
     } else if (isCycle(motion)) {
         drill(control, block, motion);
+    } else if (motion == code(33, 1)) {
+        tap(control, block);
     } else if (isArc(motion)) {
         arc(control, block, motion == code(3));
     } else {

@@ -96,12 +96,13 @@ Element setupSection(const Inspection& inspection, const InspectedSetup& setup, 
 
 std::optional<Element> holesSection(const Inspection& inspection) {
     if (inspection.holes.empty()) return std::nullopt;
-    Table table({numbers("count"), "class", "steps, mm from the entry", "which"});
+    Table table({numbers("count"), "class", "steps, mm from the entry", "tap core of", "which"});
     for (const HoleGroup& group : groupHoles(inspection.holes)) {
         std::vector<std::string> ids;
         for (const Hole* hole : group.holes)
             ids.push_back(hole->id);
-        table.row(std::to_string(group.holes.size()), group.name, group.steps, listed(ids));
+        table.row(std::to_string(group.holes.size()), group.name, group.steps,
+                  group.tap_core_of.empty() ? "-" : listed(group.tap_core_of), listed(ids));
     }
     return Element("section", Element("h2", "Holes"), std::move(table).element());
 }

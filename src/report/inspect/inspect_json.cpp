@@ -1,3 +1,4 @@
+#include "report/inspect/inspect_words.h"
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
 #include "stepmill/core/enum_words.h"
@@ -96,6 +97,7 @@ Json holeJson(const Hole& hole, const Inspection& inspection) {
             {"depth_mm", number(hole.depth_mm())},
             {"through", hole.through},
             {"drill_point", hole.drill_point},
+            {"tap_core_of", tapCoreOf(hole)},
             {"entry", point(hole.entry)},
             {"axis", point(hole.axis)},
             {"steps", listOf(hole.steps,

@@ -78,8 +78,11 @@ std::string holesBlock(const Inspection& inspection) {
         std::vector<std::string> ids;
         for (const Hole* hole : group.holes)
             ids.push_back(hole->id);
-        text += fmt::format("  {:>3} x {:<28} {}  ({})\n", group.holes.size(), group.name, group.steps,
+        text += fmt::format("  {:>3} x {:<28} {}  ({})", group.holes.size(), group.name, group.steps,
                             fmt::join(ids, ", "));
+        if (!group.tap_core_of.empty())
+            text += fmt::format("  tap core of {}", fmt::join(group.tap_core_of, ", "));
+        text += "\n";
     }
     return text;
 }

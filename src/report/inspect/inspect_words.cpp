@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "stepmill/catalog/thread.h"
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {
@@ -71,6 +72,13 @@ std::string wallWords(const FeatureMeasures& measures) {
                        measures.wall->thin ? " !" : "");
 }
 
+std::vector<std::string> tapCoreOf(const Hole& hole) {
+    std::vector<std::string> names;
+    for (const ThreadSize* size : threadsForCore(hole.diameter_mm()))
+        names.push_back(size->thread.name);
+    return names;
+}
+
 std::vector<HoleGroup> groupHoles(const std::vector<Hole>& holes) {
     std::map<std::pair<double, std::string>, HoleGroup> groups;
     for (const Hole& hole : holes) {
@@ -80,6 +88,7 @@ std::vector<HoleGroup> groupHoles(const std::vector<Hole>& holes) {
         HoleGroup& group = groups[{diameter, holeName(hole) + steps}];
         group.name = holeName(hole);
         group.steps = steps;
+        group.tap_core_of = tapCoreOf(hole);
         group.holes.push_back(&hole);
     }
     std::vector<HoleGroup> all;

@@ -12,10 +12,15 @@ std::string cornerWords(const FeatureMeasures& measures);
 /// "2.1 x 14.0" (thickness by height) with "!" where it is thin, "-" where there is none.
 std::string wallWords(const FeatureMeasures& measures);
 
+/// Names of the coarse threads that the hole's narrowest bore could be tapped with: a hint, for STEP says
+/// nothing of threads.
+std::vector<std::string> tapCoreOf(const Hole& hole);
+
 /// Holes that are the same but for their place.
 struct HoleGroup {
     std::string name;   ///< "countersunk through hole"
     std::string steps;  ///< "Ø6.000 to 20.00, Ø10.000 cone to 22.00"
+    std::vector<std::string> tap_core_of;
     std::vector<const Hole*> holes;
 };
 /// By rising diameter, then name.

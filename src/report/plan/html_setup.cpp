@@ -117,8 +117,13 @@ std::string leavesWords(const FinishAllowance& leaves, const Measures& in) {
                        in.length(leaves.floors_mm));
 }
 
+std::string roleWords(const Operation& operation, const Measures& in) {
+    const std::string thread = operation.thread ? " " + operation.thread->thread.name : "";
+    return toString(operation.role) + thread + leavesWords(operation.leaves, in);
+}
+
 std::string clearanceWords(const Operation& operation, const Measures& in) {
-    if (operation.path.pattern == "drill") return "-";
+    if (operation.holes > 0) return "-";
     return in.fine(operation.proof.least_clearance_mm);
 }
 
@@ -135,14 +140,13 @@ Element operationsTable(const ReportSubject& subject, const PlannedSetup& setup)
         const PathTotals& totals = path.totals;
         table
             .row(operation.id, linkTo(workAnchor(operation), operation.feature_id),
-                 breakable(operation.tool_id), toString(operation.role) + leavesWords(operation.leaves, in),
-                 path.pattern, std::to_string(path.depths), in.number(path.step_down_mm),
-                 in.number(path.step_over_mm), in.feed(path.feed_mm_per_min),
-                 in.feed(path.plunge_feed_mm_per_min), fixed(operation.speed_rpm, 0),
-                 toString(operation.coolant), in.wayNumber(operation.even_length_mm),
-                 in.wayNumber(totals.cut_length_mm), in.wayNumber(totals.feed_air_length_mm),
-                 in.wayNumber(totals.air_length_mm), clearanceWords(operation, in),
-                 clockTime(totals.time_s()), clockTime(totals.motion_time_s))
+                 breakable(operation.tool_id), roleWords(operation, in), path.pattern,
+                 std::to_string(path.depths), in.number(path.step_down_mm), in.number(path.step_over_mm),
+                 in.feed(path.feed_mm_per_min), in.feed(path.plunge_feed_mm_per_min),
+                 fixed(operation.speed_rpm, 0), toString(operation.coolant),
+                 in.wayNumber(operation.even_length_mm), in.wayNumber(totals.cut_length_mm),
+                 in.wayNumber(totals.feed_air_length_mm), in.wayNumber(totals.air_length_mm),
+                 clearanceWords(operation, in), clockTime(totals.time_s()), clockTime(totals.motion_time_s))
             .mark(operationAnchor(operation.id));
     }
     return std::move(table).element();

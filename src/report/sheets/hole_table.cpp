@@ -25,15 +25,24 @@ struct HoleWork {
     int last = -1;  ///< place of its last operation
 };
 
+/// "drilled", "tapped M8x1.25 17.5 deep".
+std::string workWords(const Operation& operation, const Measures& in) {
+    if (!operation.thread) return operation.role == Role::Drill ? "drilled" : "milled";
+    const double depth_mm = operation.z_top_mm - operation.thread->full_to_z_mm;
+    return fmt::format("tapped {} {} deep", operation.thread->thread.name, in.length(depth_mm));
+}
+
 /// Tools of the feature's operations in their order, each once, with what they do.
-HoleWork workOn(const Plan& plan, const PlannedSetup& setup, const WholeFeature<PlannedFeature>& hole) {
+HoleWork workOn(const SheetSubject& subject, const PlannedSetup& setup,
+                const WholeFeature<PlannedFeature>& hole) {
+    const Plan& plan = subject.plan();
     std::vector<std::string> ways;
     HoleWork work;
     for (std::size_t i = 0; i < setup.operations.size(); ++i)
         for (const PlannedFeature* band : hole.bands) {
             const Operation& operation = setup.operations[i];
             if (operation.feature_id != band->feature.id) continue;
-            std::string way = fmt::format("{} T{}", operation.role == Role::Drill ? "drilled" : "milled",
+            std::string way = fmt::format("{} T{}", workWords(operation, subject.measures),
                                           plan.library.tool(operation.tool_id).number);
             if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(std::move(way));
             work.last = static_cast<int>(i);
@@ -69,7 +78,7 @@ std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetu
     for (const WholeFeature<PlannedFeature>& whole : wholeFeatures(setup.features)) {
         if (!isHole(whole.featureClass()) || whole.lowest().target.empty()) continue;
         const Feature& lowest = whole.lowest();
-        const HoleWork work = workOn(subject.plan(), setup, whole);
+        const HoleWork work = workOn(subject, setup, whole);
         HoleGroup hole;
         hole.diameter_mm = 2 * holeRadiusMm(lowest);
         hole.top_mm = whole.uppermost().top_z_mm;

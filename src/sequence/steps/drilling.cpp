@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "sequence/steps/hole_room.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/hole_group.h"
 
@@ -26,16 +27,6 @@ double tipInPointZ(const Feature& hole, const ToolAssembly& drill) {
     const double beside_mm = (hole_mm - drill.radius_mm()) * hole.point_mm / hole_mm;
     const double by_rim_z = hole.floor_z_mm - beside_mm - pointLengthMm(drill);
     return std::max(hole.floor_z_mm - hole.point_mm, by_rim_z);
-}
-
-/// Does a cylinder around the hole's axis meet what stands over its bottom?
-bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm, double radius_mm) {
-    for (const Obstacle& obstacle : feature.obstacles) {
-        if (obstacle.top_z_mm <= bottom_z_mm || obstacle.section.empty()) continue;
-        if (contains(obstacle.section, axis) || distanceToBoundary(obstacle.section, axis) < radius_mm)
-            return true;
-    }
-    return false;
 }
 
 std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const ToolAssembly& drill) {
@@ -105,6 +96,15 @@ double takenBelowMm3(const Feature& hole, const ToolAssembly& drill) {
 }
 
 }  // namespace
+
+bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm, double radius_mm) {
+    for (const Obstacle& obstacle : feature.obstacles) {
+        if (obstacle.top_z_mm <= bottom_z_mm || obstacle.section.empty()) continue;
+        if (contains(obstacle.section, axis) || distanceToBoundary(obstacle.section, axis) < radius_mm)
+            return true;
+    }
+    return false;
+}
 
 double pointLengthMm(const ToolAssembly& drill) {
     return pointLengthMm(drill.radius_mm(), drill.point_angle_deg);

@@ -163,6 +163,38 @@ TEST_F(CommandLine, ABrokenMachineNamesFileAndPlace) {
                   {"mill.json", "line 1"});
 }
 
+TEST_F(CommandLine, ABrokenHoleTableNamesFilePlaceAndExpectation) {
+    write(file("holes.json"), R"({"format": 1, "unit": "mm", "holes": [
+        {"diameter": {"min": 6, "max": 7}, "make": "tap", "thread": "M8x9"}]})");
+    expectRefused(plan({kPart, "-o", out_.string(), "--holes", file("holes.json").string()}), out_,
+                  {"holes.json#/holes/0/thread", "expected a thread such as M8", "M8x9"});
+    expectRefused(plan({kPart, "-o", out_.string(), "--holes", file("none.json").string()}), out_,
+                  {"none.json"});
+}
+
+TEST_F(CommandLine, AThreadThatNoTapCutsGivesAPlanWithReasonAndExitCodeOne) {
+    const ProgramRun run = plan({kSource + "/step_parts/plate_with_holes.step", "-o", out_.string(),
+                                 "--holes", kSource + "/samples/plate_holes.json"});
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.out.find("no thread M8x1.25 is cut in 6 holes: the library has no tap M8x1.25"),
+              std::string::npos)
+        << run.out;
+    EXPECT_TRUE(fs::exists(out_ / "plan.json"));
+}
+
+TEST_F(CommandLine, APlanWithThreadsIsTheSameBytesForOneThreadAndForAll) {
+    std::vector<std::string> plans;
+    for (const char* jobs : {"1", "2"}) {
+        const ProgramRun run = plan({kSource + "/step_parts/plate_with_holes.step", "-o", out_.string(),
+                                     "--holes", kSource + "/samples/plate_holes.json", "--tools",
+                                     kSource + "/samples/shop_with_taps_tools.json", "--jobs", jobs});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        plans.push_back(slurp(out_ / "plan.json") + slurp(out_ / "S1.ngc") + slurp(out_ / "sheets.html"));
+    }
+    EXPECT_EQ(plans[0], plans[1]);
+    EXPECT_NE(plans[0].find("tapped M8x1.25 10.00 mm deep"), std::string::npos);
+}
+
 TEST_F(CommandLine, AnOutputFolderThatCannotBeMadeLeavesNothing) {
     write(file("in_the_way"), "");
     const ProgramRun run = plan({kPart, "-o", file("in_the_way/plan").string()});

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
 
 #include "support/run_program.h"
 #include "support/text_file.h"
@@ -27,6 +31,23 @@ TEST(InspectParts, NothingIsWrittenUnlessAskedForAndPagesAreWhole) {
     const std::string html = slurp(out / "inspect.html");
     EXPECT_NE(html.find("shade tint"), std::string::npos);
     EXPECT_NE(html.find("</html>"), std::string::npos);
+}
+
+TEST(InspectParts, ThreadsWhoseCoreAHoleIsAreAHint) {
+    const TemporaryFolder folder;
+    const std::string part = (kSource / "step_parts/plate_with_holes.step").string();
+    const ProgramRun run = runProgram({stepmillBinary(), "inspect", part, "-o", folder.path()});
+    EXPECT_LE(run.exit_code, 1) << run.err;
+    EXPECT_NE(run.out.find("tap core of M8x1.25"), std::string::npos) << run.out;
+    const std::string pages = folder.path();
+    EXPECT_NE(slurp(fs::path(pages) / "inspect.html").find("M10x1.5"), std::string::npos);
+    std::map<double, std::set<std::string>> hints;
+    const auto inspected = nlohmann::json::parse(slurp(fs::path(pages) / "inspect.json"));
+    for (const auto& hole : inspected.at("holes"))
+        for (const auto& name : hole.at("tap_core_of"))
+            hints[hole.at("diameter_mm")].insert(name);
+    EXPECT_EQ(hints, (std::map<double, std::set<std::string>>{
+                         {5.0, {"M6x1", "1/4-20 UNC"}}, {6.8, {"M8x1.25"}}, {8.5, {"M10x1.5"}}}));
 }
 
 TEST(InspectParts, TwoRunsGiveTheSameBytes) {

@@ -199,6 +199,16 @@ TEST_P(SecondReaderOfFinishing, UnderstandsThePlanAsWeDo) {
     expectUnderstood(GetParam(), kWithAllowance);
 }
 
+TEST(SecondReaderOfThreads, UnderstandsThePlanAsWeDo) {
+    STEPMILL_NEEDS_SECOND_READER();
+    const std::string source = STEPMILL_SOURCE_DIR;
+    for (const ExpectedOutcome& row : expectedPlans({"step_parts"}))
+        if (row.part.find("plate_with_holes") != std::string::npos)
+            return expectUnderstood(row, {"--holes", source + "/samples/plate_holes.json", "--tools",
+                                          source + "/samples/shop_with_taps_tools.json"});
+    FAIL() << "the plate is gone";
+}
+
 const auto kPartName = [](const auto& row) { return testName(row.param); };
 const std::vector<ExpectedOutcome> kSampleParts = expectedPlans({"step_parts"});
 const std::vector<ExpectedOutcome> kAllParts = expectedPlans({"step_parts", "machined", "nist"});

@@ -215,5 +215,46 @@ TEST(SimulateHoles, DrillsStayInsideThePointsOfHoleModel) {
     EXPECT_EQ(gouged(stock, part), 0);
 }
 
+/// Every setup of a part tapped by the table, its taps as wide as the thread's core: what they cut beyond is
+/// the thread. \return  how many holes were tapped
+int tappedHoles(const std::filesystem::path& file, const HoleTable& table) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.holes = table;
+    const ToolLibrary library =
+        readToolLibrary(std::string(STEPMILL_SOURCE_DIR) + "/samples/shop_with_taps_tools.json");
+    const Plan planned = planPart(readStep(file.string()).front(), request, library, defaultMachine(), kTol);
+    int tapped = 0;
+    for (const PlannedSetup& setup : planned.setups) {
+        const Box2 box = mapBox(setup.setup);
+        HeightMap stock(box, kCellMm, setup.setup.stock_bbox_mm.min().z());
+        stock.raise(makeRectangle(box.min(), box.max()), setup.setup.stock_bbox_mm.max().z());
+        for (const Operation& operation : setup.operations) {
+            ToolAssembly tool = planned.library.tool(operation.tool_id);
+            if (operation.thread) tool.diameter_mm = coreRange(operation.thread->thread).least_mm;
+            const HeightMap::Cut cut = stock.run(operation.path, profileOf(tool), kRimMm);
+            EXPECT_EQ(cut.rapid_hits, 0) << operation.id << " first at " << cut.first_hit.transpose();
+            if (!operation.thread) continue;
+            EXPECT_EQ(cut.removed_mm3, 0) << operation.id << " comes into a hole that is not made";
+            tapped += operation.holes;
+        }
+    }
+    return tapped;
+}
+
+TEST(SimulateHoles, TapsMeetNothingButTheWallsOfHolesThatAreMade) {
+    const std::filesystem::path source = STEPMILL_SOURCE_DIR;
+    EXPECT_EQ(tappedHoles(source / "step_parts/plate_with_holes.step",
+                          readHoleTable(source / "samples/plate_holes.json")),
+              10);
+    const std::filesystem::path model = source / "../shared/parts/machined/hole_model.stp";
+    if (!std::filesystem::exists(model)) GTEST_SKIP() << model << " is not here";
+    // One of them blind, drilled and then milled flat.
+    EXPECT_EQ(tappedHoles(model, holeTableFromText(R"({"format": 1, "unit": "mm", "holes": [
+        {"diameter": {"min": 4.9, "max": 5.1}, "make": "tap", "thread": "M6"}]})",
+                                                   "holes.json")),
+              2);
+}
+
 }  // namespace
 }  // namespace stepmill::test

@@ -5,12 +5,12 @@
 #include "support/drilled_plan.h"
 #include "support/golden.h"
 #include "support/second_reader.h"
+#include "support/tapped_plan.h"
 
 namespace stepmill::test {
 namespace {
 
-void expectProgram(const std::string& name, const PostOptions& options) {
-    const Plan plan = drilledPlan();
+void expectProgram(const std::string& name, const PostOptions& options, const Plan& plan = drilledPlan()) {
     std::string text;
     for (const PostedProgram& program : post(jobOf(plan, plan.setups[0]), options))
         text += program.text;
@@ -31,6 +31,16 @@ TEST(GoldenProgram, Grbl) {
 }
 TEST(GoldenProgram, GrblByTool) {
     expectProgram("grbl_by_tool", {Dialect::Grbl, false, true});
+}
+
+TEST(GoldenProgram, ThreadsOnLinuxCnc) {
+    expectProgram("linuxcnc_tapped", {Dialect::LinuxCnc}, tappedPlan());
+}
+TEST(GoldenProgram, ThreadsOnFanuc) {
+    expectProgram("fanuc_tapped", {Dialect::Fanuc}, tappedPlan());
+}
+TEST(GoldenProgram, ThreadsOnFanucInInches) {
+    expectProgram("fanuc_tapped_inch", {Dialect::Fanuc, true}, tappedPlan());
 }
 
 TEST(GoldenProgram, LinuxCncTakesTheInchProgramToo) {

@@ -182,7 +182,7 @@ TEST(ReadTools, ThrowsWhenAskedForAToolItDoesNotHave) {
 }
 
 TEST(SampleTools, AreFreeOfErrorsAndDoubts) {
-    for (const char* name : {"shop_metric_tools.json", "dsouza2006_tools.json"})
+    for (const char* name : {"shop_metric_tools.json", "shop_with_taps_tools.json", "dsouza2006_tools.json"})
         for (const CatalogFinding& finding : checkToolLibrary(sample(name)))
             ADD_FAILURE() << name << finding.pointer << ": " << finding.text;
 }

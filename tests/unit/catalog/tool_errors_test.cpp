@@ -69,7 +69,7 @@ TEST(ToolErrors, TellTheAllowedWords) {
     EXPECT_EQ(messageWith("/format", 2), "tools.json#/format: expected 1, found 2");
     EXPECT_EQ(messageWith("/tools/1/type", "reamer"),
               "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", "
-              "\"chamfer\", found "
+              "\"chamfer\", \"tap\", found "
               "\"reamer\"");
 }
 
