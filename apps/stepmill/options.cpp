@@ -177,9 +177,9 @@ double allowance(double mm, const char* option) {
 
 namespace {
 
-/// What the material's cuts ask for, where feeds are to go by that and it is known.
+/// What the material's cuts ask for, unless feeds are to be the library's or it is not known.
 void readMaterial(const PlanOptions& options, PlanRequest& request) {
-    if (!options.cutting_model && options.materials_file.empty()) return;
+    if (options.library_feeds) return;
     const MaterialFile materials = options.materials_file.empty()
                                        ? defaultMaterials()
                                        : readMaterials(options.materials_file, options.limits.maxFileBytes());

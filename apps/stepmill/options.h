@@ -21,8 +21,8 @@ struct PlanOptions {
     std::string holes_file;      ///< empty: nothing is said of holes
     std::string tools_file;      ///< empty: the built-in shop library
     std::string machine_file;    ///< empty: the built-in machining centre
-    bool cutting_model = false;  ///< feeds by what is cut, of built-in materials
-    std::string materials_file;  ///< the same, of these; empty: the built-in ones
+    bool library_feeds = false;  ///< feeds of the tool library, whatever is cut
+    std::string materials_file;  ///< feeds by what is cut of these; empty: the built-in ones
     std::string buy_file;        ///< tools that could be bought; empty: none are weighed
     std::string material = "aluminium";
     std::string stock = "box";                 ///< "box" or a STEP file

@@ -20,7 +20,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan cavity.step --scallop 0.05\n"
         "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
         "  stepmill plan bracket.step --buy catalogue.json\n"
-        "  stepmill plan bracket.step --material steel --cutting-model\n"
+        "  stepmill plan bracket.step --material steel --library-feeds\n"
         "  stepmill plan bracket.step --fixtures clamps.json\n"
         "  stepmill plan bracket.step --holes threads.json\n"
         "  stepmill plan bracket.step --job job42.json --display inch --pdf\n"

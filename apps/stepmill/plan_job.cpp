@@ -150,11 +150,15 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
                        "what holds the part in each setup (JSON); default: the jaws of the suggested vise");
     command.add_option("--holes", options.holes_file,
                        "which holes are tapped, drilled alone or left (JSON); default: nothing is said");
-    command.add_flag("--cutting-model", options.cutting_model,
-                     "let feeds follow what each move cuts: rated removal, slots, power and torque of the "
-                     "spindle");
-    command.add_option("--materials", options.materials_file,
-                       "what cuts of each material ask for (JSON); default: seven usual ones");
+    CLI::Option* materials =
+        command.add_option("--materials", options.materials_file,
+                           "what cuts of each material ask for, which feeds follow (JSON); default: seven "
+                           "usual ones");
+    command
+        .add_flag("--library-feeds", options.library_feeds,
+                  "the tool library's feeds, whatever is cut: no regard to rated removal, slots, power and "
+                  "torque")
+        ->excludes(materials);
     command.add_option("--material", options.material, "material the cutting data are for")
         ->capture_default_str();
     command.add_option("--objective", options.objective, "what the tool sequence makes least")

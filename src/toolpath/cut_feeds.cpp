@@ -29,6 +29,27 @@ double bandOf(double width_mm, const CuttingFacts& facts) {
     return is_step_over ? std::min(band_mm, facts.step_over_mm) : band_mm;
 }
 
+/// Longer arcs are gone as two, as programs have them: each piece is looked at from its own start.
+constexpr double kLongestSweepRad = 1.5 * kPi;
+
+/// The moves with their long arcs in halves.
+std::vector<Move> withoutLongArcs(const Vec3& start, std::vector<Move> moves) {
+    std::vector<Move> halved;
+    Vec3 from = start;
+    for (Move& move : moves) {
+        const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        if (move.arc && std::abs(sweepAngle(edge.from, edge.to(), *move.arc)) > kLongestSweepRad) {
+            Move half = move;
+            half.to.head<2>() = snapToGrid(pointAt(edge, 0.5));
+            half.to.z() = (from.z() + move.to.z()) / 2;
+            halved.push_back(half);
+        }
+        from = move.to;
+        halved.push_back(std::move(move));
+    }
+    return halved;
+}
+
 bool isLevelFeed(const Move& move) {
     return move.kind == MoveKind::Feed || move.kind == MoveKind::Slot;
 }
@@ -36,26 +57,32 @@ bool isLevelFeed(const Move& move) {
 class PathFeeds {
   public:
     PathFeeds(Toolpath path, const CutGround& ground, const CuttingModel& model)
-        : path_(std::move(path)), ground_(ground), model_(model) {}
+        : path_(std::move(path)), ground_(ground), model_(model) {
+        path_.moves = withoutLongArcs(path_.start, std::move(path_.moves));
+    }
 
     FedPath make() {
-        const std::size_t whole = path_.moves.size();
         part();
-        const bool parted = path_.moves.size() != whole;
         CutFollower follower(ground_, model_.facts().diameter_mm / 2, path_.step_down_mm, kCuspShare);
         Vec3 from = path_.start;
         for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-            Move& move = path_.moves[i];
-            // Without parts all is as it was found first.
-            const MoveCut cut = parted ? follower.next(from, move) : cuts_[i];
-            feed(move, cut, from);
-            from = move.to;
+            feed(path_.moves[i], cutOf(i, from, follower), from);
+            from = path_.moves[i].to;
         }
         finish();
         return {std::move(path_), cuts_summary_};
     }
 
   private:
+    /// What a move of the parted path cuts. A whole one is as wide as it was found; how deep it is hangs on
+    /// how the line above was parted.
+    MoveCut cutOf(std::size_t i, const Vec3& from, CutFollower& follower) const {
+        if (!whole_[i]) return follower.next(from, path_.moves[i]);
+        MoveCut cut = *whole_[i];
+        cut.depth_mm = follower.nextDepth(from, path_.moves[i]).depth_mm;
+        return cut;
+    }
+
     /// Parts the moves that cut narrow in one place and wide in another.
     void part() {
         followed_.emplace(ground_, model_.facts().diameter_mm / 2, path_.step_down_mm, kCuspShare);
@@ -63,11 +90,13 @@ class PathFeeds {
         Vec3 from = path_.start;
         for (const Move& move : path_.moves) {
             const MoveCut cut = followed_->next(from, move);
-            cuts_.push_back(cut);
+            const std::size_t before = parts.size();
             if (isLevelFeed(move) && cut.widths_mm != nullptr && !move.in_air)
                 addParts(move, cut, from, parts);
             else
                 parts.push_back(move);
+            const bool stays = parts.size() == before + 1;
+            whole_.resize(parts.size(), stays ? std::optional(cut) : std::nullopt);
             from = move.to;
         }
         path_.moves = std::move(parts);
@@ -79,7 +108,7 @@ class PathFeeds {
         std::vector<double> feeds;
         for (std::size_t i = 1; i < widths.size(); ++i)
             feeds.push_back(feedOf(move, std::max(widths[i - 1], widths[i]), cut.depth_mm));
-        const std::vector<double> ends = toolpath::feedPieces(feeds, length(edge));
+        const std::vector<double> ends = toolpath::feedPieces(feeds, stepMm(), length(edge));
         double begin = 0;
         for (const double end : ends) {
             const std::optional<Edge> piece = end < 1 ? cutOut(edge, begin, end) : std::nullopt;
@@ -124,10 +153,16 @@ class PathFeeds {
         rules_s_[limited.feed_mm_per_min > feed ? FeedLimit::ToolFeed : limited.limit] += time_s;
         if (cut.widths_mm == nullptr) return countWidth(cut.widest_mm, cut, length_mm, time_s, feed);
         const std::vector<double>& widths = *cut.widths_mm;
-        const double share = 1.0 / static_cast<double>(widths.size() - 1);
-        for (std::size_t i = 1; i < widths.size(); ++i)
-            countWidth((widths[i - 1] + widths[i]) / 2, cut, share * length_mm, share * time_s, feed);
+        double counted = 0;
+        for (std::size_t i = 1; i < widths.size(); ++i) {
+            const double step = i + 1 < widths.size() ? stepMm() / length_mm : 1 - counted;
+            countWidth((widths[i - 1] + widths[i]) / 2, cut, step * length_mm, step * time_s, feed);
+            counted += step;
+        }
     }
+
+    /// How far apart widths are asked.
+    double stepMm() const { return kCutStepShare * model_.facts().diameter_mm / 2; }
 
     void countWidth(double width_mm, const MoveCut& cut, double length_mm, double time_s, double feed) {
         const double share = width_mm / model_.facts().diameter_mm;
@@ -152,7 +187,8 @@ class PathFeeds {
     const CutGround& ground_;
     const CuttingModel& model_;
     std::optional<CutFollower> followed_;  ///< holds the widths that cuts_ point to
-    std::vector<MoveCut> cuts_;            ///< of the whole moves
+    /// Of the parted path's moves, what those cut that are whole.
+    std::vector<std::optional<MoveCut>> whole_;
     CutSummary cuts_summary_;
     std::map<FeedLimit, double> rules_s_;
     double work_ = 0;  ///< kW s

@@ -10,26 +10,25 @@
 #include <tuple>
 
 #include "stepmill/core/units.h"
-#include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "toolpath/engagement/rim.h"
 #include "toolpath/engagement/swept_ways.h"
+#include "toolpath/engagement/trail.h"
 
 namespace stepmill {
 namespace {
 
 using toolpath::EdgeKey;
+using toolpath::isShort;
 using toolpath::keyOf;
 using toolpath::Rim;
 using toolpath::SweptWay;
 using toolpath::SweptWays;
+using toolpath::Trail;
 
-/// Positions along a move, as a share of the radius.
-constexpr double kStepShare = 0.2;
 /// The first and the last position lie so far inside the move, as a share of the radius: where it ends at the
 /// end of an earlier way the rim only touches what lies beyond.
 constexpr double kInsideShare = 0.05;
-/// Longer arcs are looked at as two halves, as programs have them.
-constexpr double kLongestSweepRad = 1.5 * kPi;
 
 Edge edgeOf(const Vec3& from, const Move& move) {
     return makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
@@ -39,29 +38,28 @@ bool isFlat(const Vec3& from, const Move& move) {
     return move.arc || from.head<2>() != move.to.head<2>();
 }
 
-int stepsAlong(const Edge& edge, double radius_mm) {
-    const double step_mm = kStepShare * radius_mm;
-    const auto stepsOf = [&](double length_mm) {
-        return std::max(1, static_cast<int>(std::ceil(length_mm / step_mm)));
-    };
-    const std::optional<Arc>& arc = edge.segment.arc;
-    if (arc && std::abs(sweepAngle(edge.from, edge.to(), *arc)) > kLongestSweepRad)
-        return 2 * stepsOf(length(edge) / 2);
-    return stepsOf(length(edge));
+/// Where widths are asked along an edge, as shares of its length.
+std::vector<double> placesAlong(const Edge& edge, double radius_mm) {
+    const double length_mm = length(edge);
+    const double step = kCutStepShare * radius_mm / length_mm;
+    const int steps = std::max(1, static_cast<int>(std::ceil(1 / step)));
+    const double inside = std::min(0.25, kInsideShare * radius_mm / length_mm);
+    std::vector<double> places;
+    for (int i = 0; i <= steps; ++i)
+        places.push_back(std::clamp(i < steps ? i * step : 1.0, inside, 1 - inside));
+    return places;
 }
 
 }  // namespace
 
 struct CutGround::Impl {
-    Region target;
-    EdgeIndex boundary;
+    IndexedRegion target;
     double top_z_mm;
     SweptWays swept;
 };
 
-CutGround::CutGround(Region target, double top_z_mm) : impl_(std::make_unique<Impl>()) {
-    impl_->boundary = EdgeIndex(target);
-    impl_->target = std::move(target);
+CutGround::CutGround(const Region& target, double top_z_mm) : impl_(std::make_unique<Impl>()) {
+    impl_->target = IndexedRegion(target);
     impl_->top_z_mm = top_z_mm;
 }
 CutGround::CutGround(CutGround&&) noexcept = default;
@@ -90,27 +88,33 @@ struct CutFollower::Impl {
     /// What a level move found, and the state of its level after it.
     struct Known {
         int state = 0;
-        std::vector<double> widths_mm;
+        std::vector<double> widths_mm;  ///< empty until they are asked for
         double widest_mm = 0;
     };
-    /// State of the level, what earlier operations and slopes have swept down to it, where the way begins,
-    /// and the way.
-    using Question = std::tuple<int, std::uint64_t, std::uint64_t, double, double, EdgeKey>;
+    /// State of the level, what earlier operations and slopes have swept down to it, the way, whether it is
+    /// gone back, and where the cutter goes in it if it is short.
+    using Question = std::tuple<int, std::uint64_t, std::uint64_t, EdgeKey, bool, double, double>;
     /// Heights at which a line or arc was gone along last, at the ends as its key has them.
     struct Heights {
         double first_mm;
         double second_mm;
     };
 
-    MoveCut next(const Vec3& from, const Move& move) {
-        if (move.kind == MoveKind::Rapid) return {};
+    MoveCut next(const Vec3& from, const Move& move, bool asks_width) {
+        if (move.kind == MoveKind::Rapid) {
+            trail.clear();
+            return {};
+        }
         const double low_mm = std::min(from.z(), move.to.z());
         const double high_mm = std::max(from.z(), move.to.z());
         const Edge edge = edgeOf(from, move);
         if (!isFlat(from, move)) {
-            if (move.to.z() < from.z()) enter(edge, levelAt(low_mm), low_mm);
+            trail.clear();
+            if (move.to.z() < from.z()) enter(edge, levelAt(low_mm), low_mm, {});
             return {};
         }
+        const std::optional<Vec2> along = isShort(edge) ? trail.directionTo(edge.to()) : std::nullopt;
+        trail.add(edge);
         MoveCut cut;
         cut.depth_mm = depthOf(edge, from.z(), move.to.z());
         if (high_mm - low_mm > kSameCutHeightMm) {
@@ -118,15 +122,19 @@ struct CutFollower::Impl {
             slopes.add(edge, radius_mm, high_mm);
             return cut;
         }
-        const Known& found = lookUp(edge, levelAt(low_mm), low_mm);
-        cut.widths_mm = &found.widths_mm;
-        cut.widest_mm = found.widest_mm;
+        Level& level = levelAt(low_mm);
+        if (asks_width) {
+            const Known& found = lookUp(edge, level, low_mm, along);
+            cut.widths_mm = &found.widths_mm;
+            cut.widest_mm = found.widest_mm;
+        } else {
+            enter(edge, level, low_mm, along);
+        }
         return cut;
     }
 
     double depthOf(const Edge& edge, double from_z_mm, double to_z_mm) {
-        const EdgeKey key = keyOf(edge);
-        const bool turned = key[0] != edge.from.x() || key[1] != edge.from.y();
+        const auto [key, turned] = keyOf(edge);
         const Heights now = turned ? Heights{to_z_mm, from_z_mm} : Heights{from_z_mm, to_z_mm};
         double depth_mm = std::min(step_down_mm, ground.top_z_mm - std::min(from_z_mm, to_z_mm));
         const auto [before, is_new] = gone.try_emplace(key, now);
@@ -146,11 +154,11 @@ struct CutFollower::Impl {
         return levels[z_mm];
     }
 
-    const Known& lookUp(const Edge& edge, Level& level, double z_mm) {
-        bool is_new = false;
-        Known& found = answerTo(edge, level, z_mm, is_new);
-        if (is_new) {
-            found.widths_mm = widthsOf(edge, level, z_mm);
+    /// \param along  where the cutter goes in a short move; nothing: that is not known
+    const Known& lookUp(const Edge& edge, Level& level, double z_mm, const std::optional<Vec2>& along) {
+        Known& found = answerTo(edge, level, z_mm, along);
+        if (found.widths_mm.empty()) {
+            found.widths_mm = widthsOf(edge, level, z_mm, along);
             found.widest_mm = *std::max_element(found.widths_mm.begin(), found.widths_mm.end());
         }
         level.state = found.state;
@@ -158,25 +166,20 @@ struct CutFollower::Impl {
         return found;
     }
 
-    /// Straight down: no width is asked for.
-    void enter(const Edge& edge, Level& level, double z_mm) {
-        bool is_new = false;
-        level.state = answerTo(edge, level, z_mm, is_new).state;
+    /// No width is asked for, as of a way straight down.
+    void enter(const Edge& edge, Level& level, double z_mm, const std::optional<Vec2>& along) {
+        level.state = answerTo(edge, level, z_mm, along).state;
         level.swept.add(edge, radius_mm, z_mm);
     }
 
-    Known& answerTo(const Edge& edge, const Level& level, double z_mm, bool& is_new) {
+    Known& answerTo(const Edge& edge, const Level& level, double z_mm, const std::optional<Vec2>& along) {
         const double down_to_mm = z_mm + kSameCutHeightMm;
-        const Question question{level.state,
-                                ground.swept.setOf(down_to_mm),
-                                slopes.setOf(down_to_mm),
-                                edge.from.x(),
-                                edge.from.y(),
-                                keyOf(edge)};
-        const auto answer = answers.try_emplace(question);
-        is_new = answer.second;
-        if (is_new) answer.first->second.state = ++last_state;
-        return answer.first->second;
+        const auto [key, turned] = keyOf(edge);
+        const Question question{level.state, ground.swept.setOf(down_to_mm), slopes.setOf(down_to_mm), key,
+                                turned,      along ? along->x() : 0,         along ? along->y() : 0};
+        const auto [answer, is_new] = answers.try_emplace(question);
+        if (is_new) answer->second.state = ++last_state;
+        return answer->second;
     }
 
     /// The ways and edges that may matter to a rim somewhere on an edge.
@@ -191,30 +194,39 @@ struct CutFollower::Impl {
         level.swept.forEachNear(box, down_to_mm, add);
         slopes.forEachNear(box, down_to_mm, add);
         ground.swept.forEachNear(box, down_to_mm, add);
-        ground.boundary.forEachIn(box, [&](const Edge& edge) { found.boundary.push_back(&edge); });
+        ground.target.boundary().forEachIn(box, [&](const Edge& edge) { found.boundary.push_back(&edge); });
         return found;
     }
 
-    std::vector<double> widthsOf(const Edge& edge, const Level& level, double z_mm) const {
-        const int steps = stepsAlong(edge, radius_mm);
-        std::vector<double> widths(static_cast<std::size_t>(steps) + 1, 0);
+    std::vector<double> widthsOf(const Edge& edge, const Level& level, double z_mm,
+                                 const std::optional<Vec2>& along) const {
+        const std::vector<double> places = placesAlong(edge, radius_mm);
+        std::vector<double> widths(places.size(), 0);
         if (z_mm >= ground.top_z_mm - kSameCutHeightMm) return widths;
         const Around whole = around(grown(edge.box, radius_mm), level, z_mm + kSameCutHeightMm);
         // Without a boundary near, all of the way is inside, or none of it.
-        const bool inside = whole.boundary.empty() && contains(ground.target, edge.from);
+        const bool inside = whole.boundary.empty() && ground.target.contains(edge.from);
         if (whole.boundary.empty() && !inside) return widths;
-        const double inside_share = std::min(0.25, kInsideShare * radius_mm / length(edge));
-        for (int i = 0; i <= steps; ++i) {
-            const double share = std::clamp(static_cast<double>(i) / steps, inside_share, 1 - inside_share);
-            Rim rim(pointAt(edge, share), tangentAt(edge, share), radius_mm);
+        const auto widthAt = [&](const Vec2& at, const Vec2& direction) {
+            const Box2 near = grown(Box2(at), radius_mm);
+            Rim rim(at, direction, radius_mm);
             for (const SweptWay* way : whole.swept)
-                rim.cover(way->edge, way->radius_mm - cusp_share * radius_mm);
-            if (rim.isCovered()) continue;
-            widths[static_cast<std::size_t>(i)] =
-                inside ? rim.freeWidthMm() : rim.freeWidthInMm(ground.target, whole.boundary);
+                if (way->box.intersects(near)) rim.cover(way->edge, way->radius_mm - cusp_share * radius_mm);
+            if (rim.isCovered()) return 0.0;
+            return inside ? rim.freeWidthMm() : rim.freeWidthInMm(ground.target, whole.boundary);
+        };
+        if (isShort(edge)) {
+            const double width_mm =
+                along ? widthAt(edge.to(), *along) : widthAnyWay(widthAt(edge.to(), tangentAt(edge, 1)));
+            return std::vector<double>(places.size(), width_mm);
         }
+        for (std::size_t i = 0; i < places.size(); ++i)
+            widths[i] = widthAt(pointAt(edge, places[i]), tangentAt(edge, places[i]));
         return widths;
     }
+
+    /// Of a cutter that may go any way: as wide as it is, where it cuts at all.
+    double widthAnyWay(double width_mm) const { return width_mm > 0 ? 2 * radius_mm : 0; }
 
     const CutGround::Impl& ground;
     double radius_mm;
@@ -222,17 +234,22 @@ struct CutFollower::Impl {
     double cusp_share;
     std::map<double, Level> levels;
     SweptWays slopes;
+    Trail trail;
     std::map<EdgeKey, Heights> gone;
     std::map<Question, Known> answers;
     int last_state = 0;
 };
 
 CutFollower::CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share)
-    : impl_(new Impl{*ground.impl_, radius_mm, step_down_mm, cusp_share, {}, {}, {}, {}, 0}) {}
+    : impl_(new Impl{*ground.impl_, radius_mm, step_down_mm, cusp_share, {}, {}, {}, {}, {}, 0}) {}
 CutFollower::~CutFollower() = default;
 
 MoveCut CutFollower::next(const Vec3& from, const Move& move) {
-    return impl_->next(from, move);
+    return impl_->next(from, move, true);
+}
+
+MoveCut CutFollower::nextDepth(const Vec3& from, const Move& move) {
+    return impl_->next(from, move, false);
 }
 
 }  // namespace stepmill

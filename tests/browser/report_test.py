@@ -134,6 +134,10 @@ class Viewer(Report):
         self.until("state", "ended")
         last = self.browser.run(f"{self.buttons('Operations')}.pop().textContent").split()[0]
         self.assertEqual(self.state("operation"), "S1." + last)
+        # At the feeds that the moves have, whatever the cutting data's are; places and feeds are rounded.
+        plan_json = json.loads((pathlib.Path(self.report).parent / "plan.json").read_text())
+        whole = sum(one["time_s"] for one in plan_json["operations"] if one["setup"] == "S1")
+        self.assertAlmostEqual(float(self.state("time")), whole, delta=0.005 * whole)
 
     def test_the_clock_runs_while_it_plays_and_stands_when_it_pauses(self):
         self.focus()

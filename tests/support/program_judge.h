@@ -18,7 +18,7 @@ struct AllowedOperation {
     int tool = 0;
     CutterProfile cutter;  ///< as the tool is: a ball cuts no flat floor
     double speed_rpm = 0;
-    double feed_mm_per_min = 0;
+    double feed_mm_per_min = 0;  ///< the highest, in the thinnest cut
     bool mist = false;
     bool flood = false;
 };

@@ -16,7 +16,7 @@ inline constexpr double kSameCutHeightMm = 3e-4;
 class CutGround {
   public:
     /// \param top_z_mm  nothing of it stands higher
-    CutGround(Region target, double top_z_mm);
+    CutGround(const Region& target, double top_z_mm);
     CutGround(CutGround&&) noexcept;
     CutGround& operator=(CutGround&&) noexcept;
     ~CutGround();
@@ -30,11 +30,15 @@ class CutGround {
     std::unique_ptr<Impl> impl_;
 };
 
+/// Widths are asked at places so far apart, as a share of the radius. They are counted from a move's start,
+/// so that one that rounding has made longer or shorter is asked at the same places.
+inline constexpr double kCutStepShare = 0.2;
+
 /// How much one move cuts.
 struct MoveCut {
     /// Of a level move: width of the cutter's front rim that stands in material, across the direction of
-    /// travel, at equal steps from the move's start to its end [mm]. Null for all others: a slope counts as
-    /// full width.
+    /// travel, every kCutStepShare of the radius from the move's start on and at its end [mm]. Null for all
+    /// others: a slope counts as full width.
     const std::vector<double>* widths_mm = nullptr;
     double widest_mm = 0;
     double depth_mm = 0;  ///< at most so deep; 0 for rapids and for moves straight up or down
@@ -44,8 +48,7 @@ struct MoveCut {
 ///
 /// At every position the width is exact: the rim's arcs that lie in the target and in nothing that was swept,
 /// from where the rim meets their edges. Positions lie a tenth of the diameter apart at most, from just
-/// inside the move's start to just inside its end. Depths of cut that repeat the one above word by word are
-/// looked up.
+/// inside the move's start to just inside its end. Depths of cut that repeat the one above are looked up.
 ///
 /// The depth is the least of the step-down, of what lies under the feature's top, and of what lies under the
 /// height at which the same line or arc was gone along before: so a helix cuts its pitch, not all above it.
@@ -63,6 +66,9 @@ class CutFollower {
 
     /// The cut of the operation's next move. Its widths stay where they are as long as the follower lives.
     MoveCut next(const Vec3& from, const Move& move);
+
+    /// The same where only the depth is asked: `widths_mm` is null.
+    MoveCut nextDepth(const Vec3& from, const Move& move);
 
   private:
     struct Impl;

@@ -152,13 +152,18 @@ Element operationsTable(const ReportSubject& subject, const PlannedSetup& setup)
     return std::move(table).element();
 }
 
-/// What feeds go by, or that they go by nothing but the library.
+/// Why feeds go by nothing but the library.
+std::string whyLibraryFeeds(const Plan& plan) {
+    if (plan.request.cut_material) return "the machine's file tells no spindle";
+    if (plan.request.materials_file.empty()) return "as was asked for (--library-feeds)";
+    return fmt::format("{} does not say what cuts of {} ask for", plan.request.materials_file, plan.material);
+}
+
+/// What feeds go by.
 std::string cutsWords(const Plan& plan) {
     const std::optional<Material>& material = plan.request.cut_material;
     if (!material || plan.machine.spindle_curve.empty())
-        return "Feeds are the library's, whatever is cut: " +
-               std::string(material ? "the machine's file tells no spindle."
-                                    : "no cutting model was asked for (--cutting-model).");
+        return fmt::format("Feeds are the library's, whatever is cut: {}.", whyLibraryFeeds(plan));
     return fmt::format(
         "Feeds follow what each move cuts of {} (kc1.1 {:g} N/mm², mc {:g}: {}). Power is that of "
         "the spindle's motor.",

@@ -9,6 +9,7 @@
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
+#include "report/viewer/packed_path.h"
 
 namespace stepmill::report {
 namespace {
@@ -60,7 +61,7 @@ RunFigures figuresOf(const Plan& plan, const PlannedSetup& setup) {
             run.highest_mm = std::max(run.highest_mm, move.to.z());
             run.lowest_mm = std::min(run.lowest_mm, move.to.z());
         }
-        run.feed_mm_per_min = std::max(run.feed_mm_per_min, path.feed_mm_per_min);
+        run.feed_mm_per_min = std::max(run.feed_mm_per_min, fastestFeed(path));
         run.speed_rpm = std::max(run.speed_rpm, operation.speed_rpm);
         run.cut_mm += path.totals.cut_length_mm;
         run.rapid_mm += path.totals.air_length_mm;

@@ -1,5 +1,6 @@
 #include "report/viewer/packed_path.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,6 +13,7 @@ constexpr std::uint8_t kArcBit = 1U << 3U;
 constexpr std::uint8_t kCcwBit = 1U << 4U;
 constexpr std::uint8_t kInAirBit = 1U << 5U;
 constexpr std::uint8_t kHeightBit = 1U << 6U;
+constexpr std::uint8_t kFeedBit = 1U << 7U;
 
 Place placeOf(const Vec3& p) {
     return {packedSteps(p.x()), packedSteps(p.y()), packedSteps(p.z())};
@@ -31,7 +33,11 @@ class Writer {
         const bool circle = move.arc && move.to.head<2>() == from.head<2>();
         const bool arc = move.arc && (circle || to[0] != at_[0] || to[1] != at_[1]);
         if (!arc && to == at_) return;
-        packed_.bytes.byte(headOf(move, arc, to[2] != at_[2]));
+        const std::int64_t feed =
+            move.kind == MoveKind::Rapid ? feed_mm_per_min_ : std::llround(move.feed_mm_per_min);
+        packed_.bytes.byte(headOf(move, arc, to[2] != at_[2], feed != feed_mm_per_min_));
+        if (feed != feed_mm_per_min_) packed_.bytes.number(feed);
+        feed_mm_per_min_ = feed;
         packed_.bytes.number(to[0] - at_[0]);
         packed_.bytes.number(to[1] - at_[1]);
         if (to[2] != at_[2]) packed_.bytes.number(to[2] - at_[2]);
@@ -46,16 +52,18 @@ class Writer {
     PackedPath take() && { return std::move(packed_); }
 
   private:
-    static std::uint8_t headOf(const Move& move, bool arc, bool changes_height) {
+    static std::uint8_t headOf(const Move& move, bool arc, bool changes_height, bool changes_feed) {
         auto head = static_cast<std::uint8_t>(move.kind);
         if (arc) head |= kArcBit;
         if (arc && move.arc->ccw) head |= kCcwBit;
         if (move.in_air) head |= kInAirBit;
         if (changes_height) head |= kHeightBit;
+        if (changes_feed) head |= kFeedBit;
         return head;
     }
 
     Place at_;
+    std::int64_t feed_mm_per_min_ = 0;
     PackedPath packed_;
 };
 
@@ -75,7 +83,9 @@ std::size_t lastOfStraight(const Toolpath& path, std::size_t first, const Vec3& 
     std::size_t last = first;
     while (last + 1 < path.moves.size() && last - first < kMostMerged) {
         const Move& next = path.moves[last + 1];
-        if (next.arc || next.kind != move.kind || next.in_air != move.in_air) break;
+        if (next.arc || next.kind != move.kind || next.in_air != move.in_air ||
+            next.feed_mm_per_min != move.feed_mm_per_min)
+            break;
         bool near = true;
         for (std::size_t i = first; near && i <= last; ++i)
             near = distanceToLine(path.moves[i].to, from, next.to) <= tolerance_mm;
@@ -96,6 +106,13 @@ PackedPath packed(const Toolpath& path, double tolerance_mm) {
         from = path.moves[i].to;
     }
     return std::move(writer).take();
+}
+
+double fastestFeed(const Toolpath& path) {
+    double fastest = 0;
+    for (const Move& move : path.moves)
+        fastest = std::max(fastest, path.feedOf(move));
+    return fastest;
 }
 
 PackedBytes packed(const Region& region, double chord_mm) {

@@ -188,6 +188,7 @@ class SetupsData {
                 {"pattern", path.pattern},
                 {"anchor", Anchor("operation", operation.id).id()},
                 {"feeds", feeds},
+                {"fastest", json::number(fastestFeed(path))},
                 {"rpm", json::number(operation.speed_rpm)},
                 {"moves", moves.moves},
                 {"path", moves.bytes.text()},

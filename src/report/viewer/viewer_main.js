@@ -22,7 +22,7 @@ const kViews = { 1: [-1, -1.2, 1.1], 2: [0, -0.001, 1], 3: [0, -1, 0], 4: [1, 0,
 const kColourings = [
   ["tool", "tool", (viewer, operation) => viewer.tools.get(operation.tool).tint],
   ["move", "kind of move", (viewer, operation, kind) => kKindTints[kind]],
-  ["feed", "feed", (viewer, operation, kind) => feedTint(operation.feeds[kind] / viewer.fastest)],
+  ["feed", "feed", (viewer, operation, kind, feed) => feedTint(feed / viewer.fastest)],
   ["operation", "operation", (viewer, operation) => operation.tint],
 ];
 
@@ -106,7 +106,7 @@ class Viewer {
     if (this.scene) this.scene.dispose();
     const setup = this.data.setups[index];
     setup.operations.forEach((operation, i) => { operation.tint = kToolTints[i % kToolTints.length]; });
-    this.fastest = Math.max(1, ...setup.operations.flatMap((operation) => operation.feeds.slice(1)));
+    this.fastest = Math.max(1, ...setup.operations.map((operation) => operation.fastest));
     this.run = new SetupRun(setup, this.tools, this.data.step);
     this.scene = new SetupScene(this.stage, this.run, this.partShape, kLooks[this.look]);
     this.goal = 0;
@@ -159,7 +159,7 @@ class Viewer {
     const [, , tintOf] = this.colouring;
     const { raw } = kLooks[this.look];
     const paler = (tint) => tint.map((value, i) => Math.round(value + kPaler * (raw[i] - value)));
-    const tints = this.run.setup.operations.map((operation) => paler(tintOf(this, operation, kFeed)));
+    const tints = this.run.setup.operations.map((operation) => paler(tintOf(this, operation, kFeed, operation.feeds[kFeed])));
     this.scene.stock.setPalette([raw, ...tints]);
     this.showPaths();
     this.ask();
@@ -170,7 +170,7 @@ class Viewer {
     const one = all.length > 0 ? [this.run.operation] : [];
     const [, , tintOf] = this.colouring;
     this.scene.showPaths(this.shown.allPaths ? all : one,
-      (operation, kind) => (kind === kRapid ? kRapidTint : tintOf(this, operation, kind)));
+      (operation, kind, feed) => (kind === kRapid ? kRapidTint : tintOf(this, operation, kind, feed)));
   }
 
   /** \param value  0: the lowest, 1000: nothing is cut away */
@@ -292,8 +292,8 @@ class Viewer {
 
   tellOperation(operation) {
     const tool = this.tools.get(operation.tool);
-    const feeds = kMoveWords.map((words, kind) => [words, operation.feeds[kind]]).filter(([, feed]) => feed > 0)
-      .map(([words, feed]) => words + " " + this.units.feed(feed)).join(", ");
+    const feeds = [...kMoveWords.map((words, kind) => [words, operation.feeds[kind]]), ["fastest", operation.fastest]]
+      .filter(([, feed]) => feed > 0).map(([words, feed]) => words + " " + this.units.feed(feed)).join(", ");
     const place = operation.line > 0 ? operation.file + ", line " + operation.line : "no program is written";
     this.words.replaceChildren(
       element("p", "", element("b", "", operation.id), " ", operation.feature + ", " + operation.role + ", " + operation.pattern),

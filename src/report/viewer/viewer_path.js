@@ -14,6 +14,7 @@ const kArcBit = 0x08;
 const kCcwBit = 0x10;
 const kInAirBit = 0x20;
 const kHeightBit = 0x40;
+const kFeedBit = 0x80;
 
 /** Points that come one by one, in arrays that grow. */
 class GrowingPath {
@@ -22,21 +23,23 @@ class GrowingPath {
     this.places = new Float32Array(3 * 1024);
     this.kinds = new Uint8Array(1024);
     this.times = new Float64Array(1024);
+    this.feeds = new Float32Array(1024);
     this.places.set(start);
   }
 
-  add(x, y, z, kind, time) {
+  add(x, y, z, kind, time, feed) {
     if (this.count === this.kinds.length) this.grow();
     this.places[3 * this.count] = x;
     this.places[3 * this.count + 1] = y;
     this.places[3 * this.count + 2] = z;
     this.kinds[this.count] = kind;
     this.times[this.count] = time;
+    this.feeds[this.count] = feed;
     ++this.count;
   }
 
   grow() {
-    for (const name of ["places", "kinds", "times"]) {
+    for (const name of ["places", "kinds", "times", "feeds"]) {
       const longer = new this[name].constructor(2 * this[name].length);
       longer.set(this[name]);
       this[name] = longer;
@@ -54,7 +57,7 @@ function turnOf(arc, ccw) {
 }
 
 /** Adds an arc from the last point to `to` as chords that stay within `chord` of it. */
-function addArc(path, to, centre, head, speed, chord) {
+function addArc(path, to, centre, head, feed, chord) {
   const last = 3 * (path.count - 1);
   const from = [path.places[last], path.places[last + 1], path.places[last + 2]];
   const startRadius = Math.hypot(from[0] - centre[0], from[1] - centre[1]);
@@ -68,12 +71,13 @@ function addArc(path, to, centre, head, speed, chord) {
   const pieces = Math.max(1, Math.ceil(Math.abs(turn) / Math.max(0.05, most)));
   const length = Math.hypot(turn * startRadius, to[2] - from[2]);
   const began = path.times[path.count - 1];
+  const speed = feed / 60;
   for (let i = 1; i <= pieces; ++i) {
     const share = i / pieces;
     const radius = startRadius + share * (endRadius - startRadius);
     const angle = arc.from + share * turn;
     path.add(centre[0] + radius * Math.cos(angle), centre[1] + radius * Math.sin(angle),
-      from[2] + share * (to[2] - from[2]), kindOf(head), began + (share * length) / speed);
+      from[2] + share * (to[2] - from[2]), kindOf(head), began + (share * length) / speed, feed);
   }
 }
 
@@ -82,34 +86,37 @@ function kindOf(head) {
   return head & (kKindBits | kInAirBit);
 }
 
-function addLine(path, to, head, speed) {
+function addLine(path, to, head, feed) {
   const last = 3 * (path.count - 1);
   const length = Math.hypot(to[0] - path.places[last], to[1] - path.places[last + 1], to[2] - path.places[last + 2]);
-  path.add(to[0], to[1], to[2], kindOf(head), path.times[path.count - 1] + length / speed);
+  path.add(to[0], to[1], to[2], kindOf(head), path.times[path.count - 1] + (60 * length) / feed, feed);
 }
 
 /**
- * The operation's path: places (x, y, z each), kinds (of the way to each place) and times in seconds from the
- * operation's start. Places and kinds have `count` entries.
+ * The operation's path: places (x, y, z each), kinds and feeds (of the way to each place) and times in seconds from the
+ * operation's start. Places, kinds, feeds and times have `count` entries.
  */
 function unpackPath(operation, step, chord) {
   const reader = new NumberReader(operation.path);
   const at = [reader.number(), reader.number(), reader.number()];
   const path = new GrowingPath(at.map((steps) => steps * step));
+  let own = 0;
   for (let left = operation.moves; left > 0; --left) {
     const head = reader.byte();
+    if (head & kFeedBit) own = reader.number();
     const before = [at[0], at[1]];
     at[0] += reader.number();
     at[1] += reader.number();
     if (head & kHeightBit) at[2] += reader.number();
     const to = at.map((steps) => steps * step);
+    const kind = head & kKindBits;
     // A feed that is not told would stand still for ever.
-    const speed = Math.max(1, operation.feeds[head & kKindBits]) / 60;
+    const feed = Math.max(1, kind !== kRapid && own > 0 ? own : operation.feeds[kind]);
     if (head & kArcBit) {
       const centre = [(before[0] + reader.number()) * step, (before[1] + reader.number()) * step];
-      addArc(path, to, centre, head, speed, chord);
+      addArc(path, to, centre, head, feed, chord);
     } else {
-      addLine(path, to, head, speed);
+      addLine(path, to, head, feed);
     }
   }
   return path;

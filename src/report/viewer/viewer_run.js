@@ -94,7 +94,7 @@ class SetupRun {
     const from = path.times[this.place];
     const to = path.times[this.place + 1];
     const wanted = time - this.starts[this.operation];
-    const share = wanted >= to ? 1 : Math.max(this.share, (wanted - from) / (to - from));
+    const share = wanted >= to - kSameTime ? 1 : Math.max(this.share, (wanted - from) / (to - from));
     this.cutPart(path, this.share, share);
     this.share = share;
     if (share < 1) return true;

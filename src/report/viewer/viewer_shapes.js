@@ -99,7 +99,7 @@ function toolGroup(tool, colours) {
 
 /**
  * A path as pairs of points with a colour each; points nearer than `least` to the last one drawn are left out
- * while the kind of move stays. `places` tells how many pairs there are up to each place of the path.
+ * while kind and feed of the moves stay. `places` tells how many pairs there are up to each place of the path.
  */
 function pathGeometry(path, colourOf, least) {
   const positions = new Float32Array(6 * path.count);
@@ -108,11 +108,11 @@ function pathGeometry(path, colourOf, least) {
   let pairs = 0;
   let from = 0;
   for (let i = 1; i < path.count; ++i) {
-    const last = i + 1 === path.count || path.kinds[i + 1] !== path.kinds[i];
+    const last = i + 1 === path.count || path.kinds[i + 1] !== path.kinds[i] || path.feeds[i + 1] !== path.feeds[i];
     if (last || distance(path, from, i) >= least) {
       positions.set(path.places.subarray(3 * from, 3 * from + 3), 6 * pairs);
       positions.set(path.places.subarray(3 * i, 3 * i + 3), 6 * pairs + 3);
-      const colour = colourOf(path.kinds[i] & kKindBits);
+      const colour = colourOf(path.kinds[i] & kKindBits, path.feeds[i]);
       colours.set(colour, 6 * pairs);
       colours.set(colour, 6 * pairs + 3);
       ++pairs;

@@ -132,16 +132,17 @@ double Rim::freeWidthMm() {
     return radius_mm_ * width;
 }
 
-bool Rim::isInside(const Region& region, double angle_rad) const {
-    return contains(region, at(angle_rad, radius_mm_ - kBesideMm)) &&
-           contains(region, at(angle_rad, radius_mm_ + kBesideMm));
+bool Rim::isInside(const IndexedRegion& region, double angle_rad) const {
+    return region.contains(at(angle_rad, radius_mm_ - kBesideMm)) &&
+           region.contains(at(angle_rad, radius_mm_ + kBesideMm));
 }
 
-double Rim::freeWidthInMm(const Region& region, const std::vector<const Edge*>& near) {
+double Rim::freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near) {
     settle();
     std::vector<double> crossings;
+    const Box2 around = grown(Box2(centre_), radius_mm_);
     for (const Edge* edge : near)
-        meetEdge(*edge, crossings);
+        if (edge->box.intersects(around)) meetEdge(*edge, crossings);
     std::sort(crossings.begin(), crossings.end());
     double width = 0;
     for (const Span& span : free_) {

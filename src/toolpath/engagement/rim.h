@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "stepmill/planar/edge.h"
+#include "stepmill/planar/indexed_region.h"
 
 namespace stepmill::toolpath {
 
@@ -20,7 +20,7 @@ class Rim {
     /// Across the direction of travel, of what is left [mm].
     double freeWidthMm();
     /// The same, of what is left inside the region. \param near  its edges that may meet the rim
-    double freeWidthInMm(const Region& region, const std::vector<const Edge*>& near);
+    double freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near);
 
   private:
     struct Span {
@@ -30,7 +30,7 @@ class Rim {
 
     Vec2 at(double angle_rad) const;
     Vec2 at(double angle_rad, double radius_mm) const;
-    bool isInside(const Region& region, double angle_rad) const;
+    bool isInside(const IndexedRegion& region, double angle_rad) const;
     double angleOf(const Vec2& direction) const;
     void addAngle(double angle_rad, std::vector<double>& into) const;
     void meetCircle(const Vec2& centre, double radius_mm, std::vector<double>& into) const;

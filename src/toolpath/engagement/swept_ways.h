@@ -10,16 +10,23 @@
 
 namespace stepmill::toolpath {
 
-/// A line or arc word by word, whichever way it is gone.
-using EdgeKey = std::array<double, 7>;
-EdgeKey keyOf(const Edge& edge);
+/// A line or arc, whichever way it is gone, by what programs have of it: its ends and centre to the last
+/// decimal. A centre that a program tells from the arc's start differs by less, as it is gone one way or the
+/// other.
+using EdgeKey = std::array<std::int64_t, 7>;
+/// A key, and whether the edge is gone from its second end to its first.
+struct DirectedKey {
+    EdgeKey key{};
+    bool turned = false;
+};
+DirectedKey keyOf(const Edge& edge);
 
 /// A way that a disc has gone.
 struct SweptWay {
     Edge edge;
     double radius_mm = 0;
     double low_z_mm = 0;  ///< it has swept down to here
-    EdgeKey key{};
+    Box2 box;             ///< with the disc
 };
 
 /// Ways in the order they were gone, in blocks with a box each: ways that follow each other lie together.
@@ -37,7 +44,7 @@ class SweptWays {
             if (!blocks_[block].intersects(box)) continue;
             const std::size_t end = std::min(ways_.size(), (block + 1) * kBlock);
             for (std::size_t i = block * kBlock; i < end; ++i)
-                if (ways_[i].low_z_mm <= z_mm && boxes_[i].intersects(box)) visit(ways_[i]);
+                if (ways_[i].low_z_mm <= z_mm && ways_[i].box.intersects(box)) visit(ways_[i]);
         }
     }
 
@@ -49,7 +56,6 @@ class SweptWays {
     static constexpr std::size_t kBlock = 16;
 
     std::vector<SweptWay> ways_;
-    std::vector<Box2> boxes_;   ///< with their discs
     std::vector<Box2> blocks_;  ///< of kBlock ways each
     std::map<std::pair<EdgeKey, double>, std::size_t> known_;
     mutable std::map<double, std::uint64_t> sets_;  ///< asked for since the last change

@@ -193,8 +193,10 @@ Json shortTools(double stick_out_mm) {
         tool["stick_out"] = stick_out_mm;
         tool["flute_length"] = std::min(tool.at("flute_length").get<double>(), stick_out_mm);
         for (Json& cutting : tool.at("cutting"))
-            cutting["step_down"] =
-                std::min(cutting.at("step_down").get<double>(), tool["flute_length"].get<double>());
+            for (const char* depth : {"step_down", "slot_step_down"})
+                if (cutting.contains(depth))
+                    cutting[depth] =
+                        std::min(cutting[depth].get<double>(), tool["flute_length"].get<double>());
         if (tool.contains("shank"))
             tool["shank"]["from"] = std::min(tool["shank"].at("from").get<double>(), stick_out_mm);
         for (Json& cylinder : tool.at("holder"))

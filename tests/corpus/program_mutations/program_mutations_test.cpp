@@ -98,17 +98,24 @@ bool isBeyond(const std::vector<std::string>& lines) {
     return false;
 }
 
+/// Thin cuts of a rated operation go faster than its feed, by so much and no faster than the machine.
+double highestFeed(const RecordedOperation& operation, const Machine& machine) {
+    const double feed =
+        std::max(operation.feed_mm_per_min, operation.tool.isDrill() ? operation.plunge_feed_mm_per_min : 0);
+    if (!operation.rating) return feed;
+    const double thinned = kMostChipThinning * feed;
+    return machine.max_feed_mm_per_min > 0 ? std::min(thinned, machine.max_feed_mm_per_min) : thinned;
+}
+
 JudgedSetup judgedSetup(const PlanRecord& record) {
     const RecordedSetup& setup = record.setups.front();
     JudgedSetup judged;
     for (const std::string& id : setup.operation_ids) {
         const RecordedOperation& operation = record.operations.at(id);
-        const double feed = std::max(operation.feed_mm_per_min,
-                                     operation.tool.isDrill() ? operation.plunge_feed_mm_per_min : 0);
         judged.operations[id] = {operation.tool.number,
                                  profileOf(operation.tool),
                                  operation.speed_rpm,
-                                 feed,
+                                 highestFeed(operation, record.machine),
                                  operation.coolant == Coolant::Mist,
                                  operation.coolant == Coolant::Flood};
     }

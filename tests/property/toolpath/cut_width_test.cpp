@@ -86,13 +86,15 @@ TEST_P(RandomPocketWidths, AreThoseOfARaster) {
         }
         const std::vector<double>& widths = *cut.widths_mm;
         const std::size_t steps = widths.size() - 1;
-        const std::size_t stride = std::max<std::size_t>(
-            1, static_cast<std::size_t>(kStretchShare * r / (whole_mm / static_cast<double>(steps))));
+        const auto stride = static_cast<std::size_t>(std::lround(kStretchShare / kCutStepShare));
+        const auto place = [&](std::size_t index) {
+            return std::min(1.0, static_cast<double>(index) * kCutStepShare * r / whole_mm);
+        };
         meter.taken(edge, 0, 0);
         for (std::size_t i = 0; i < steps; i += stride) {
             const std::size_t end = std::min(steps, i + stride);
-            const double a = static_cast<double>(i) / static_cast<double>(steps);
-            const double b = static_cast<double>(end) / static_cast<double>(steps);
+            const double a = place(i);
+            const double b = place(end);
             const double taken_mm2 = meter.taken(edge, a, b);
             const double widest = *std::max_element(widths.begin() + static_cast<std::ptrdiff_t>(i),
                                                     widths.begin() + static_cast<std::ptrdiff_t>(end) + 1);
@@ -100,7 +102,7 @@ TEST_P(RandomPocketWidths, AreThoseOfARaster) {
                       widest + kUnsureMm + kUnsureMm * r / ((b - a) * whole_mm))
                 << "at " << pointAt(edge, a).transpose();
             for (std::size_t k = i; k < end; ++k)
-                sum_mm2 += (widths[k] + widths[k + 1]) / 2 * whole_mm / static_cast<double>(steps);
+                sum_mm2 += (widths[k] + widths[k + 1]) / 2 * (place(k + 1) - place(k)) * whole_mm;
             meter_mm2 += taken_mm2;
         }
     }

@@ -82,7 +82,7 @@ TEST(FewTools, AreTheWidestTheNarrowestAndSomeBetween) {
     double narrowest_mm = 1e9;
     std::size_t mills = 0;
     for (const ToolAssembly& tool : few.tools) {
-        if (tool.isDrill()) continue;
+        if (tool.isDrill() || tool.isTap()) continue;
         ++mills;
         widest_mm = std::max(widest_mm, tool.diameter_mm);
         narrowest_mm = std::min(narrowest_mm, tool.diameter_mm);

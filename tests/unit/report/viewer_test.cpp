@@ -128,6 +128,35 @@ TEST(PackedPath, KeepsAWholeCircleAndMakesNoneOfAShortArc) {
     EXPECT_TRUE(reader.atEnd());
 }
 
+TEST(PackedPath, TellsAFeedWhereItChanges) {
+    Toolpath path;
+    path.feed_mm_per_min = 1000;
+    for (const double x : {1.0, 2.0, 3.0, 4.0}) {
+        path.moves.push_back(feedTo({x, 0, 0}));
+        path.moves.back().feed_mm_per_min = x < 2.5 ? 400.4 : 1500;
+    }
+    Move rapid = feedTo({5, 0, 0});
+    rapid.kind = MoveKind::Rapid;
+    path.moves.push_back(rapid);
+    path.moves.push_back(feedTo({6, 0, 0}));
+    EXPECT_DOUBLE_EQ(fastestFeed(path), 1500);
+    const PackedPath packed_path = packed(path, 0.01);
+    ASSERT_EQ(packed_path.moves, 4u) << "moves of other feeds stay apart";
+    Reader reader(packed_path.bytes);
+    for (int axis = 0; axis < 3; ++axis)
+        reader.number();
+    std::vector<std::int64_t> feeds;
+    for (std::size_t i = 0; i < packed_path.moves; ++i) {
+        const bool changes = (reader.byte() & 0x80) != 0;
+        feeds.push_back(changes ? reader.number() : -1);
+        reader.number();
+        reader.number();
+    }
+    EXPECT_TRUE(reader.atEnd());
+    EXPECT_EQ(feeds, (std::vector<std::int64_t>{400, 1500, -1, 0}))
+        << "a rapid keeps it; then that of the kind";
+}
+
 TEST(PackedPath, RoundsPlacesNotSteps) {
     Toolpath path;
     for (int i = 1; i <= 1000; ++i)

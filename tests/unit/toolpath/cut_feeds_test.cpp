@@ -84,7 +84,7 @@ TEST(FeedPieces, PartWhereThatSavesTime) {
     // Ten steps of 10 mm: the slow one at 400 would cost the others 9 s in all.
     std::vector<double> feeds(10, 1000);
     feeds[4] = 400;
-    const std::vector<double> ends = toolpath::feedPieces(feeds, 100);
+    const std::vector<double> ends = toolpath::feedPieces(feeds, 10, 100);
     ASSERT_EQ(ends.size(), 3U);
     EXPECT_DOUBLE_EQ(ends[0], 0.4);
     EXPECT_DOUBLE_EQ(ends[1], 0.5);
@@ -92,9 +92,9 @@ TEST(FeedPieces, PartWhereThatSavesTime) {
 }
 
 TEST(FeedPieces, StayOneWhereItSavesNothing) {
-    EXPECT_EQ(toolpath::feedPieces({1000, 1000, 1000}, 30), std::vector<double>{1});
+    EXPECT_EQ(toolpath::feedPieces({1000, 1000, 1000}, 10, 30), std::vector<double>{1});
     // 1 mm at 400 instead of 1000 mm/min takes 0.09 s longer.
-    EXPECT_EQ(toolpath::feedPieces({1000, 400}, 2), std::vector<double>{1});
+    EXPECT_EQ(toolpath::feedPieces({1000, 400}, 1, 2), std::vector<double>{1});
 }
 
 }  // namespace

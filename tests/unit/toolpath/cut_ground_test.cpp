@@ -115,6 +115,75 @@ TEST(CutFollower, CutsThePitchOfAHelix) {
         EXPECT_NEAR(cut.depth[i], 0.8, 1e-12) << i;
 }
 
+/// A thin rib across the way is met as wide in a move that rounding has made a step longer or shorter: steps
+/// that divide the length evenly would come to lie elsewhere.
+TEST(CutFollower, FindsTheSameWidthsInAMoveThatIsRounded) {
+    CutGround ground = wideGround();
+    ground.add({36.4, -10, -8}, {feedTo(36.4, 70, -8)}, 4);
+    ground.add({45, -10, -8}, {feedTo(45, 70, -8)}, 4);
+    const double rounded_mm = 0.5e-4;
+    const double whole = follow(ground, {20, 30, -4}, {feedTo(60, 30, -4)}).widest[0];
+    EXPECT_GT(whole, 1);
+    for (const double by_mm : {-rounded_mm, rounded_mm})
+        EXPECT_NEAR(follow(ground, {20, 30, -4}, {feedTo(60 + by_mm, 30, -4)}).widest[0], whole, 1e-3);
+}
+
+/// Programs tell an arc's centre from its start, which rounds otherwise where it is gone back.
+TEST(CutFollower, KnowsALineThatIsGoneBackInSpiteOfRounding) {
+    const Arc there{Vec2(50, 30), 20, true};
+    const Arc back{Vec2(50 + 1e-12, 30 - 1e-12), 20, false};
+    const std::vector<Move> moves{{MoveKind::Ramp, Vec3(50, 50, -1), there, false},
+                                  {MoveKind::Ramp, Vec3(70, 30, -2), back, false},
+                                  {MoveKind::Feed, Vec3(50, 50, -2), there, false}};
+    const Followed cut = follow(wideGround(), {70, 30, 0}, moves);
+    EXPECT_DOUBLE_EQ(cut.depth[0], 1);
+    EXPECT_DOUBLE_EQ(cut.depth[1], 2);
+    EXPECT_DOUBLE_EQ(cut.depth[2], 1);
+}
+
+TEST(CutFollower, AsksNoWidthOfAMoveThatOnlyDepthIsAskedOf) {
+    const CutGround ground = wideGround();
+    CutFollower asked(ground, kRadiusMm, kStepDownMm, 1e-4);
+    CutFollower passed(ground, kRadiusMm, kStepDownMm, 1e-4);
+    const Vec3 start(20, 30, -4);
+    const Move first = feedTo(80, 30, -4);
+    const Move second = feedTo(80, 33, -4);
+    const Move third = feedTo(20, 33, -4);
+    for (CutFollower* follower : {&asked, &passed}) {
+        const bool is_asked = follower == &asked;
+        const MoveCut cut = is_asked ? follower->next(start, first) : follower->nextDepth(start, first);
+        EXPECT_EQ(cut.widths_mm != nullptr, is_asked);
+        EXPECT_DOUBLE_EQ(cut.depth_mm, 4);
+        follower->nextDepth(first.to, second);
+    }
+    EXPECT_EQ(asked.next(second.to, third).widest_mm, passed.next(second.to, third).widest_mm);
+}
+
+/// A micrometre is another direction altogether once its ends are rounded to tenths of one.
+TEST(CutFollower, GoesOnInAMoveThatIsTooShortToHaveADirection) {
+    const CutGround ground = wideGround();
+    const std::vector<Move> beside{feedTo(80, 30, -4), feedTo(80, 33, -4), feedTo(50, 33, -4)};
+    const double along_mm = follow(ground, {20, 30, -4}, beside).widest[2];
+    for (const double off_mm : {-0.0001, 0.0, 0.0001}) {
+        std::vector<Move> moves = beside;
+        moves.push_back(feedTo(50 - 0.0002, 33 + off_mm, -4));
+        EXPECT_NEAR(follow(ground, {20, 30, -4}, moves).widest[3], along_mm, 0.03) << off_mm;
+    }
+}
+
+TEST(CutFollower, TakesAShortMoveOutOfNowhereAsFullWidth) {
+    EXPECT_EQ(follow(wideGround(), {-5 + 0.02, 30, -4}, {feedTo(-5 + 0.03, 30, -4)}).widest[0], 10);
+    EXPECT_EQ(follow(wideGround(), {-6, 30, -4}, {feedTo(-6 + 0.01, 30, -4)}).widest[0], 0);
+}
+
+TEST(CutFollower, SeesWhatManyShortMovesCutTogether) {
+    // Round a corner into ground that nothing has swept.
+    std::vector<Move> moves{feedTo(80, 20, -4), feedTo(80, 23, -4), feedTo(20, 23, -4)};
+    for (int i = 1; i <= 2000; ++i)
+        moves.push_back(feedTo(20, 23 + 0.01 * i, -4));
+    EXPECT_GT(follow(wideGround(), {20, 20, -4}, moves).widest.back(), 9);
+}
+
 TEST(CutFollower, FindsOtherDepthsLikeTheFirst) {
     const std::vector<Move> plan_view{feedTo(80, 30, 0), feedTo(80, 33, 0), feedTo(20, 33, 0)};
     std::vector<Move> moves;
