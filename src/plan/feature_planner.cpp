@@ -218,7 +218,7 @@ class FeaturePlanner {
                     result.warnings.push_back({"feature-failed", one.feature.id, nest.failures[k]});
                 if (nest.hasty[k] != 0 && !one.sequence.steps.empty())
                     result.warnings.push_back(
-                        {"time-limit", one.feature.id,
+                        {"few-tools", one.feature.id,
                          "few tools were weighed: all of them take longer than --timeout allows"});
                 result.features.push_back(std::move(one));
                 if (itself) {

@@ -145,12 +145,16 @@ bool repeatsResiduals(const PlannedSetup& setup, const std::vector<PlannedStage>
     });
 }
 
-/// Every setup on the stock that the paths of those before it leave.
+/// Every setup on the stock that the paths of those before it leave. What setups would cut that there is no
+/// time for stays out of reach. \param late  warned of these
 std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const PlanningShop& shop,
-                                     const Progress& progress) {
+                                     const Progress& progress, Warnings& late) {
     std::vector<PlannedStage> stages;
     SetupWalk walk(setups, shop.request.slicing, shop.tol);
-    while (std::optional<Stage> stage = walk.next()) {
+    const auto no_time = [&] { return !stages.empty() && shop.request.patience.few_tools.passed(); };
+    while (!no_time()) {
+        std::optional<Stage> stage = walk.next();
+        if (!stage) break;
         setFixtures(*stage, shop.request.fixtures, shop.tol);
         if (const auto& leaves = shop.request.roughing)
             stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
@@ -163,6 +167,9 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
         planned.layers = std::move(stage->layers);
         stages.push_back(std::move(planned));
     }
+    if (walk.setupsLeft() > 0)
+        late.push_back({"time-limit", stages.back().setup.setup.id,
+                        fmt::format("no time was left for {} more setups (--timeout)", walk.setupsLeft())});
     return stages;
 }
 
@@ -304,7 +311,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const ToolLibrary drills = drillsOf(usable.library);
     const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol};
 
-    std::vector<PlannedStage> stages = planStages(setups, shop, progress);
+    Warnings late;
+    std::vector<PlannedStage> stages = planStages(setups, shop, progress, late);
     SharedSetups shared =
         withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
     ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, wishes);
@@ -334,6 +342,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     for (const PlannedStage& stage : stages)
         append(plan.warnings, stage.warnings);
     append(plan.warnings, form_warnings);
+    append(plan.warnings, late);
     append(plan.warnings, threaded.warnings);
     append(plan.warnings, wishes.unused(plan.setups));
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));

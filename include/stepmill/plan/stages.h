@@ -66,6 +66,8 @@ class SetupWalk {
 
     /// The next setup; nothing after the last. \throws what slice and recogniseFeatures do
     std::optional<Stage> next();
+    /// How many setups it has not looked at yet.
+    std::size_t setupsLeft() const { return setups_.size() - next_; }
 
     /// Cuts from the stock what the stage really takes away. A stock that cannot be made stays as it arrived,
     /// with a remark. \param removed  in setup coordinates

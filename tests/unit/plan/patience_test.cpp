@@ -48,7 +48,7 @@ TEST(Patience, LeavesNothingForToolsWhereTheTimeIsOver) {
 
 TEST(Patience, FewToolsArePlannedWithWhereAllTakeTooLong) {
     const Plan plan = planWith({Deadline::in(0), {}, {}}, "four_setups.step");
-    EXPECT_TRUE(warns(plan, "time-limit"));
+    EXPECT_TRUE(warns(plan, "few-tools"));
     EXPECT_FALSE(warns(plan, "books"));
     const ToolLibrary few = fewTools(defaultToolLibrary(), "aluminium");
     std::set<std::string> known;
