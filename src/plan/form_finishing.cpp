@@ -241,6 +241,7 @@ bool hasFormCutters(const ToolLibrary& library, const std::string& material) {
 }
 
 std::optional<FormFinishing> finishForms(const FormSources& sources, const FormShop& shop) {
+    shop.deadline.check(formGroundId(sources.setup.id));
     double widest_mm = 0;
     for (const ToolAssembly& tool : shop.library.tools)
         if (tool.isForm() && tool.cuttingFor(shop.material) != nullptr)
