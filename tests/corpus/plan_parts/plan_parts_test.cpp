@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -59,12 +60,25 @@ int exitCodeOf(Outcome outcome) {
     return outcome == Outcome::Planned ? 0 : outcome == Outcome::Gaps ? 1 : 2;
 }
 
-/// Gets no plan within its budget today. As soon as it does, its row must say so.
+/// Does the plan say that time was short?
+bool isShortOfTime(const Json& plan) {
+    const Json& warnings = plan.at("warnings");
+    if (std::any_of(warnings.begin(), warnings.end(), [](const Json& warning) {
+            return warning.at("code") == "few-tools" || warning.at("code") == "time-limit";
+        }))
+        return true;
+    const Json& reasons = plan.at("volume_balance").at("residual_by_reason");
+    return std::any_of(reasons.begin(), reasons.end(),
+                       [](const Json& entry) { return entry.at("reason") == "time limit"; });
+}
+
+/// Gets no plan of all its tools within its budget today. As soon as it does, its row must say so.
 void expectTooSlow(const ExpectedOutcome& expected) {
     const TemporaryFolder folder;
     const fs::path out = fs::path(folder.path()) / "plan";
     const ProgramRun run = runProgram({stepmillBinary(), "plan", expected.path, "-o", out.string(),
                                        "--timeout", fmt::format("{:g}", expected.cpu_s)});
+    if (run.exit_code == 1 && isShortOfTime(Json::parse(slurp(out / "plan.json")))) return;
     EXPECT_EQ(run.exit_code, 2) << "it plans now: write its outcome and processor time into the table\n"
                                 << run.err;
     EXPECT_GE(run.seconds, expected.cpu_s) << "refused before its time was up: " << run.err;
