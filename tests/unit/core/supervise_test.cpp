@@ -119,6 +119,7 @@ TEST(Supervise, BadAllocThrownByHandIsMemoryThatRanOut) {
 
 TEST(Supervise, ASignalToTheParentEndsTheChildAndIsTold) {
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        const auto before = std::signal(signal, SIG_DFL);  // whoever runs the tests may ignore it
         const pid_t parent = ::getpid();
         const Clock::time_point start = Clock::now();
         const Supervised run = runSupervised(
@@ -129,6 +130,7 @@ TEST(Supervise, ASignalToTheParentEndsTheChildAndIsTold) {
                 return 0;
             },
             60);
+        std::signal(signal, before);
         EXPECT_EQ(run.end, Supervised::End::Stopped);
         EXPECT_EQ(run.signal, signal);
         EXPECT_EQ(run.last_stage, "waiting");
