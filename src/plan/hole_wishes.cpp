@@ -81,23 +81,24 @@ std::optional<HoleMaking> HoleWishes::makingOf(const Feature& feature, const Set
 }
 
 std::vector<Warning> HoleWishes::unused(const std::vector<PlannedSetup>& setups) const {
+    std::map<const HoleEntry*, std::vector<Warning>> of_entry;  // of those that choose something
+    for (const PlannedSetup& setup : setups)
+        for (const PlannedFeature& planned : setup.features)
+            for (const HoleWish& wish : of(planned.feature, setup.setup)) {
+                std::vector<Warning>& warnings = of_entry[wish.entry];
+                if (wish.whole || wish.entry->make == HoleMaking::Tap) continue;
+                warnings.push_back({"hole-table", planned.feature.id,
+                                    fmt::format("{}{} chooses {} of {} equal holes, which are made alike: "
+                                                "it is not heeded there",
+                                                table_.file, wish.entry->pointer, wish.places.size(),
+                                                holeCentres(planned.feature).size())});
+            }
     std::vector<Warning> warnings;
     for (const HoleEntry& entry : table_.entries) {
-        bool chosen = false;
-        for (const PlannedSetup& setup : setups)
-            for (const PlannedFeature& planned : setup.features)
-                for (const HoleWish& wish : of(planned.feature, setup.setup)) {
-                    if (wish.entry != &entry) continue;
-                    chosen = true;
-                    if (wish.whole || entry.make == HoleMaking::Tap) continue;
-                    warnings.push_back(
-                        {"hole-table", planned.feature.id,
-                         fmt::format("{}{} chooses {} of {} equal holes, which are made alike: "
-                                     "it is not heeded there",
-                                     table_.file, entry.pointer, wish.places.size(),
-                                     holeCentres(planned.feature).size())});
-                }
-        if (!chosen)
+        const auto found = of_entry.find(&entry);
+        if (found != of_entry.end())
+            append(warnings, std::move(found->second));
+        else
             warnings.push_back({"hole-table", table_.file + entry.pointer,
                                 fmt::format("{}{} chooses no hole of the part", table_.file, entry.pointer)});
     }

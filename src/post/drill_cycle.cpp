@@ -1,21 +1,9 @@
 #include "post/drill_cycle.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace stepmill {
 namespace {
-
-/// Positions closer than this are one: what the decimals of a program leave of equality [mm].
-constexpr double kSamePlaceMm = 1e-3;
-
-bool above(const Vec3& a, const Vec3& b) {
-    return (a.head<2>() - b.head<2>()).norm() <= kSamePlaceMm;
-}
-
-bool sameHeight(double a_mm, double b_mm) {
-    return std::abs(a_mm - b_mm) <= kSamePlaceMm;
-}
 
 /// Moves of one hole, from the first after the way to it.
 struct HoleMoves {
@@ -66,8 +54,7 @@ std::optional<DrillCycle> cycleOf(const JobOperation& operation, const HoleMoves
 }
 
 bool sameHole(const DrillCycle& one, const DrillCycle& other) {
-    return sameHeight(one.initial_z_mm, other.initial_z_mm) && sameHeight(one.r_z_mm, other.r_z_mm) &&
-           sameHeight(one.bottom_z_mm, other.bottom_z_mm) && one.feed_mm_per_min == other.feed_mm_per_min;
+    return one.hasHeightsOf(other) && one.feed_mm_per_min == other.feed_mm_per_min;
 }
 
 /// The move that comes down to the first hole's R plane: the last rapid before the first feed.

@@ -1,18 +1,14 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
+#include "post/hole_cycle.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
 
-/// Equal holes as controllers drill them: over each rapid to the R plane, feed down in pecks, rapid out.
-struct DrillCycle {
-    std::vector<Vec2> places;  ///< in the order they are drilled
-    double initial_z_mm = 0;   ///< where each starts and ends (G98)
-    double r_z_mm = 0;
-    double bottom_z_mm = 0;
+/// Holes that are drilled: fed down in pecks.
+struct DrillCycle : HoleCycle {
     double peck_mm = 0;  ///< deepest peck; 0: in one go
     double feed_mm_per_min = 0;
 };

@@ -1,21 +1,7 @@
 #include "post/tap_cycle.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace stepmill {
 namespace {
-
-/// Positions closer than this are one: what the decimals of a program leave of equality [mm].
-constexpr double kSamePlaceMm = 1e-3;
-
-bool above(const Vec3& a, const Vec3& b) {
-    return (a.head<2>() - b.head<2>()).norm() <= kSamePlaceMm;
-}
-
-bool sameHeight(double a_mm, double b_mm) {
-    return std::abs(a_mm - b_mm) <= kSamePlaceMm;
-}
 
 /// An operation's places: its start, then where each move ends.
 std::vector<Vec3> placesOf(const JobOperation& operation) {
@@ -46,16 +32,12 @@ std::optional<FoundTapCycle> findTapCycle(const JobOperation& operation) {
             !above(at[i], at[i + 2]) || !sameHeight(at[i].z(), at[i + 2].z()) || at[i + 1].z() >= at[i].z())
             return std::nullopt;
         const bool from_rapid = i > 0 && above(at[i - 1], at[i]) && at[i - 1].z() > at[i].z();
-        const double initial_z_mm = from_rapid ? at[i - 1].z() : at[i].z();
+        const HoleCycle hole{{}, from_rapid ? at[i - 1].z() : at[i].z(), at[i].z(), at[i + 1].z()};
         if (cycle.places.empty()) {
             found.moves_before = from_rapid ? i - 1 : i;
-            cycle.initial_z_mm = initial_z_mm;
-            cycle.r_z_mm = at[i].z();
-            cycle.bottom_z_mm = at[i + 1].z();
+            static_cast<HoleCycle&>(cycle) = hole;
         }
-        const bool same = sameHeight(initial_z_mm, cycle.initial_z_mm) &&
-                          sameHeight(at[i].z(), cycle.r_z_mm) && sameHeight(at[i + 1].z(), cycle.bottom_z_mm);
-        if (!same) return std::nullopt;
+        if (!cycle.hasHeightsOf(hole)) return std::nullopt;
         cycle.places.emplace_back(at[i].head<2>());
         ++i;
     }

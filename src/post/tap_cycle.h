@@ -1,19 +1,14 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
+#include "post/hole_cycle.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
 
-/// Holes as controllers tap them: over each, rapid to the R plane, down and up again with the spindle's
-/// turns, rapid out.
-struct TapCycle {
-    std::vector<Vec2> places;  ///< in the order they are tapped
-    double initial_z_mm = 0;   ///< where each starts and ends
-    double r_z_mm = 0;
-    double bottom_z_mm = 0;
+/// Holes that are tapped: down and up again with the spindle's turns.
+struct TapCycle : HoleCycle {
     double pitch_mm = 0;
     double speed_rpm = 0;
 };

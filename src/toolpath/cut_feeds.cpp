@@ -57,7 +57,10 @@ bool isLevelFeed(const Move& move) {
 class PathFeeds {
   public:
     PathFeeds(Toolpath path, const CutGround& ground, const CuttingModel& model)
-        : path_(std::move(path)), ground_(ground), model_(model) {
+        : path_(std::move(path)),
+          ground_(ground),
+          model_(model),
+          followed_(ground, model.facts().diameter_mm / 2, path_.step_down_mm, kCuspShare) {
         path_.moves = withoutLongArcs(path_.start, std::move(path_.moves));
     }
 
@@ -85,11 +88,10 @@ class PathFeeds {
 
     /// Parts the moves that cut narrow in one place and wide in another.
     void part() {
-        followed_.emplace(ground_, model_.facts().diameter_mm / 2, path_.step_down_mm, kCuspShare);
         std::vector<Move> parts;
         Vec3 from = path_.start;
         for (const Move& move : path_.moves) {
-            const MoveCut cut = followed_->next(from, move);
+            const MoveCut cut = followed_.next(from, move);
             const std::size_t before = parts.size();
             if (isLevelFeed(move) && cut.widths_mm != nullptr && !move.in_air)
                 addParts(move, cut, from, parts);
@@ -186,7 +188,7 @@ class PathFeeds {
     Toolpath path_;
     const CutGround& ground_;
     const CuttingModel& model_;
-    std::optional<CutFollower> followed_;  ///< holds the widths that cuts_ point to
+    CutFollower followed_;  ///< holds the widths that whole_ points to
     /// Of the parted path's moves, what those cut that are whole.
     std::vector<std::optional<MoveCut>> whole_;
     CutSummary cuts_summary_;

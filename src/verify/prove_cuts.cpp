@@ -59,12 +59,14 @@ class CutProver {
     /// At a speed below the planned one the spindle gives less.
     const CuttingModel* modelAt(double speed_rpm) {
         if (speed_rpm <= 0 || speed_rpm > planned_.speed_rpm + kSameSpeedRpm) return nullptr;
-        RecordedOperation as_run = planned_;
-        if (speed_rpm < planned_.speed_rpm - kSameSpeedRpm) as_run.speed_rpm = speed_rpm;
-        const auto known = models_.find(as_run.speed_rpm);
+        const bool slower = speed_rpm < planned_.speed_rpm - kSameSpeedRpm;
+        const double run_rpm = slower ? speed_rpm : planned_.speed_rpm;
+        const auto known = models_.find(run_rpm);
         if (known != models_.end()) return &known->second;
+        RecordedOperation as_run = planned_;
+        as_run.speed_rpm = run_rpm;
         const std::optional<CuttingModel> model = cuttingModelOf(as_run, material_, machine_);
-        return model ? &models_.emplace(as_run.speed_rpm, *model).first->second : nullptr;
+        return model ? &models_.emplace(run_rpm, *model).first->second : nullptr;
     }
 
     const ReadProgram& program_;

@@ -7,6 +7,7 @@
 
 #include "stepmill/feature/hole_group.h"
 #include "stepmill/sequence/drilling.h"
+#include "verify/hole_places.h"
 #include "verify/prove_state.h"
 
 namespace stepmill::verify {
@@ -14,16 +15,6 @@ namespace {
 
 /// P words are rounded to milliseconds [s].
 constexpr double kDwellRoundingS = 1e-3;
-/// A tip this near to a hole's axis is in that hole [mm].
-constexpr double kOnAxisMm = 0.01;
-
-bool isOver(const Vec3& place, const Vec2& axis) {
-    return (Vec2(place.head<2>()) - axis).norm() <= kOnAxisMm;
-}
-
-std::string placeWords(const Vec2& axis) {
-    return fmt::format("at X{:.3f} Y{:.3f}", axis.x(), axis.y());
-}
 
 void checkDepth(const ReadOperation& operation, const Vec2& axis, double tip_z_mm, const Findings& findings) {
     const ReadMove* lowest = nullptr;

@@ -9,19 +9,14 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/tapping.h"
 #include "stepmill/toolpath/swept_region.h"
+#include "verify/hole_places.h"
 #include "verify/prove_state.h"
 
 namespace stepmill::verify {
 namespace {
 
-/// A tip this near to a hole's axis is in that hole [mm].
-constexpr double kOnAxisMm = 0.01;
 /// F words of a tap have two decimals in mm, three in inches: half the last of these [mm/min].
 constexpr double kFeedRoundingMmPerMin = 0.0128;
-
-std::string placeWords(const Vec2& axis) {
-    return fmt::format("at X{:.3f} Y{:.3f}", axis.x(), axis.y());
-}
 
 std::string otherToolsTrouble(const ReadMove& read) {
     return fmt::format("is coupled to the spindle by {:.6g} mm a turn; planned is no thread", read.pitch_mm);
@@ -124,7 +119,7 @@ class TapProver {
         const Move& move = read.fed.move;
         const double low_z_mm = std::min(from.z(), move.to.z());
         const bool below = low_z_mm < top() - kSamePostedHeightMm;
-        const bool across = (move.to.head<2>() - from.head<2>()).norm() > kOnAxisMm;
+        const bool across = !isOver(move.to, from.head<2>());
         if (move.kind == MoveKind::Rapid && below)
             return fmt::format("a rapid goes to Z{:.4f}, into the hole", low_z_mm);
         if (across && low_z_mm < state_.safe_z_mm - kSamePostedHeightMm)
@@ -149,9 +144,8 @@ class TapProver {
     /// \param to  the end of the way down
     std::string wrongHole(const Vec3& to) {
         const std::vector<Vec2>& places = planned_.thread->places;
-        const auto place = std::find_if(places.begin(), places.end(), [&](const Vec2& axis) {
-            return (axis - to.head<2>()).norm() <= kOnAxisMm;
-        });
+        const auto place =
+            std::find_if(places.begin(), places.end(), [&](const Vec2& axis) { return isOver(to, axis); });
         if (place == places.end()) return "taps " + placeWords(to.head<2>()) + ", which is not planned";
         ++tapped_[static_cast<std::size_t>(place - places.begin())];
         if (std::abs(to.z() - planned_.z_floor_mm) <= kSamePostedHeightMm) return {};

@@ -35,8 +35,9 @@ struct PurchaseAdvice {
 /// through or ends in a point; and cutters of the library, where the holder or their reach kept them off,
 /// with the stick-out that would do. The area model of [Lim2000] sorts them; the most promising
 /// kPurchaseTrials are sequenced on real paths with the whole library beside them. So what is reported is
-/// really saved, but a better one may be missed. \note  Costs an access curve and up to kPurchaseTrials times
-/// what sequencing the feature does. \see docs/algorithms/ranking.md
+/// really saved, but a better one may be missed.
+/// \note  Costs an access curve and up to kPurchaseTrials times what sequencing the feature does.
+/// \see docs/algorithms/ranking.md
 PurchaseAdvice whatToBuy(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                          const SequenceOptions& options, const Tolerances& tol);
 
