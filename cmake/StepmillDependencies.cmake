@@ -44,6 +44,10 @@ target_compile_options(stepmill_warnings INTERFACE
   # GCC 12 reports these in Eigen and the standard library under -O2, in code that is right.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized -Wno-error=null-dereference -Wno-error=array-bounds
   -Wno-error=stringop-overflow -Wno-error=restrict>)
+if(CMAKE_UNITY_BUILD)
+  # To GCC each joined source is a header, whose types may not hold those of an unnamed namespace.
+  target_compile_options(stepmill_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(STEPMILL_SANITIZE)
   # What is undefined ends the test instead of printing a line nobody reads.
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -8,7 +8,7 @@
 namespace stepmill::feature {
 namespace {
 
-bool identical(const Path& a, const Path& b) {
+bool identicalPaths(const Path& a, const Path& b) {
     if (a.start != b.start || a.segments.size() != b.segments.size()) return false;
     for (std::size_t i = 0; i < a.segments.size(); ++i)
         if (a.segments[i].to != b.segments[i].to || a.segments[i].arc != b.segments[i].arc) return false;
@@ -20,7 +20,7 @@ bool identical(const Path& a, const Path& b) {
 bool identical(const Region& a, const Region& b) {
     if (a.loops.size() != b.loops.size()) return false;
     for (std::size_t i = 0; i < a.loops.size(); ++i)
-        if (!identical(a.loops[i], b.loops[i])) return false;
+        if (!identicalPaths(a.loops[i], b.loops[i])) return false;
     return true;
 }
 

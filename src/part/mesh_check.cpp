@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "part/occt_values.h"
+
 namespace stepmill {
 namespace {
 
@@ -66,10 +68,6 @@ class Mesh {
     TopoDS_Shape shape_;
     Box3 box_;
 };
-
-Vec3 toVec3(const gp_Pnt& p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 /// Integrals of x dA_x, y dA_y, z dA_z over a face, about `origin`; nothing without triangles.
 std::optional<Vec3> integrate(const TopoDS_Face& face, const Vec3& origin) {

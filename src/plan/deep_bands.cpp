@@ -15,7 +15,7 @@ namespace stepmill {
 namespace {
 
 /// A mill that reaches less than this share of a feature's depth clears it in no number of bands.
-constexpr double kMostBands = 100;
+constexpr double kMostDeepBands = 100;
 
 /// Of the widest mill, which does most of the work; of several the longest. 0: there is no mill.
 double bandMm(const ToolLibrary& library, const std::string& material) {
@@ -36,7 +36,7 @@ double bandMm(const ToolLibrary& library, const std::string& material) {
 /// How many bands one feature, or one band of it, is cut in.
 int bandsOf(const Feature& feature, double band_mm) {
     if (band_mm <= 0 || isHole(feature.feature_class) || feature.depth_mm() <= band_mm) return 1;
-    return static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostBands)));
+    return static_cast<int>(std::ceil(std::min(feature.depth_mm() / band_mm, kMostDeepBands)));
 }
 
 /// Band `i` of `count` equally deep ones.

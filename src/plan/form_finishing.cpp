@@ -16,7 +16,7 @@ namespace {
 
 /// A cutter that takes less than this, or than this share of what is there, is not worth its change [mm3].
 constexpr double kLeastGainMm3 = 0.5;
-constexpr double kLeastGainShare = 0.01;
+constexpr double kLeastFormGainShare = 0.01;
 /// Sequences that take this share of what the best takes take as much.
 constexpr double kAsMuchShare = 0.99;
 
@@ -44,7 +44,7 @@ class FormChooser {
     FormChooser(const FormSite& site, const FormShop& shop)
         : work_(site, shop),
           all_(site.ground, shop.tol),
-          least_mm3_(std::max(kLeastGainMm3, kLeastGainShare * all_.volumeMm3())) {}
+          least_mm3_(std::max(kLeastGainMm3, kLeastFormGainShare * all_.volumeMm3())) {}
 
     const StandingStairs& all() const { return all_; }
 

@@ -20,8 +20,6 @@ namespace {
 /// Bands are no thinner, whatever the lean, and no thicker on walls that lean at all [mm].
 constexpr double kThinnestBandMm = 0.01;
 constexpr double kThickestBandMm = 0.25;
-/// Heights of bands are numbers that programs can say [mm].
-constexpr double kHeightStepMm = 1e-4;
 /// A setup has no more bands than this; where it would, they are cut coarser.
 constexpr std::size_t kMostBands = 500;
 /// ... but never coarser than for a skin of that thickness [mm].

@@ -23,8 +23,6 @@ constexpr double kThinnestStairMm = 0.1;
 /// ... and thick enough where no more than this volume, or than this share of what may stand, is left out.
 constexpr double kLeftOutMm3 = 0.01;
 constexpr double kLeftOutShare = 0.02;
-/// Heights of stairs are numbers that plan.json can say [mm].
-constexpr double kHeightStepMm = 1e-4;
 
 /// Volume of a layer that tools from above see and flat ones leave.
 double seenFromAboveMm3(const Layer& layer) {

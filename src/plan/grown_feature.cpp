@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "stepmill/plan/removed.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -82,10 +83,6 @@ void grow(std::vector<Obstacle>& obstacles, const Surplus& surplus, double top_m
     }
 }
 
-double heightOf(const Residual& residual) {
-    return residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;
-}
-
 }  // namespace
 
 Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerances& tol) {
@@ -115,7 +112,7 @@ std::vector<Residual> onNominalStock(std::vector<Residual> residual, const Featu
     if (grown.area_mm2 == feature.area_mm2 && grown.top_z_mm == feature.top_z_mm) return residual;
     for (Residual& one : residual) {
         // A drill's point leaves less than a prism: its height is a mean.
-        const double height_mm = heightOf(one);
+        const double height_mm = meanHeightMm(one);
         const bool whole = height_mm >= grown.depth_mm() - kOnTopMm;
         if (grown.area_mm2 != feature.area_mm2) {
             one.region = intersect(one.region, feature.target, tol);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/plan_warnings.h"
 #include "stepmill/feature/hole_group.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/part/face_graph.h"

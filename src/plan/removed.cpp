@@ -4,13 +4,10 @@
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
-namespace {
 
-double heightOf(const Residual& residual) {
+double meanHeightMm(const Residual& residual) {
     return residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;
 }
-
-}  // namespace
 
 const Residual* belowReach(const PlannedFeature& planned) {
     const double below_mm = planned.sequence.floor_z_mm - planned.feature.floor_z_mm;
@@ -18,7 +15,7 @@ const Residual* belowReach(const PlannedFeature& planned) {
     // What stands beside the tools can be as high; it covers less.
     const Residual* found = nullptr;
     for (const Residual& residual : planned.sequence.residual) {
-        if (residual.region.empty() || std::abs(heightOf(residual) - below_mm) >= kSameHeightMm) continue;
+        if (residual.region.empty() || std::abs(meanHeightMm(residual) - below_mm) >= kSameHeightMm) continue;
         if (found == nullptr || residual.area_mm2 > found->area_mm2) found = &residual;
     }
     return found;
@@ -35,9 +32,9 @@ std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& to
     const Residual* below = belowReach(planned);
     for (const Residual& residual : sequence.residual) {
         if (residual.region.empty() || &residual == below) continue;
-        if (heightOf(residual) >= depth - kSameHeightMm)
+        if (meanHeightMm(residual) >= depth - kSameHeightMm)
             standing.push_back(residual.region);
-        else if (heightOf(residual) > kSameHeightMm)
+        else if (meanHeightMm(residual) > kSameHeightMm)
             low.push_back(&residual);
     }
     Region cut = standing.empty() ? feature.target : subtract(feature.target, unite(standing, tol), tol);
@@ -46,7 +43,7 @@ std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& to
         Region over = intersect(cut, residual->region, tol);
         if (area(over) <= tol.area_mm2) continue;
         cut = subtract(cut, residual->region, tol);
-        prisms.push_back({std::move(over), feature.top_z_mm, sequence.floor_z_mm + heightOf(*residual)});
+        prisms.push_back({std::move(over), feature.top_z_mm, sequence.floor_z_mm + meanHeightMm(*residual)});
     }
     if (area(cut) > tol.area_mm2) prisms.push_back({std::move(cut), feature.top_z_mm, sequence.floor_z_mm});
     return prisms;

@@ -10,7 +10,7 @@ namespace {
 /// An arc's two radii may differ by this much in the program [mm]; controllers refuse arcs much worse.
 constexpr double kRadiusAgreementMm = 1e-3;
 /// Controllers refuse arcs of next to no radius; their ends are as good as one point [mm].
-constexpr double kLeastRadiusMm = 4e-4;
+constexpr double kLeastWrittenRadiusMm = 4e-4;
 /// Arcs that leave their chord by less than half the last metric decimal are lines.
 constexpr double kStraightMm = 0.5e-4;
 /// Longer arcs are written as two: a full circle's end is its start, and close ends are ambiguous once
@@ -141,7 +141,7 @@ void MotionWriter::arcPiece(const Point& to, const Arc& arc, double feed_mm_per_
         (i == 0 && j == 0) ? 0 : sweepAngle(from, end, Arc{from + Vec2(mm(i), mm(j)), radius_mm, arc.ccw});
     // Rounding may have turned the ends of a tiny arc past each other: then it would run the long way round.
     const bool turned = std::abs(sweep) > kLongestSweepRad + kPi / 4;
-    if (sweep == 0 || turned || radius_mm < kLeastRadiusMm || sagitta(radius_mm, sweep) < kStraightMm)
+    if (sweep == 0 || turned || radius_mm < kLeastWrittenRadiusMm || sagitta(radius_mm, sweep) < kStraightMm)
         return straight(1, to, feed_mm_per_min);
     begin(arc.ccw ? 3 : 2);
     out_ += " X" + number(to.x) + " Y" + number(to.y);

@@ -29,7 +29,7 @@ constexpr double kSameShare = 1e-6;
 /// Three numbers of six decimals are of length 1 to this.
 constexpr double kUnitLength = 1e-5;
 
-std::string at(const char* list, std::size_t index, const char* field = nullptr) {
+std::string pointerTo(const char* list, std::size_t index, const char* field = nullptr) {
     return field == nullptr ? fmt::format("#/{}/{}", list, index)
                             : fmt::format("#/{}/{}/{}", list, index, field);
 }
@@ -39,9 +39,9 @@ void checkUnique(const Json& plan, const char* list, const char* field) {
     for (std::size_t i = 0; i < plan[list].size(); ++i) {
         const auto [first, is_new] = seen.emplace(plan[list][i][field], i);
         if (!is_new)
-            failAt(at(list, i, field),
+            failAt(pointerTo(list, i, field),
                    fmt::format("expected a value that no other has, found {} as in {}",
-                               plan[list][i][field].dump(-1, ' ', true), at(list, first->second)));
+                               plan[list][i][field].dump(-1, ' ', true), pointerTo(list, first->second)));
     }
 }
 
@@ -57,14 +57,14 @@ void checkListed(const Json& plan, const char* list) {
             const std::string id = name;
             const auto found = setup_of.find(id);
             if (found == setup_of.end() || found->second != setup["id"].get<std::string>())
-                failAt(at("setups", i, list), fmt::format("'{}' is none of this setup", id));
+                failAt(pointerTo("setups", i, list), fmt::format("'{}' is none of this setup", id));
             if (!listed.insert(id).second)
-                failAt(at("setups", i, list), fmt::format("'{}' stands twice", id));
+                failAt(pointerTo("setups", i, list), fmt::format("'{}' stands twice", id));
         }
     }
     for (std::size_t i = 0; i < plan[list].size(); ++i)
         if (listed.count(plan[list][i]["id"]) == 0)
-            failAt(at(list, i, "setup"),
+            failAt(pointerTo(list, i, "setup"),
                    fmt::format("no setup lists '{}'", plan[list][i]["id"].get<std::string>()));
 }
 
@@ -123,7 +123,7 @@ void checkRatings(const Json& plan) {
     const bool tells_forces = plan.contains("cut_material") && plan["machine"].contains("spindle");
     for (std::size_t i = 0; i < plan["operations"].size() && !tells_forces; ++i)
         if (plan["operations"][i].contains("rating"))
-            failAt(at("operations", i, "rating"),
+            failAt(pointerTo("operations", i, "rating"),
                    "expected none in a plan without cut_material or the machine's spindle");
 }
 
@@ -135,7 +135,7 @@ void checkParents(const Json& plan) {
         for (std::size_t k = 0; k < feature["bands"].size(); ++k)
             for (const Json& parent : feature["bands"][k]["parents"])
                 if (!isBand(parent, feature["setup"], setups))
-                    failAt(fmt::format("{}/{}/parents", at("features", i, "bands"), k),
+                    failAt(fmt::format("{}/{}/parents", pointerTo("features", i, "bands"), k),
                            fmt::format("{} is none of this setup", wordsOf(nameOf(parent))));
     }
     checkNoCircle(plan);
@@ -279,9 +279,9 @@ std::map<BandName, std::string> setupsOfForms(const Json& plan) {
     for (std::size_t i = 0; i < plan["forms"].size(); ++i) {
         const Json& form = plan["forms"][i];
         if (form["id"].get<std::string>() != formGroundId(form["setup"]))
-            failAt(at("forms", i, "id"), "expected the id of its setup's ground");
+            failAt(pointerTo("forms", i, "id"), "expected the id of its setup's ground");
         if (!setups.emplace(BandName{form["id"], 1}, form["setup"]).second)
-            failAt(at("forms", i, "id"), "expected a setup that no other form has");
+            failAt(pointerTo("forms", i, "id"), "expected a setup that no other form has");
     }
     return setups;
 }
@@ -291,7 +291,7 @@ void checkAxes(const Json& plan) {
         const Json& axis = plan["setups"][i]["axis"];
         const double length = std::hypot(axis[0].get<double>(), axis[1].get<double>(), axis[2].get<double>());
         if (std::abs(length - 1) > kUnitLength)
-            failAt(at("setups", i, "axis"),
+            failAt(pointerTo("setups", i, "axis"),
                    fmt::format("expected a unit vector, found one of length {:g}", length));
     }
 }
@@ -302,8 +302,9 @@ void checkPrograms(const Json& plan) {
     for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
         const std::string name = programName(plan["setups"][i]["id"], *dialect);
         if (plan["setups"][i]["program"] != name)
-            failAt(at("setups", i, "program"), fmt::format("expected {}, found '{}'", name,
-                                                           plan["setups"][i]["program"].get<std::string>()));
+            failAt(pointerTo("setups", i, "program"),
+                   fmt::format("expected {}, found '{}'", name,
+                               plan["setups"][i]["program"].get<std::string>()));
     }
 }
 
@@ -327,18 +328,18 @@ void checkPlanRules(const Json& plan) {
         checkUnique(plan, list, "id");
     checkUnique(plan, "tools", "number");
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
-        checkBands(plan["features"][i], at("features", i));
+        checkBands(plan["features"][i], pointerTo("features", i));
     checkParents(plan);
     checkRatings(plan);
     std::map<std::string, Json> tools;
     for (std::size_t i = 0; i < plan["tools"].size(); ++i) {
-        checkTool(plan["tools"][i], at("tools", i));
+        checkTool(plan["tools"][i], pointerTo("tools", i));
         tools[plan["tools"][i]["id"]] = plan["tools"][i];
     }
     std::map<BandName, std::string> setups_of_work = setupsOfBands(plan);
     setups_of_work.merge(setupsOfForms(plan));
     for (std::size_t i = 0; i < plan["operations"].size(); ++i)
-        checkOperation(plan["operations"][i], tools, setups_of_work, at("operations", i));
+        checkOperation(plan["operations"][i], tools, setups_of_work, pointerTo("operations", i));
     checkListed(plan, "features");
     checkListed(plan, "operations");
     checkAxes(plan);
@@ -434,7 +435,7 @@ void checkBooks(const Json& plan, const Tolerances& tol) {
         const Json& setup = plan["setups"][i];
         if (!setup.contains("volume_balance")) continue;
         const double planned_mm3 = setup["volume_balance"]["planned_mm3"];
-        const std::string pointer = at("setups", i, "volume_balance/planned_mm3");
+        const std::string pointer = pointerTo("setups", i, "volume_balance/planned_mm3");
         if (planned_mm3 > volume_of[setup["id"]] + rounding_mm3)
             failAt(pointer, fmt::format("{:.3f} is more than its features hold, {:.3f}", planned_mm3,
                                         volume_of[setup["id"]]));

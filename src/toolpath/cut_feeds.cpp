@@ -30,7 +30,7 @@ double bandOf(double width_mm, const CuttingFacts& facts) {
 }
 
 /// Longer arcs are gone as two, as programs have them: each piece is looked at from its own start.
-constexpr double kLongestSweepRad = 1.5 * kPi;
+constexpr double kLongestArcRad = 1.5 * kPi;
 
 /// The moves with their long arcs in halves.
 std::vector<Move> withoutLongArcs(const Vec3& start, std::vector<Move> moves) {
@@ -38,7 +38,7 @@ std::vector<Move> withoutLongArcs(const Vec3& start, std::vector<Move> moves) {
     Vec3 from = start;
     for (Move& move : moves) {
         const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
-        if (move.arc && std::abs(sweepAngle(edge.from, edge.to(), *move.arc)) > kLongestSweepRad) {
+        if (move.arc && std::abs(sweepAngle(edge.from, edge.to(), *move.arc)) > kLongestArcRad) {
             Move half = move;
             half.to.head<2>() = snapToGrid(pointAt(edge, 0.5));
             half.to.z() = (from.z() + move.to.z()) / 2;

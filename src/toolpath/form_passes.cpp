@@ -15,7 +15,7 @@ namespace {
 /// So many passes lie beside each other at most.
 constexpr int kMostRings = 100;
 /// Stretches without material that are shorter than this many radii are gone along rather than lifted over.
-constexpr double kBridgeRadii = 1;
+constexpr double kLevelBridgeRadii = 1;
 /// Whether a pass is needed is asked for stretches no longer than so many radii.
 constexpr double kLongestEdgeRadii = 0.5;
 /// Stairs farther over the tip than the cutter's form is high, and this much, ask for no pass [mm].
@@ -90,7 +90,7 @@ std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, double radius_mm)
     for (const Edge& edge : edges)
         needed.push_back(static_cast<char>(meeting.at(edge)));
     if (std::find(needed.begin(), needed.end(), 1) == needed.end()) return {};
-    bridge(edges, kBridgeRadii * radius_mm, needed);
+    bridge(edges, kLevelBridgeRadii * radius_mm, needed);
     const auto gap = std::find(needed.begin(), needed.end(), 0);
     if (gap == needed.end()) return {loop};
     std::vector<Path> pieces;

@@ -11,7 +11,7 @@ namespace stepmill::toolpath {
 namespace {
 
 /// Corners that turn less than this need no disc of their own: the gap is some nanometres thin [rad].
-constexpr double kStraightRad = 1e-6;
+constexpr double kNoDiscRad = 1e-6;
 /// Arcs are cut into pieces no longer than this, so that none meets itself.
 constexpr double kLongestSweepRad = kPi / 2;
 
@@ -73,7 +73,7 @@ void addWay(const Path& way, double radius_mm, std::vector<Region>& into) {
             if (next.arc || next.to != segment.to) {
                 const Vec2 before = tangentAt(from, segment, 1);
                 const Vec2 after = tangentAt(segment.to, next, 0);
-                smooth = (before - after).norm() < kStraightRad;
+                smooth = (before - after).norm() < kNoDiscRad;
             }
         }
         if (!smooth) addDisc(segment.to, radius_mm, into);

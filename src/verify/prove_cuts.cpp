@@ -17,7 +17,7 @@ constexpr double kWidthRounding = 0.02;
 /// Heights are rounded twice [mm].
 constexpr double kDepthRoundingMm = 2e-3;
 /// Feeds may be this much higher, as a share.
-constexpr double kFeedRounding = 5e-3;
+constexpr double kCutFeedRounding = 5e-3;
 /// Swept ground counts as narrower by this share of the radius: half of what plans take.
 constexpr double kCuspShare = 0.005;
 /// Speeds closer than this are one [1/min].
@@ -47,7 +47,7 @@ class CutProver {
         const double width_mm = cut.widest_mm - kWidthRounding * planned_.tool.diameter_mm;
         const LimitedFeed allowed =
             model->feedFor(std::max(0.0, width_mm), std::max(0.0, cut.depth_mm - kDepthRoundingMm));
-        if (read.fed.feed_mm_per_min <= allowed.feed_mm_per_min * (1 + kFeedRounding)) return true;
+        if (read.fed.feed_mm_per_min <= allowed.feed_mm_per_min * (1 + kCutFeedRounding)) return true;
         findings_.add(read.line,
                       fmt::format("feeds at {:.1f} mm/min in a cut {:.2f} mm wide and {:.2f} mm deep; "
                                   "{:.1f} are allowed ({})",

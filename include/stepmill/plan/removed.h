@@ -7,6 +7,9 @@
 
 namespace stepmill {
 
+/// Height of a prism of the residual's area and volume [mm].
+double meanHeightMm(const Residual& residual);
+
 /// The residual under a floor that the tools do not reach; nothing when they do.
 const Residual* belowReach(const PlannedFeature& planned);
 

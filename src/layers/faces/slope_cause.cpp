@@ -12,7 +12,7 @@ constexpr double kSameMeshMm = 2e-3;
 /// Leaning that much or less from the vertical is draft.
 const double kDraftNormal = std::sin(20 * kPi / 180);
 /// Steeper than that from the horizontal, a bevel is a chamfer rather than a nearly level face.
-const double kLevelNormal = std::sin(80 * kPi / 180);
+const double kChamferNormal = std::sin(80 * kPi / 180);
 
 class Namer {
   public:
@@ -81,7 +81,7 @@ class Namer {
 
     /// A bevel from a floor's outer edge down to a vertical wall's.
     bool isChamfer(const FaceTrace& trace) const {
-        if (trace.greatest_normal_z > kLevelNormal) return false;
+        if (trace.greatest_normal_z > kChamferNormal) return false;
         bool wall = false;
         for (const FaceNeighbour& neighbour : trace.neighbours) {
             const FaceTrace& other = traces_[neighbour.face];

@@ -59,11 +59,11 @@ Region insidePolygon(const Region& region) {
 }
 
 /// How a way crosses the boundary of a region.
-enum class Crossing { Leaves, Enters };
+enum class WallCrossing { Leaves, Enters };
 
 /// What meets the walls of a loop on its way: the ground between each run of edges that the way crosses like
 /// that and the run moved back.
-void addSwept(const Loop& loop, const Vec2& travel, Crossing how, const Box2& reached,
+void addSwept(const Loop& loop, const Vec2& travel, WallCrossing how, const Box2& reached,
               std::vector<Region>& into) {
     std::vector<Vec2> run;
     const auto finish = [&] {
@@ -74,14 +74,14 @@ void addSwept(const Loop& loop, const Vec2& travel, Crossing how, const Box2& re
             for (std::size_t i = run.size(); i > 0; --i)
                 run.push_back(run[i - 1] - travel);
             // Edges that are entered run against those that are left.
-            if (how == Crossing::Enters) std::reverse(run.begin(), run.end());
+            if (how == WallCrossing::Enters) std::reverse(run.begin(), run.end());
             into.push_back(makePolygon(run));
         }
         run.clear();
     };
     for (const auto& [from, segment] : eachEdge(loop)) {
         const double turn = cross(travel, segment.to - from);
-        const bool crosses = how == Crossing::Leaves ? turn > kGridMm : turn < -kGridMm;
+        const bool crosses = how == WallCrossing::Leaves ? turn > kGridMm : turn < -kGridMm;
         if (!crosses) finish();
         if (crosses && run.empty()) run.push_back(from);
         if (crosses) run.push_back(segment.to);
@@ -95,7 +95,7 @@ Region staysInside(const Region& from_where, const Region& outline, const Vec2& 
     const Box2 reached = grown(boundingBox(from_where), travel.norm());
     std::vector<Region> meets_wall;
     for (const Loop& loop : outline.loops)
-        addSwept(loop, travel, Crossing::Leaves, reached, meets_wall);
+        addSwept(loop, travel, WallCrossing::Leaves, reached, meets_wall);
     return meets_wall.empty() ? from_where : subtract(from_where, unite(meets_wall, tol), tol);
 }
 
@@ -104,7 +104,7 @@ Region comesInside(const Region& outline, const Vec2& travel, const Tolerances& 
     const Box2 everywhere = grown(boundingBox(outline), travel.norm());
     std::vector<Region> inside{outline};
     for (const Loop& loop : outline.loops)
-        addSwept(loop, travel, Crossing::Enters, everywhere, inside);
+        addSwept(loop, travel, WallCrossing::Enters, everywhere, inside);
     return unite(inside, tol);
 }
 

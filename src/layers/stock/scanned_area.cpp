@@ -28,11 +28,11 @@ struct Line {
 };
 
 /// A point or a stretch of the line with that number.
-struct Crossing {
+struct LineCrossing {
     int line = 0;
     double x = 0;
 
-    auto operator<=>(const Crossing&) const = default;
+    auto operator<=>(const LineCrossing&) const = default;
 };
 struct Stretch {
     int line = 0;
@@ -117,8 +117,8 @@ void sortByLine(std::vector<OnLine>& all, std::size_t lines) {
 
 /// Adds where lines cross an edge between two heights.
 template <typename XAt>
-void cross(const std::vector<Line>& lines, double one_y, double other_y, const XAt& x_at,
-           std::vector<Crossing>& into) {
+void crossLines(const std::vector<Line>& lines, double one_y, double other_y, const XAt& x_at,
+                std::vector<LineCrossing>& into) {
     const double low = std::min(one_y, other_y);
     const double high = std::max(one_y, other_y);
     const auto below = [](const Line& line, double y) { return line.y < y; };
@@ -140,18 +140,18 @@ std::pair<double, double> inBand(const BandedPolygon& polygon, double y) {
 }
 
 /// What of the lines lies inside, between each two crossings.
-void addInside(const std::vector<Crossing>& crossings, std::vector<Stretch>& into) {
+void addInside(const std::vector<LineCrossing>& crossings, std::vector<Stretch>& into) {
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
         if (crossings[i].line == crossings[i + 1].line)
             into.push_back({crossings[i].line, crossings[i].x, crossings[i + 1].x});
 }
 
 void addInside(const BandedPolygon& polygon, const std::vector<Line>& lines, std::vector<Stretch>& into) {
-    std::vector<Crossing> crossings;
+    std::vector<LineCrossing> crossings;
     crossings.reserve(4 * lines.size());
     for (const BandedPolygon::Side& side : polygon.sides) {
         const Vec2 run = side.to - side.from;
-        cross(
+        crossLines(
             lines, side.from.y(), side.to.y(),
             [&](double y) { return side.from.x() + run.x() * (y - side.from.y()) / run.y(); }, crossings);
     }
@@ -167,9 +167,9 @@ void addInside(const BandedPolygon& polygon, const std::vector<Line>& lines, std
 }
 
 std::vector<Stretch> regionOnLines(const IndexedRegion& within, const std::vector<Line>& lines) {
-    std::vector<Crossing> crossings;
+    std::vector<LineCrossing> crossings;
     for (const MonotonePiece& piece : within.pieces())
-        cross(
+        crossLines(
             lines, piece.from.y(), piece.to.y(), [&](double y) { return piece.xAt(y); }, crossings);
     sortByLine(crossings, lines.size());
     std::vector<Stretch> inside;

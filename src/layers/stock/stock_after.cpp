@@ -20,7 +20,7 @@ constexpr double kNothingMm3 = 1e-3;
 constexpr double kFilmMm = 0.01;
 
 /// What is taken from a layer is integrated over at most as many stretches between bends of earlier cuts.
-constexpr int kStretches = 32;
+constexpr int kTakenStretches = 32;
 
 /// Cuts by a setup in one of its layers, between two heights where they change.
 struct CutStretch {
@@ -138,8 +138,9 @@ StockAfter stockAfter(const Setup& setup, const LayerStack& layers, const std::v
         const double height = stretch.top_z_mm - stretch.bottom_z_mm;
         after.prisms_mm3 += area(stretch.gone) * height;
         if (stretch.layer->stock_air_mm3 <= 0) continue;
-        after.removed_mm3 -= air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm, kStretches) +
-                             raw_air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm);
+        after.removed_mm3 -=
+            air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm, kTakenStretches) +
+            raw_air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm);
     }
     after.removed_mm3 += after.prisms_mm3;
     after.stock.volume_mm3 -= after.removed_mm3;

@@ -24,6 +24,7 @@
 
 #include "part/measure.h"
 #include "part/mesh_check.h"
+#include "part/occt_values.h"
 
 namespace stepmill {
 namespace {
@@ -33,10 +34,6 @@ constexpr int kSamplesPerEdge = 9;
 /// More on an edge of many knots: each span may bulge by itself.
 constexpr int kSamplesPerSpan = 3;
 constexpr int kMostSamples = 400;
-
-Vec3 toVec3(const gp_Pnt& p) {
-    return {p.X(), p.Y(), p.Z()};
-}
 
 /// Worst distance of an edge's two vertices from the ends of its curve.
 double vertexGap(const TopoDS_Edge& edge) {

@@ -30,6 +30,7 @@
 #include <XSControl_WorkSession.hxx>
 
 #include "part/measure.h"
+#include "part/occt_values.h"
 
 namespace stepmill {
 namespace {
@@ -50,10 +51,6 @@ class SilentMessenger {
 
 std::string textOf(const Handle(TCollection_HAsciiString) & text) {
     return text.IsNull() ? std::string() : std::string(text->ToCString());
-}
-
-TopoDS_Shape unplaced(const TopoDS_Shape& shape) {
-    return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
 }
 
 /// Refuses shape entities whose values are of the wrong kind or number. The reader notes them, leaves

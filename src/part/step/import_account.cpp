@@ -27,13 +27,10 @@
 #include <fmt/format.h>
 
 #include "part/measure.h"
+#include "part/occt_values.h"
 
 namespace stepmill {
 namespace {
-
-TopoDS_Shape unplaced(const TopoDS_Shape& shape) {
-    return shape.Located(TopLoc_Location()).Oriented(TopAbs_FORWARD);
-}
 
 int idOf(const Handle(Interface_InterfaceModel) & model, const Handle(Standard_Transient) & entity) {
     return Handle(StepData_StepModel)::DownCast(model)->IdentLabel(entity);

@@ -8,6 +8,11 @@
 
 namespace stepmill::planar {
 
+/// Numbers of nodes, curves and pieces as containers want them.
+inline std::size_t at(int index) {
+    return static_cast<std::size_t>(index);
+}
+
 /// An edge of an operand as it came in.
 struct Curve : Edge {
     int operand = 0;  ///< 0 or 1

@@ -18,10 +18,6 @@ namespace stepmill::planar {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 /// Calls visit(i, j) for all pairs of boxes that overlap.
 template <typename Visit>
 void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visit visit) {

@@ -20,10 +20,6 @@ constexpr double kOnCurveMm = 1.95 * kGridMm;
 /// Circles closer than this are one circle that was rounded differently.
 constexpr double kSameCircleMm = 3 * kGridMm;
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 // Walks --------------------------------------------------------------------------------------------------
 
 /// Closed walks along the pieces with the inside always next to them on the left; a walk that comes back

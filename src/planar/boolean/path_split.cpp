@@ -15,7 +15,7 @@ namespace {
 
 enum class Side { Inside, On, Outside };
 
-struct Stretch {
+struct SidedStretch {
     Side side;
     Path path;
 };
@@ -59,7 +59,7 @@ std::vector<Vec2> cutsOf(const Edge& edge, const EdgeIndex& boundary, double nea
     return points;
 }
 
-void append(std::vector<Stretch>& stretches, Side side, const Vec2& from, const Segment& segment,
+void append(std::vector<SidedStretch>& stretches, Side side, const Vec2& from, const Segment& segment,
             bool continues_segment) {
     if (stretches.empty() || stretches.back().side != side) {
         stretches.push_back({side, Path{from, {segment}}});
@@ -77,7 +77,7 @@ void append(std::vector<Stretch>& stretches, Side side, const Vec2& from, const 
 
 SplitPath split(const Path& path, const Region& region, const Tolerances& tol) {
     const Ground ground{region, EdgeIndex(region)};
-    std::vector<Stretch> stretches;
+    std::vector<SidedStretch> stretches;
     for (const Edge& edge : edgesOf(path)) {
         std::vector<Vec2> ends = cutsOf(edge, ground.boundary, tol.linear_mm);
         ends.push_back(edge.segment.to);
@@ -97,7 +97,7 @@ SplitPath split(const Path& path, const Region& region, const Tolerances& tol) {
         stretches.front().path = std::move(joined);
     }
     SplitPath result;
-    for (Stretch& stretch : stretches) {
+    for (SidedStretch& stretch : stretches) {
         auto& list = stretch.side == Side::Inside ? result.inside
                      : stretch.side == Side::On   ? result.on
                                                   : result.outside;

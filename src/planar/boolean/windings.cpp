@@ -18,10 +18,6 @@ namespace stepmill::planar {
 
 namespace {
 
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
 Vec2 mirrored(const Vec2& p) {
     return {p.y(), p.x()};
 }

@@ -87,7 +87,7 @@ class Nodes {
 };
 
 /// An edge of the graph as one of its two sites sees it.
-struct Side {
+struct EdgeSide {
     int site = 0;
     int stop = kUnbounded;
     std::size_t begin = 0;
@@ -99,9 +99,9 @@ struct Side {
 
 /// All pieces in the order of the boundary. The disc at the end of each is the one at the next one's
 /// beginning, all round the loop.
-std::vector<Side> sidesOf(const Profile& profile, Nodes& nodes) {
+std::vector<EdgeSide> sidesOf(const Profile& profile, Nodes& nodes) {
     const int count = static_cast<int>(profile.sites().size());
-    std::vector<Side> sides;
+    std::vector<EdgeSide> sides;
     for (int site = 0; site < count;) {
         const int loop = profile.sites()[site].loop;
         const std::size_t first = sides.size();
@@ -117,19 +117,19 @@ std::vector<Side> sidesOf(const Profile& profile, Nodes& nodes) {
 }
 
 /// Joins the ends of every edge as its two sites see them.
-void joinSides(const std::vector<Side>& sides, Nodes& nodes) {
-    std::map<std::pair<int, int>, std::vector<const Side*>> drawn;
-    for (const Side& side : sides)
+void joinSides(const std::vector<EdgeSide>& sides, Nodes& nodes) {
+    std::map<std::pair<int, int>, std::vector<const EdgeSide*>> drawn;
+    for (const EdgeSide& side : sides)
         if (side.draws()) drawn[{side.site, side.stop}].push_back(&side);
-    for (const Side& side : sides) {
+    for (const EdgeSide& side : sides) {
         const auto others = drawn.find({side.stop, side.site});
         if (others == drawn.end()) continue;
-        const auto apart = [&](const Side* other) {
+        const auto apart = [&](const EdgeSide* other) {
             return std::max(nodes.distance(side.begin, other->end), nodes.distance(side.end, other->begin));
         };
-        const Side* other =
+        const EdgeSide* other =
             *std::min_element(others->second.begin(), others->second.end(),
-                              [&](const Side* a, const Side* b) { return apart(a) < apart(b); });
+                              [&](const EdgeSide* a, const EdgeSide* b) { return apart(a) < apart(b); });
         nodes.joinIfNear(side.begin, other->end);
         nodes.joinIfNear(side.end, other->begin);
     }
@@ -140,7 +140,7 @@ void joinSides(const std::vector<Side>& sides, Nodes& nodes) {
 MedialAxis medialAxisOf(const Profile& profile) {
     MedialAxis axis;
     Nodes nodes;
-    const std::vector<Side> sides = sidesOf(profile, nodes);
+    const std::vector<EdgeSide> sides = sidesOf(profile, nodes);
     joinSides(sides, nodes);
     const std::vector<std::size_t> merged = nodes.merge();
     std::vector<std::size_t> number(merged.size(), kNoNode);
@@ -152,7 +152,7 @@ MedialAxis medialAxisOf(const Profile& profile) {
         }
         return known;
     };
-    for (const Side& side : sides) {
+    for (const EdgeSide& side : sides) {
         // An arc's centre: the leaf in the arc, and all there is in a disc.
         if (side.stop == kOwnCentre) numberOf(side.begin);
         if (!side.draws() || merged[side.begin] == merged[side.end]) continue;

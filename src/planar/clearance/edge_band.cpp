@@ -13,9 +13,9 @@ namespace {
 /// Arcs are swept in pieces no longer than this, so that no loop comes round to itself [rad].
 constexpr double kMostTurnRad = std::numbers::pi / 2;
 /// Arcs of smaller radius lose their shape on the grid [mm].
-constexpr double kLeastRadiusMm = 1e-5;
+constexpr double kLeastBandRadiusMm = 1e-5;
 /// Edges shorter than this lie within a disc on their neighbours [mm].
-constexpr double kShortMm = 2 * kGridMm;
+constexpr double kShortEdgeMm = 2 * kGridMm;
 
 Region loopOf(const Vec2& start, std::vector<Segment> segments) {
     Region region;
@@ -55,7 +55,7 @@ Region wedge(const Vec2& from, const Vec2& to, const Arc& arc, double distance) 
 
 void appendSwept(const Vec2& from, const Segment& segment, double distance, std::vector<Region>& swept) {
     if (!segment.arc) {
-        if ((segment.to - from).norm() > kShortMm) swept.push_back(alongLine(from, segment.to, distance));
+        if ((segment.to - from).norm() > kShortEdgeMm) swept.push_back(alongLine(from, segment.to, distance));
         return;
     }
     const double sweep = std::abs(sweepAngle(from, segment.to, *segment.arc));
@@ -63,9 +63,9 @@ void appendSwept(const Vec2& from, const Segment& segment, double distance, std:
     for (int k = 0; k < count; ++k) {
         Vec2 a = pointAt(from, segment, static_cast<double>(k) / count);
         Vec2 b = pointAt(from, segment, static_cast<double>(k + 1) / count);
-        if ((a - b).norm() <= kShortMm) continue;
+        if ((a - b).norm() <= kShortEdgeMm) continue;
         if (!segment.arc->ccw) std::swap(a, b);
-        if (segment.arc->radius_mm > distance + kLeastRadiusMm) {
+        if (segment.arc->radius_mm > distance + kLeastBandRadiusMm) {
             swept.push_back(alongArc(a, b, *segment.arc, distance));
             continue;
         }

@@ -8,7 +8,7 @@ namespace {
 
 /// Arcs shorter, or of smaller radius, lose their shape on the grid [mm].
 constexpr double kShortMm = 4 * kGridMm;
-constexpr double kLeastRadiusMm = 10 * kGridMm;
+constexpr double kLeastDrawnRadiusMm = 10 * kGridMm;
 /// Joints farther apart get a line between them [mm].
 constexpr double kBridgeMm = 1.5 * kGridMm;
 /// Loops of less area, or thinner than this on average, are what rounding leaves of a loop without any.
@@ -68,7 +68,7 @@ void LoopDrawer::bridgeTo(const Vec2& to) {
 bool LoopDrawer::arcTo(const Vec2& to, const Arc& arc, double sweep_rad, int edge) {
     const Vec2 point = snapToGrid(to);
     const double length = std::abs(sweep_rad) * arc.radius_mm;
-    if (length <= kShortMm || arc.radius_mm <= kLeastRadiusMm) {
+    if (length <= kShortMm || arc.radius_mm <= kLeastDrawnRadiusMm) {
         lineTo(point, edge);
         return false;
     }

@@ -17,7 +17,7 @@ constexpr double kCuspRad = 1e-3;
 /// Loops smaller than this are points: their edges are shorter than rounding lets one tell [mm].
 constexpr double kSpeckMm = 2e-5;
 /// Arcs of smaller radius are drawn straight [mm].
-constexpr double kLeastRadiusMm = 5e-6;
+constexpr double kLeastSiteRadiusMm = 5e-6;
 
 /// Edges no longer than this are left out: where a tangent arc leaves a line, Booleans may put a step of a
 /// few grid points the wrong way round, and a disc beside it would leave the region [mm].
@@ -147,7 +147,7 @@ std::vector<Site> sitesOf(const Loop& loop, int first_edge) {
         const Segment& segment = loop.segments[k];
         if (negligible(from, segment)) continue;
         const std::size_t first = edges.size();
-        if (segment.arc && (segment.arc->radius_mm > kLeastRadiusMm || from == segment.to))
+        if (segment.arc && (segment.arc->radius_mm > kLeastSiteRadiusMm || from == segment.to))
             appendArc(from, segment, edges);
         else
             edges.push_back(lineSite(from, segment.to));

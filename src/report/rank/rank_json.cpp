@@ -12,8 +12,6 @@ using json::number;
 using json::numberOrNull;
 using json::textOrNull;
 
-constexpr double kPercent = 100;
-
 Json rowJson(const RankedRow& row) {
     return {{"tool", textOrNull(row.cutter.tool)},
             // As given: tables may hold finer numbers than reports print.
@@ -22,7 +20,7 @@ Json rowJson(const RankedRow& row) {
             {"clear_volume_cm3", numberOrNull(row.cutter.clear_volume_cm3)},
             {"mrr_cm3_per_min", row.cutter.mrr_cm3_per_min},
             {"time_min", number(row.time_min)},
-            {"share_percent", number(kPercent * row.share)},
+            {"share_percent", number(100 * row.share)},
             {"rank", row.rank ? Json(*row.rank) : Json(nullptr)},
             {"dvcd_min", numberOrNull(row.dvcd_min)},
             {"rdvc_min", number(row.rdvc_min)},

@@ -10,8 +10,6 @@ namespace {
 
 using report::clockTime;
 
-constexpr double kPercent = 100;
-
 std::string orDash(const std::optional<double>& value) {
     return value ? fmt::format("{:.3f}", *value) : std::string("-");
 }
@@ -23,7 +21,7 @@ std::string rowText(const RankedRow& row) {
     const AccessRow& cutter = row.cutter;
     return fmt::format(fmt::runtime(kColumns), cutter.tool, digits(cutter.diameter_mm),
                        digits(cutter.volume_cm3), orDash(cutter.clear_volume_cm3),
-                       digits(cutter.mrr_cm3_per_min), digits(row.time_min), digits(kPercent * row.share),
+                       digits(cutter.mrr_cm3_per_min), digits(row.time_min), digits(100 * row.share),
                        row.rank ? std::to_string(*row.rank) : "-", orDash(row.dvcd_min), digits(row.rdvc_min),
                        digits(row.rdvc_with_changes_min));
 }

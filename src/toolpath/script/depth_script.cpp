@@ -18,7 +18,7 @@ namespace stepmill::toolpath {
 namespace {
 
 /// A lead shorter than this share of the ramp is dropped: the change of slope is below rounding.
-constexpr double kLeastLeadShare = 1e-9;
+constexpr double kLeastRampLeadShare = 1e-9;
 /// Turns that exceed a whole number by no more than this are rounding.
 constexpr double kRounding = 1e-9;
 
@@ -96,7 +96,7 @@ RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {
     }
     const int turns = static_cast<int>(std::floor(descent_mm / whole));
     const double rest = descent_mm - turns * whole;
-    if (rest < kLeastLeadShare * descent_mm)
+    if (rest < kLeastRampLeadShare * descent_mm)
         return {Path{curve.start, {}}, curve, true, turns, true, Over::Retract};
     return {reversed(firstPart(reversed(curve), rest)), curve, true, turns, true, Over::Retract};
 }

@@ -17,7 +17,7 @@ constexpr double kGainMm = 1e-6;
 constexpr std::size_t kLongestStretch = 3;
 /// With more stops than this the nearest next has to do: an improvement costs the square of their number.
 constexpr std::size_t kMostStops = 60;
-constexpr int kMostRounds = 50;
+constexpr int kMostVisitRounds = 50;
 /// The nearest next is tried from this many stops.
 constexpr std::size_t kMostStarts = 8;
 
@@ -94,7 +94,7 @@ std::vector<std::size_t> visitOrder(const std::vector<Stop>& stops) {
     for (std::size_t first = 0; first < std::min(stops.size(), kMostStarts); ++first) {
         Order order = visit.nearestNext(first);
         if (stops.size() <= kMostStops)
-            for (int round = 0; round < kMostRounds && visit.improve(order); ++round) {
+            for (int round = 0; round < kMostVisitRounds && visit.improve(order); ++round) {
             }
         if (visit.way(order) < visit.way(best) - kGainMm) best = std::move(order);
     }
