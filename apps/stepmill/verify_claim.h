@@ -15,6 +15,7 @@ struct ClaimOptions {
     std::string machine_file;
     std::string stock_file;
     std::string fixtures_file;
+    std::string holes_file;
 };
 void addClaimOptions(CLI::App& verify, ClaimOptions& options);
 
