@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "layers/indexed_region.h"
 #include "layers/stock/rectangle_union.h"
