@@ -75,6 +75,7 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
     const RecordedRequest request = record.request.value_or(RecordedRequest{});
     requireGiven("--stock", options.stock_file, request.stock, max_bytes);
     requireGiven("--fixtures", options.fixtures_file, request.fixtures, max_bytes);
+    requireGiven("--holes", options.holes_file, request.holes, max_bytes);
     ClaimSources sources;
     sources.part = isDrawing(options.part_file)
                        ? readDrawnPart(options.part_file, options.drawing, request.unit, max_bytes)
@@ -83,6 +84,7 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
     if (!options.stock_file.empty())
         sources.stock = onlySolid(options.stock_file, readOptions(-1, "", max_bytes));
     if (!options.fixtures_file.empty()) sources.fixtures = readFixtures(options.fixtures_file, max_bytes);
+    if (!options.holes_file.empty()) sources.holes = readHoleTable(options.holes_file, max_bytes);
     return compareWithPart(record, sources, tol);
 }
 
@@ -101,6 +103,8 @@ void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
                       "with --part: the stock's STEP file, where there is one");
     verify.add_option("--fixtures", options.fixtures_file,
                       "with --part: the fixture file, where there is one");
+    verify.add_option("--holes", options.holes_file,
+                      "with --part: the hole table, where there is one; threads are derived anew from it");
     addDrawingOptions(verify, options.drawing);
 }
 

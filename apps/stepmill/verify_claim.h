@@ -16,6 +16,7 @@ struct ClaimOptions {
     std::string machine_file;
     std::string stock_file;
     std::string fixtures_file;
+    std::string holes_file;
     DrawingWords drawing;  ///< of a part that is drawn
 };
 void addClaimOptions(CLI::App& verify, ClaimOptions& options);

@@ -80,7 +80,7 @@ int verifyFolder(const VerifyOptions& options, Workplace& place) {
     else
         printOut(verificationText(verification));
     if (!verification.proven()) return kUnproven;
-    if (lacksPrograms(plan)) return kGaps;
+    if (lacksPrograms(plan) || plan.record.threads_missing > 0) return kGaps;
     return leavesUnasked(plan.record, tol) ? kGaps : kComplete;
 }
 

@@ -121,6 +121,12 @@ const std::vector<ThreadSize>& threadSizes() {
     return kSizes;
 }
 
+bool sameThread(const Thread& one, const Thread& other) {
+    constexpr double kSameMm = 1e-6;
+    return std::abs(one.diameter_mm - other.diameter_mm) <= kSameMm &&
+           std::abs(one.pitch_mm - other.pitch_mm) <= kSameMm;
+}
+
 CoreRange coreRange(const Thread& thread) {
     const double least_mm = thread.diameter_mm - kMinorShare * thread.pitch_mm;
     const double tolerance_mm = thread.standard == ThreadStandard::Iso

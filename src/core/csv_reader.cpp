@@ -1,5 +1,7 @@
 #include "stepmill/core/csv_reader.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
@@ -89,10 +91,20 @@ class CsvReader {
     std::vector<CsvRow> rows_;
 };
 
+/// A name that holds a zero byte names another file to the system: all that stands before it.
+void requireText(const std::string& file, std::string_view text) {
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos) return;
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+    throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", file, line),
+                "expected UTF-8 text, found a zero byte; a spreadsheet's \"Unicode text\" is UTF-16");
+}
+
 }  // namespace
 
 std::vector<CsvRow> readCsv(const std::string& file, std::string_view text) {
     if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+    requireText(file, text);
     return CsvReader(file, text).read();
 }
 

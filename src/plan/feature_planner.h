@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "plan/hole_wishes.h"
+#include "stepmill/plan/hole_wishes.h"
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {

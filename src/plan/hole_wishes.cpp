@@ -1,4 +1,4 @@
-#include "plan/hole_wishes.h"
+#include "stepmill/plan/hole_wishes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -14,12 +14,6 @@ namespace {
 /// The word of a machine's dialect that has no motion coupled to the spindle.
 constexpr std::string_view kWithoutTapping = "grbl";
 
-bool sameThread(const Thread& one, const Thread& other) {
-    constexpr double kSameMm = 1e-6;
-    return std::abs(one.diameter_mm - other.diameter_mm) <= kSameMm &&
-           std::abs(one.pitch_mm - other.pitch_mm) <= kSameMm;
-}
-
 class SetupThreads {
   public:
     SetupThreads(PlannedSetup& setup, const PlanningShop& shop, const HoleWishes& wishes,

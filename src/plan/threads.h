@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "plan/feature_planner.h"
-#include "plan/hole_wishes.h"
+#include "stepmill/plan/hole_wishes.h"
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {

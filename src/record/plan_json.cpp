@@ -388,6 +388,7 @@ std::string planJson(const Plan& plan) {
                  {"regions", tables.regions.regions()},
                  {"loops", tables.regions.loops()}};
     if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
+    if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }

@@ -203,6 +203,7 @@ RecordedRequest request(const Json& json) {
                             {margin[0], margin[1], margin[2]},
                             file(json["stock"]),
                             file(json["fixtures"]),
+                            json.contains("holes") ? file(json["holes"]) : RecordedFile{},
                             {json["finish_walls_mm"], json["finish_floors_mm"]},
                             {}};
     if (json.contains("roughing"))
@@ -294,6 +295,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     readForms(plan, tables, record);
     noteTravel(plan, record);
     readBalance(plan, tol, record);
+    record.threads_missing = plan.value("threads_missing", 0);
     return record;
 }
 

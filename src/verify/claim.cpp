@@ -20,6 +20,7 @@
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
 #include "verify/claim_form.h"
+#include "verify/claim_holes.h"
 
 namespace stepmill {
 namespace {
@@ -211,7 +212,11 @@ class ClaimWalk {
   public:
     ClaimWalk(const PlanRecord& record, const ClaimSources& sources, const Tolerances& tol,
               std::vector<ProofFailure>& failures)
-        : record_(record), sources_(sources), tol_(tol), failures_(failures) {}
+        : record_(record),
+          sources_(sources),
+          tol_(tol),
+          failures_(failures),
+          wishes_(sources.holes, sources.part, tol) {}
 
     void run() {
         const std::vector<Setup> setups = chooseSetups(sources_.part, setupRequest(record_, sources_));
@@ -222,6 +227,10 @@ class ClaimWalk {
             if (!failures_.empty()) return;
         }
         compareBooks(setups.front().stock.volume_mm3 - sources_.part.volume_mm3);
+        if (threads_missing_ != record_.threads_missing)
+            failures_.push_back({"plan.json", 0, "threads missing",
+                                 fmt::format("{}, by part and hole table {} holes have none",
+                                             record_.threads_missing, threads_missing_)});
     }
 
   private:
@@ -242,6 +251,9 @@ class ClaimWalk {
             planned.push_back(asPlanned(record_, feature, false));
             derived.planned.features.push_back(asPlanned(record_, feature, true));
         }
+        for (const PlannedFeature& feature : derived.planned.features)
+            threads_missing_ +=
+                verify::compareHole(record_, wishes_, {feature, stage.setup}, tol_, failures_);
         derived.removed = removedBy(planned, tol_);
         derived.stock = walk.cut(stage, derived.removed);
         derived.air = airOf(stage);
@@ -301,6 +313,8 @@ class ClaimWalk {
     const ClaimSources& sources_;
     const Tolerances& tol_;
     std::vector<ProofFailure>& failures_;
+    HoleWishes wishes_;
+    int threads_missing_ = 0;
     ToolLibrary library_;
     std::deque<DerivedSetup> derived_;
 };

@@ -321,6 +321,7 @@ Verification verifyRecorded(const RecordedPlan& plan, const Tolerances& tol) {
     for (const ReasonVolume& entry : left)
         left_mm3 += entry.volume_mm3;
     if (left_mm3 > record.rounding_mm3 || leavesUnasked(record, tol)) verification.left = std::move(left);
+    verification.threads_missing = record.threads_missing;
     return verification;
 }
 

@@ -65,6 +65,8 @@ std::string verificationText(const Verification& verification) {
     for (const ReasonVolume& entry : verification.left)
         text += fmt::format("stays as the plan says: {:.2f} mm3 ({})\n", entry.volume_mm3,
                             toString(entry.reason));
+    if (verification.threads_missing > 0)
+        text += fmt::format("no thread, as the plan says: {} holes\n", verification.threads_missing);
     text += verification.proven()
                 ? fmt::format("All {} operations are proven.\n", verification.operations.size())
                 : fmt::format("{} proofs fail.\n", verification.failures.size());
@@ -102,6 +104,7 @@ std::string verificationJson(const Verification& verification) {
                  {"failures", failures},
                  {"left", left},
                  {"remarks", remarks}};
+    if (verification.threads_missing > 0) content["threads_missing"] = verification.threads_missing;
     return finishJson(SchemaName::Verify, std::move(content));
 }
 

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "support/random_parts.h"
-
 namespace stepmill::test {
 namespace {
 
@@ -16,6 +14,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kShopTools = "shop_metric_tools";
+constexpr const char* kShopWithForms = "shop_with_forms_tools";
 
 Json sampleLibrary(const std::string& name) {
     std::ifstream file(fs::path(STEPMILL_SOURCE_DIR) / "samples" / (name + ".json"));
@@ -71,12 +70,14 @@ struct Library {
     std::string text;
 };
 
-Library randomLibrary(Dice& dice) {
+Library randomLibrary(Dice& dice, PartKind kind) {
+    const char* const shop = kind == PartKind::Forms && dice.chance(0.66) ? kShopWithForms : kShopTools;
     const std::size_t which = dice.below(10);
+    if (shop == kShopWithForms && which < 4) return {"shop tools with forms", sampleLibrary(shop).dump(1)};
     if (which < 3) return {"built-in tools", ""};
     if (which == 3) return {"dsouza2006 tools", sampleLibrary("dsouza2006_tools").dump(1)};
     if (which == 4) return {"common pocket tools", sampleLibrary("common_pocket_tools").dump(1)};
-    Json library = sampleLibrary(kShopTools);
+    Json library = sampleLibrary(shop);
     std::string name = "all shop tools";
     if (which > 5) {
         keepSome(library, dice);
@@ -142,12 +143,13 @@ std::vector<std::string> randomOptions(Dice& dice, bool may_be_steel) {
 
 }  // namespace
 
-RandomJob randomJob(std::uint64_t seed) {
+RandomJob randomJob(std::uint64_t seed, PartKind kind) {
     Dice dice(seed);
     RandomJob job;
     job.seed = seed;
-    job.part = randomPart(fmt::format("random_{:04}", seed), dice);
-    const Library tools = randomLibrary(dice);
+    job.part =
+        randomPart(fmt::format("{}_{:04}", kind == PartKind::Forms ? "forms" : "random", seed), dice, kind);
+    const Library tools = randomLibrary(dice, kind);
     const Library fixtures = randomFixtures(dice);
     job.tools_json = tools.text;
     job.fixtures_json = fixtures.text;

@@ -21,6 +21,9 @@ struct Thread {
     double pitch_mm = 0;
 };
 
+/// Have they one diameter and one pitch, whatever their names?
+bool sameThread(const Thread& one, const Thread& other);
+
 /// One that a shop has taps for, with the drill that it is usually tapped after.
 struct ThreadSize {
     Thread thread;

@@ -47,6 +47,7 @@ struct RecordedRequest {
     StockMargin margin;
     RecordedFile stock;
     RecordedFile fixtures;
+    RecordedFile holes;  ///< the hole table
     FinishAllowance finish;
     std::optional<FinishAllowance> roughing;  ///< PlanRequest::roughing
 };
@@ -69,7 +70,8 @@ struct PlanRecord {
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
     std::map<std::string, FormGround> forms;          ///< by id, one a setup at most
     std::map<std::string, RecordedOperation> operations;
-    VolumeBalance books;  ///< of the part
+    VolumeBalance books;      ///< of the part
+    int threads_missing = 0;  ///< Plan::threads_missing
     /// How much of what stays of stock minus part at the end is rounding [mm3].
     double rounding_mm3 = 0;
 };

@@ -43,6 +43,16 @@ struct TapTask {
     double retract_z_mm = 0;
 };
 
+/// How deep a tap goes for the depth that is asked for; with trouble where the hole ends before that, or is
+/// too shallow for a full turn.
+struct TapDepth {
+    double tip_z_mm = 0;
+    double full_z_mm = 0;  ///< the whole thread goes down to here
+    std::string trouble;
+};
+
+TapDepth tapDepth(const TapTask& task, const ToolAssembly& tap);
+
 /// A tap's step, or why there is none.
 struct TapStep {
     std::optional<SequenceStep> step;

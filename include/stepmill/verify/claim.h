@@ -13,11 +13,13 @@ struct ClaimSources {
     ToolLibrary library;
     std::optional<Part> stock;
     FixtureFile fixtures;
+    HoleTable holes;
 };
 
 /// The claim of a plan.json, derived anew from the files: setups and stock from axes, margins and part;
 /// layers, features with targets, obstructions and obstacles by slicing the stock as each setup's
-/// predecessors leave it; fixtures from the vise or the file. What the record has otherwise, beyond rounding,
+/// predecessors leave it; fixtures from the vise or the file; threads, and holes that are left or drilled
+/// alone, from the hole table. What the record has otherwise, beyond rounding,
 /// is a failure with its place: a removed feature, a smaller obstruction, a larger target, a lower fixture.
 ///
 /// What tools leave is taken from the record: programs are proven to leave no more, and the stock of later

@@ -43,6 +43,8 @@ Loop closedPath(const std::vector<Vec2>& corners) {
     return loop;
 }
 
+/// Polygons within the region. Of a loop thinner than its arcs' sagitta nothing may lie within: the polygon
+/// turns over and is left out, so that the cut takes less.
 Region insidePolygon(const Region& region) {
     Region inside;
     for (const Loop& loop : region.loops) {
@@ -53,7 +55,8 @@ Region insidePolygon(const Region& region) {
             else
                 corners.push_back(segment.to);
         }
-        inside.loops.push_back(closedPath(corners));
+        Loop polygon = closedPath(corners);
+        if ((signedArea(polygon) > 0) == (signedArea(loop) > 0)) inside.loops.push_back(std::move(polygon));
     }
     return inside;
 }

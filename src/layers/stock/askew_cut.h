@@ -23,7 +23,9 @@ class AskewCut {
     /// \param to_setup  from the prism's coordinates to the setup's
     AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup);
 
-    /// Outline heights in the setup [mm].
+    /// Nothing of the prism is wide enough to have a polygon within.
+    bool empty() const { return outline_.empty(); }
+    /// Outline heights in the setup [mm]. \pre not empty
     double low_mm() const { return low_mm_; }
     double high_mm() const { return high_mm_; }
     /// Points over and under which the prism goes on at all heights between, in the setup's plane. The same

@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 #include <span>
+#include <utility>
 
 #include "layers/indexed_region.h"
 #include "layers/stock/rectangle_union.h"
@@ -202,7 +203,10 @@ void StockAir::add(const CutPrisms& cut, const Setup& setup) {
     if (std::abs(cosine) < tol_.angular_rad) return addLying(cut, to_setup);
     if (1 - std::abs(cosine) > tol_.angular_rad * tol_.angular_rad) {
         for (const Prism& prism : betweenHeights(cut.prisms, tol_))
-            if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3) askew_.emplace_back(prism, to_setup);
+            if (prism.volume_mm3() >= kAskewShare * setup.removable_mm3) {
+                AskewCut askew(prism, to_setup);
+                if (!askew.empty()) askew_.push_back(std::move(askew));
+            }
         return;
     }
     for (const Prism& prism : cut.prisms) {

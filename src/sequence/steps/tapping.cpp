@@ -24,14 +24,9 @@ bool narrowsHole(const Residual& residual) {
     return residual.volume_mm3 > 0 && !(residual.reason == Reason::DrillPoint);
 }
 
-/// How deep the tip goes for the depth that is asked for; with trouble where the hole ends before.
-struct TapDepth {
-    double tip_z_mm = 0;
-    double full_z_mm = 0;
-    std::string trouble;
-};
+}  // namespace
 
-TapDepth depthOf(const TapTask& task, const ToolAssembly& tap) {
+TapDepth tapDepth(const TapTask& task, const ToolAssembly& tap) {
     const Feature& hole = task.hole;
     const double deepest_z = deepestTapTipZ(hole, tap, task.bored_to_z_mm);
     TapDepth depth;
@@ -53,8 +48,6 @@ TapDepth depthOf(const TapTask& task, const ToolAssembly& tap) {
                                     task.top_z_mm - task.bored_to_z_mm, tap.lead_mm, tap.id);
     return depth;
 }
-
-}  // namespace
 
 std::optional<double> boredToZ(const Feature& hole, const ToolSequence& made, const ToolLibrary& library) {
     if (made.steps.empty() || std::any_of(made.residual.begin(), made.residual.end(), narrowsHole))
@@ -122,7 +115,7 @@ TapStep tapStep(const TapTask& task, const ToolAssembly& tap, const CuttingData&
         return {{},
                 fmt::format("the hole is {:.4g} mm wide, {} is tapped into {:.3f} to {:.3f} mm", hole_mm,
                             tap.thread->name, core.least_mm, core.most_mm)};
-    const TapDepth depth = depthOf(task, tap);
+    const TapDepth depth = tapDepth(task, tap);
     if (!depth.trouble.empty()) return {{}, depth.trouble};
     if (std::string trouble = tapShankTrouble(task.hole, tap, depth.tip_z_mm); !trouble.empty())
         return {{}, std::move(trouble)};

@@ -100,6 +100,17 @@ TEST_F(BatchList, AListThatMakesNoSenseIsRefusedWithItsLine) {
             << quantity;
 }
 
+/// The system takes a name to end at its first zero byte: another part would be planned under that name.
+TEST_F(BatchList, AZeroByteIsRefusedWithItsLine) {
+    const std::string row("file\na.step\nb.step\0c.step\n", 24);
+    EXPECT_NE(refusal(row).find("line 3: expected UTF-8 text"), std::string::npos) << refusal(row);
+    const std::string utf16(
+        "\xFF\xFE"
+        "f\0i\0l\0e\0",
+        10);
+    EXPECT_NE(refusal(utf16).find("UTF-16"), std::string::npos) << refusal(utf16);
+}
+
 TEST_F(BatchList, LinesWithinQuotesCount) {
     EXPECT_NE(refusal("file,due\n\"a\nb.step\",\n,x\n").find("line 4"), std::string::npos);
 }
