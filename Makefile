@@ -1,5 +1,5 @@
 # Short names for the CMake presets; CI uses these same words.
-.PHONY: all plan test test-all asan fuzz tidy format check-style docs bench golden install clean deps test-deps
+.PHONY: all plan python test test-all asan fuzz tidy format check-style docs bench golden install clean deps test-deps python-deps
 PART ?= step_parts/rounded_pocket.step
 OUT ?= out/$(basename $(notdir $(PART)))
 PREFIX ?= /usr/local
@@ -14,6 +14,11 @@ all: build/release/tests.configured
 plan: build/release/build.ninja
 	cmake --build --preset release --target stepmill-app
 	$(STEPMILL) plan $(PART) -o $(OUT) || test $$? -eq 1
+
+# Importable by PYTHONPATH=build/python/python; ctest's Python.Bindings then runs.
+python: python-deps
+	cmake --preset python
+	cmake --build --preset python --target stepmill_python
 
 test: all
 	ctest --test-dir build/release -L 'unit|property' --output-on-failure -j2
@@ -62,6 +67,9 @@ build/%/build.ninja: | deps
 build/%/tests.configured: | test-deps
 	cmake --preset $* -DBUILD_TESTING=ON
 	touch $@
+
+python-deps:
+	@scripts/install-dependencies --python
 
 deps:
 	@scripts/install-dependencies

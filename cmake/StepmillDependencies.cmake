@@ -22,6 +22,15 @@ find_package(SQLite3 REQUIRED)
 find_path(THREE_JS_DIR build/three.min.js HINTS /usr/share/javascript/three REQUIRED NO_CACHE)
 find_path(VALIJSON_INCLUDE_DIR valijson/validator.hpp REQUIRED)
 
+# zip and XML of other programs' files.
+find_path(ZIP_INCLUDE_DIR zip.h REQUIRED)
+find_library(ZIP_LIBRARY zip REQUIRED)
+find_path(PUGIXML_INCLUDE_DIR pugixml.hpp REQUIRED)
+find_library(PUGIXML_LIBRARY pugixml REQUIRED)
+# Drawings.
+find_path(DXFLIB_INCLUDE_DIR dxflib/dl_dxf.h REQUIRED)
+find_library(DXFLIB_LIBRARY dxflib REQUIRED)
+
 # GEOS' C++ interface (OverlayNG, index trees) lives in libgeos beside the C one.
 find_library(GEOS_CXX_LIBRARY geos REQUIRED)
 add_library(stepmill_geos INTERFACE)

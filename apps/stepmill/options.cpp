@@ -94,11 +94,14 @@ void addStockOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--solid", options.solid, "which solid of a file with several: a number, or all");
     command.add_option("--unit", options.unit, "read lengths in this unit, whatever the file says")
         ->check(CLI::IsMember({"mm", "inch", "m", "cm"}));
+    addDrawingOptions(command, options.drawing);
 }
 
 void addPartOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {
     options.folder_suffix = folder_suffix;
-    command.add_option("PART", options.part_file, "STEP file (AP203, AP214 or AP242)")->required();
+    command
+        .add_option("PART", options.part_file, "STEP file (AP203, AP214 or AP242), or a drawing (.dxf, .svg)")
+        ->required();
     command.add_option("-o,--output", options.out_dir, "folder to write to; default: <part>" + folder_suffix);
     addStockOptions(command, options);
     command.add_option("--jobs", options.jobs, "threads; 0: one per core")->check(numberFrom(0, 1024, ""));
@@ -236,6 +239,10 @@ std::optional<Part> onlyRealPart(const std::vector<Part>& parts) {
 }
 
 std::vector<Part> chooseParts(const PlanOptions& options) {
+    if (isDrawing(options.part_file))
+        return {
+            readDrawnPart(options.part_file, options.drawing, options.unit, options.limits.maxFileBytes())};
+    requireNoDrawingWords(options.drawing, options.part_file);
     ReadOptions read;
     read.unit = options.unit;
     read.max_file_bytes = options.limits.maxFileBytes();

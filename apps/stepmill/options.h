@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "drawing_options.h"
 #include "limits.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
@@ -40,9 +41,10 @@ struct PlanOptions {
     double allowance_mm = 0.5;                 ///< of roughing
     std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
     double scallop_mm = 0.02;
-    std::string solid;  ///< empty: the only one; a number; "all"
-    std::string unit;   ///< empty: as the file says
-    int jobs = 0;       ///< 0: one per core
+    std::string solid;     ///< empty: the only one; a number; "all"
+    std::string unit;      ///< empty: as the file says
+    DrawingWords drawing;  ///< of a part that is drawn
+    int jobs = 0;          ///< 0: one per core
     RunLimits limits;
     std::string job_file;        ///< what the shop says of the job; empty: nothing
     std::string display = "mm";  ///< of report and setup sheets

@@ -76,7 +76,9 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
     requireGiven("--stock", options.stock_file, request.stock, max_bytes);
     requireGiven("--fixtures", options.fixtures_file, request.fixtures, max_bytes);
     ClaimSources sources;
-    sources.part = onlySolid(options.part_file, readOptions(request.solid, request.unit, max_bytes));
+    sources.part = isDrawing(options.part_file)
+                       ? readDrawnPart(options.part_file, options.drawing, request.unit, max_bytes)
+                       : onlySolid(options.part_file, readOptions(request.solid, request.unit, max_bytes));
     sources.library = library;
     if (!options.stock_file.empty())
         sources.stock = onlySolid(options.stock_file, readOptions(-1, "", max_bytes));
@@ -87,8 +89,9 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
 }  // namespace
 
 void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
-    verify.add_option("--part", options.part_file,
-                      "STEP file that was planned: the plan's setups and features are derived anew from it");
+    verify.add_option(
+        "--part", options.part_file,
+        "STEP file or drawing that was planned: the plan's setups and features are derived anew from it");
     verify.add_option("--tools", options.tools_file,
                       "tool library that was planned with: the plan's tools and cutting data are compared");
     verify.add_option(
@@ -98,6 +101,7 @@ void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
                       "with --part: the stock's STEP file, where there is one");
     verify.add_option("--fixtures", options.fixtures_file,
                       "with --part: the fixture file, where there is one");
+    addDrawingOptions(verify, options.drawing);
 }
 
 void verifyClaim(const ClaimOptions& options, const RecordedPlan& plan, std::uintmax_t max_bytes,

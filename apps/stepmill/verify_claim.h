@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "drawing_options.h"
 #include "stepmill/verify/verify.h"
 
 namespace stepmill {
@@ -15,6 +16,7 @@ struct ClaimOptions {
     std::string machine_file;
     std::string stock_file;
     std::string fixtures_file;
+    DrawingWords drawing;  ///< of a part that is drawn
 };
 void addClaimOptions(CLI::App& verify, ClaimOptions& options);
 

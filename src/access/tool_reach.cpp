@@ -6,6 +6,7 @@
 #include "access/suitability.h"
 #include "stepmill/access/access.h"
 #include "stepmill/access/collision.h"
+#include "stepmill/access/lumps.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
@@ -27,18 +28,14 @@ std::vector<Region> centreComponents(const FeatureGround& ground, double radius_
     return components(access::withoutSliverComponents(centres, tol));
 }
 
-Exclusion tooWide(const FeatureGround& ground, const ToolAssembly& tool) {
-    return {ExclusionReason::TooWide,
-            fmt::format("is {:.4g} mm wide, the widest cutter that fits is {:.4g} mm", tool.diameter_mm,
-                        ground.widestCutterMm())};
-}
-
-Exclusion noEntry(const ToolAssembly& tool) {
-    return {ExclusionReason::NoEntry,
-            fmt::format(
-                "fits, but there is no open edge, no room for a helix or a straight ramp of {:.4g} mm, and "
-                "it does not cut to its centre",
-                tool.diameter_mm)};
+/// In words, why the tool has no areas.
+Exclusion unreached(const FeatureGround& ground, const ToolAssembly& tool, ExclusionReason reason) {
+    if (reason == ExclusionReason::TooWide)
+        return {reason, fmt::format("is {:.4g} mm wide, the widest cutter that fits is {:.4g} mm",
+                                    tool.diameter_mm, ground.widestCutterMm())};
+    return {reason, fmt::format("fits, but there is no open edge, no room for a helix or a straight ramp of "
+                                "{:.4g} mm, and it does not cut to its centre",
+                                tool.diameter_mm)};
 }
 
 /// Keeps the components the tool can get into. Were any left out?
@@ -69,13 +66,13 @@ void measureAreas(const FeatureGround& ground, bool all_components, CutterArea& 
     found.access_volume_mm3 = found.coverable_area_mm2 * ground.feature().depth_mm();
 }
 
-/// The areas as the obstruction alone has them; the exclusion when there are none.
-std::optional<Exclusion> reachAreas(const FeatureGround& ground, const ToolAssembly& tool,
-                                    CutterArea& found) {
+/// The areas as the obstruction alone has them; why, when there are none.
+std::optional<ExclusionReason> reachAreas(const FeatureGround& ground, const ToolAssembly& tool,
+                                          CutterArea& found) {
     std::vector<Region> centres = centreComponents(ground, found.radius_mm);
-    if (centres.empty()) return tooWide(ground, tool);
+    if (centres.empty()) return ExclusionReason::TooWide;
     const bool all_components = keepEnterable(ground, tool, std::move(centres), found);
-    if (found.free_centres.empty()) return noEntry(tool);
+    if (found.free_centres.empty()) return ExclusionReason::NoEntry;
     measureAreas(ground, all_components, found);
     return std::nullopt;
 }
@@ -170,19 +167,39 @@ const CutterArea& ToolReach::cleared() const {
     return helped != nullptr ? helped->together : own();
 }
 
-ToolReach toolReach(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material) {
+namespace {
+
+/// \param explain  tells why the tool has no areas
+ToolReach reachOf(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material,
+                  const std::function<Exclusion(ExclusionReason)>& explain) {
     ToolReach found;
     found.tool_id = tool.id;
     found.cutter.radius_mm = tool.radius_mm();
     auto excluded = tool.isDrill() ? access::unsuitableDrill(ground, tool, material)
                                    : access::unsuitable(ground, tool, material);
     if (!tool.isDrill() && !(excluded && excluded->reason == ExclusionReason::WrongType)) {
-        auto trouble = reachAreas(ground, tool, found.cutter);
-        if (!trouble) trouble = checkCollisions(ground, tool, found);
-        if (!excluded) excluded = std::move(trouble);
+        if (const auto unreached = reachAreas(ground, tool, found.cutter)) {
+            if (!excluded) excluded = explain(*unreached);
+        } else {
+            auto collision = checkCollisions(ground, tool, found);
+            if (!excluded) excluded = std::move(collision);
+        }
     }
     if (excluded) found.use = std::move(*excluded);
     return found;
+}
+
+}  // namespace
+
+ToolReach toolReach(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material) {
+    return reachOf(ground, tool, material,
+                   [&](ExclusionReason reason) { return unreached(ground, tool, reason); });
+}
+
+ToolReach reachInLump(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material) {
+    return reachOf(ground, tool, material, [](ExclusionReason reason) {
+        return Exclusion{reason, toString(reason)};
+    });
 }
 
 std::optional<CutterArea> collisionFreeArea(const FeatureGround& ground, const ToolAssembly& tool,

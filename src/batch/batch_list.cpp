@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "batch/csv_reader.h"
+#include "stepmill/core/csv_reader.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 
@@ -81,14 +81,14 @@ class Finder {
 /// Reads the rows of a list by its columns' names.
 class ListReader {
   public:
-    ListReader(const fs::path& list, const batch::CsvRow& heads)
+    ListReader(const fs::path& list, const CsvRow& heads)
         : file_(list.filename().string()), folder_(list.parent_path()) {
         for (std::size_t i = 0; i < heads.cells.size(); ++i)
             takeHead(heads, i);
         if (!columns_.contains("file")) fail(heads.line, "expected a column 'file' in the first line");
     }
 
-    ListedPart read(const batch::CsvRow& row) const {
+    ListedPart read(const CsvRow& row) const {
         if (row.cells.size() > columns_.size())
             fail(row.line, fmt::format("expected {} cells, found {}", columns_.size(), row.cells.size()));
         ListedPart part;
@@ -108,7 +108,7 @@ class ListReader {
         throw Error(ErrorCode::InvalidCatalog, fmt::format("{}, line {}", file_, line), message);
     }
 
-    void takeHead(const batch::CsvRow& heads, std::size_t column) {
+    void takeHead(const CsvRow& heads, std::size_t column) {
         static const std::vector<std::string> kKnown{"file", "material", "quantity", "due", "options"};
         const std::string& head = heads.cells[column];
         const bool known = std::find(kKnown.begin(), kKnown.end(), head) != kKnown.end();
@@ -119,13 +119,13 @@ class ListReader {
     }
 
     /// Empty where the list has no such column or the row ends before it.
-    std::string cell(const batch::CsvRow& row, const std::string& head) const {
+    std::string cell(const CsvRow& row, const std::string& head) const {
         const auto column = columns_.find(head);
         if (column == columns_.end() || column->second >= row.cells.size()) return {};
         return row.cells[column->second];
     }
 
-    int quantity(const batch::CsvRow& row, const std::string& text) const {
+    int quantity(const CsvRow& row, const std::string& text) const {
         int value = 0;
         const char* end = text.data() + text.size();
         const auto [next, trouble] = std::from_chars(text.data(), end, value);
@@ -163,7 +163,7 @@ std::string safeFolderName(const std::string& name, std::string_view identity) {
 }
 
 std::vector<ListedPart> readPartList(const fs::path& list, std::string_view text) {
-    const std::vector<batch::CsvRow> rows = batch::readCsv(list.filename().string(), text);
+    const std::vector<CsvRow> rows = readCsv(list.filename().string(), text);
     if (rows.empty())
         throw Error(ErrorCode::InvalidCatalog, list.filename().string(),
                     "expected a first line with the columns' names, found nothing");

@@ -18,8 +18,10 @@ extern const std::string_view kManifestSchema;
 extern const std::string_view kQuoteSchema;
 extern const std::string_view kJobSchema;
 extern const std::string_view kMaterialsSchema;
+extern const std::string_view kCuttingDataSchema;
 extern const std::string_view kDefaultTools;
 extern const std::string_view kDefaultMachine;
 extern const std::string_view kDefaultMaterials;
+extern const std::string_view kUsualCuttingData;
 
 }  // namespace stepmill::embedded

@@ -11,9 +11,9 @@
 
 #include "catalog/embedded.h"
 #include "catalog/json_layout.h"
-#include "catalog/json_text.h"
 #include "catalog/schema_check.h"
 #include "catalog/schema_words.h"
+#include "stepmill/catalog/json_text.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {
@@ -71,18 +71,20 @@ struct NamedSchema {
     const std::string_view& text;  ///< set before main() begins, in another file
 };
 
-constexpr NamedSchema kSchemas[] = {{SchemaName::Tools, "tools", 1, embedded::kToolsSchema},
-                                    {SchemaName::Machine, "machine", 1, embedded::kMachineSchema},
-                                    {SchemaName::Plan, "plan", 2, embedded::kPlanSchema},
-                                    {SchemaName::Inspect, "inspect", 1, embedded::kInspectSchema},
-                                    {SchemaName::Rank, "rank", 1, embedded::kRankSchema},
-                                    {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
-                                    {SchemaName::Holes, "holes", 1, embedded::kHolesSchema},
-                                    {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
-                                    {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema},
-                                    {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema},
-                                    {SchemaName::Job, "job", 1, embedded::kJobSchema},
-                                    {SchemaName::Materials, "materials", 1, embedded::kMaterialsSchema}};
+constexpr NamedSchema kSchemas[] = {
+    {SchemaName::Tools, "tools", 1, embedded::kToolsSchema},
+    {SchemaName::Machine, "machine", 1, embedded::kMachineSchema},
+    {SchemaName::Plan, "plan", 2, embedded::kPlanSchema},
+    {SchemaName::Inspect, "inspect", 1, embedded::kInspectSchema},
+    {SchemaName::Rank, "rank", 1, embedded::kRankSchema},
+    {SchemaName::Fixtures, "fixtures", 1, embedded::kFixturesSchema},
+    {SchemaName::Holes, "holes", 1, embedded::kHolesSchema},
+    {SchemaName::Verify, "verify", 1, embedded::kVerifySchema},
+    {SchemaName::Manifest, "manifest", 1, embedded::kManifestSchema},
+    {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema},
+    {SchemaName::Job, "job", 1, embedded::kJobSchema},
+    {SchemaName::Materials, "materials", 1, embedded::kMaterialsSchema},
+    {SchemaName::CuttingData, "cutting-data", 1, embedded::kCuttingDataSchema}};
 
 const NamedSchema& schemaOf(SchemaName name) {
     for (const NamedSchema& schema : kSchemas)

@@ -1,4 +1,4 @@
-#include "catalog/json_text.h"
+#include "stepmill/catalog/json_text.h"
 
 #include <set>
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "catalog/json_text.h"
+#include "stepmill/catalog/json_text.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/units.h"
 

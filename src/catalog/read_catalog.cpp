@@ -8,10 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "catalog/embedded.h"
-#include "catalog/json_text.h"
 #include "catalog/library_rules.h"
 #include "catalog/schema_check.h"
 #include "catalog/schema_words.h"
+#include "stepmill/catalog/filled_field.h"
+#include "stepmill/catalog/json_text.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/core/units.h"
@@ -162,6 +163,15 @@ ToolLibrary toolLibraryFromText(std::string_view text, const std::string& file_n
         library.tools.push_back(reader.tool(tool));
     library.unknown_fields = SchemaWords(schema).unknownFields(parsed.value);
     return library;
+}
+
+FilledFields filledFieldsIn(std::string_view library_text) {
+    FilledFields fields;
+    const json library = json::parse(library_text);
+    for (const json& tool : library["tools"])
+        for (const json& filled : tool.value("filled", json::array()))
+            fields[tool["id"]].push_back({filled["field"], filled["source"]});
+    return fields;
 }
 
 ToolLibrary readToolLibrary(const std::filesystem::path& path, std::uintmax_t max_bytes) {

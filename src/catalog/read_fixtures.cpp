@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "catalog/json_text.h"
 #include "catalog/schema_check.h"
 #include "stepmill/catalog/fixture.h"
+#include "stepmill/catalog/json_text.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/core/units.h"

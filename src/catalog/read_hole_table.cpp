@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "catalog/json_text.h"
 #include "catalog/schema_check.h"
 #include "stepmill/catalog/hole_table.h"
+#include "stepmill/catalog/json_text.h"
 #include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"

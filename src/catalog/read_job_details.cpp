@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "catalog/json_text.h"
 #include "catalog/schema_check.h"
 #include "stepmill/catalog/job_details.h"
+#include "stepmill/catalog/json_text.h"
 
 namespace stepmill {
 namespace {

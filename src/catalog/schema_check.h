@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "catalog/json_text.h"
 #include "stepmill/catalog/json_schema.h"
+#include "stepmill/catalog/json_text.h"
 #include "stepmill/catalog/read_catalog.h"
 
 namespace stepmill {

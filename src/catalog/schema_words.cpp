@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "catalog/json_text.h"
+#include "stepmill/catalog/json_text.h"
 
 namespace stepmill {
 namespace {

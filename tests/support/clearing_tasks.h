@@ -16,6 +16,7 @@ inline Machine machineWithRapid(double rapid_mm_per_min) {
     machine.rapid_mm_per_min = rapid_mm_per_min;
     return machine;
 }
+inline const Machine kMachine = machineWithRapid(5000);
 
 /// A block around `target` that has it as a pocket; `open` regions are cut out of the block as well.
 inline Region blockAround(const Region& target, const Region& open, const Tolerances& tol) {

@@ -10,6 +10,7 @@
 #include "stepmill/planar/clearance_diagram.h"
 #include "support/random_regions.h"
 #include "support/region_checks.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 
@@ -17,8 +18,6 @@ namespace stepmill::test {
 /// off; where edges meet at a shallow angle, or are so short that rounding turns their tangents, joints move
 /// more: up to the distance within which curves count as one, a tenth of what counts as a gouge.
 inline constexpr double kRoundingMm = Tolerances{}.linear_mm;
-
-inline const Tolerances kTol;
 
 /// Points closer to the level than this may lie on either side.
 inline constexpr double kTieMm = 2 * kRoundingMm;

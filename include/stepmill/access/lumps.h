@@ -34,4 +34,8 @@ double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool
 Feature lumpFeature(const Feature& feature, const Region& lump, const std::vector<Region>& obstruction,
                     double reach_mm, const Tolerances& tol);
 
+/// toolReach() without its words: what keeps a tool off a lump is told nowhere, and the widest cutter that
+/// would fit, which toolReach() names, costs as much as all the rest.
+ToolReach reachInLump(const FeatureGround& ground, const ToolAssembly& tool, const std::string& material);
+
 }  // namespace stepmill

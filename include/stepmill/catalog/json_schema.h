@@ -21,7 +21,8 @@ enum class SchemaName {
     Manifest,
     Quote,
     Job,
-    Materials
+    Materials,
+    CuttingData
 };
 std::string_view schemaText(SchemaName name);
 /// The version of the files that it describes: their "format".

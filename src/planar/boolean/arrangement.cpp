@@ -11,22 +11,24 @@
 
 namespace stepmill::planar {
 
-void appendCurves(const Region& region, int operand, std::vector<Curve>& curves) {
-    int loop = curves.empty() ? 0 : curves.back().loop + 1;
-    for (const Loop& path : region.loops) {
-        Vec2 from = path.start;
-        for (const Segment& segment : path.segments) {
-            const Vec2 to = segment.to;
-            if (segment.arc && std::abs(sweepAngle(from, to, *segment.arc)) > kPi + 1e-6) {
-                const Segment half{snapToGrid(pointAt(from, segment, 0.5)), segment.arc};
-                curves.push_back({makeEdge(from, half), operand, loop});
-                from = half.to;
-            }
-            curves.push_back({makeEdge(from, segment), operand, loop});
-            from = to;
+void appendCurves(const Loop& loop, int operand, int number, std::vector<Curve>& curves) {
+    Vec2 from = loop.start;
+    for (const Segment& segment : loop.segments) {
+        const Vec2 to = segment.to;
+        if (segment.arc && std::abs(sweepAngle(from, to, *segment.arc)) > kPi + 1e-6) {
+            const Segment half{snapToGrid(pointAt(from, segment, 0.5)), segment.arc};
+            curves.push_back({makeEdge(from, half), operand, number});
+            from = half.to;
         }
-        ++loop;
+        curves.push_back({makeEdge(from, segment), operand, number});
+        from = to;
     }
+}
+
+void appendCurves(const Region& region, int operand, std::vector<Curve>& curves) {
+    int number = curves.empty() ? 0 : curves.back().loop + 1;
+    for (const Loop& loop : region.loops)
+        appendCurves(loop, operand, number++, curves);
 }
 
 Segment Arrangement::segment(const Piece& piece) const {

@@ -68,7 +68,9 @@ Arrangement arrange(const std::vector<Curve>& curves, double snap_mm);
 /// never contradict each other. Equal circles have equal chords; pieces keep the name of their curve.
 Arrangement arrangeOnChords(const std::vector<Curve>& curves, double chord_mm);
 
-/// The curves of a region; arcs of more than a half circle are cut in two.
+/// The curves of a loop, which bear that number; arcs of more than a half circle are cut in two.
+void appendCurves(const Loop& loop, int operand, int number, std::vector<Curve>& curves);
+/// The curves of a region's loops, numbered on from the last one.
 void appendCurves(const Region& region, int operand, std::vector<Curve>& curves);
 
 }  // namespace stepmill::planar

@@ -9,6 +9,7 @@
 
 #include "planar/boolean/arrangement.h"
 #include "planar/boolean/loop_builder.h"
+#include "planar/boolean/loop_groups.h"
 #include "planar/boolean/windings.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -32,7 +33,7 @@ Region overlayOnChords(const std::vector<planar::Curve>& curves, const Rule& ins
 }
 
 /// Points `inside` the rule, from all boundaries cut at each other.
-Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, const Tolerances& tol) {
+Region overlayCurves(const std::vector<planar::Curve>& curves, const Rule& inside, const Tolerances& tol) {
     // Where several points crowd within the snapping distance, pieces may be pushed across nodes. Another
     // distance puts the points in other clusters; the first that contradicts itself nowhere is taken.
     std::optional<Region> doubtful;
@@ -53,6 +54,51 @@ Region overlay(const std::vector<planar::Curve>& curves, const Rule& inside, con
     return region;
 }
 
+/// Loops farther apart than this do not meet: several times the widest snapping distance, as a multiple of
+/// `linear_mm`.
+constexpr double kApartShare = 20;
+
+using OperandLoops = std::vector<planar::OperandLoop>;
+
+/// The loop where the rule tells its two sides apart, turned so that the inside is on its left. \pre isTidy()
+Region overlayTidy(const planar::OperandLoop& one, const Rule& inside) {
+    const int left = signedArea(*one.loop) > 0 ? 1 : 0;
+    const auto isInside = [&](int windings) {
+        return one.operand == 0 ? inside(windings, 0) : inside(0, windings);
+    };
+    const bool in_left = isInside(left);
+    if (in_left == isInside(left - 1)) return {};
+    return {{in_left ? *one.loop : reversed(*one.loop)}};
+}
+
+Region overlayGroup(const planar::LoopGroup& group, const Rule& inside, const Tolerances& tol) {
+    const Rule inside_here = [&](int a, int b) { return inside(a + group.around[0], b + group.around[1]); };
+    const OperandLoops& loops = group.loops;
+    if (loops.size() == 1 && planar::isTidy(loops.front(), kApartShare * tol.linear_mm, tol.linear_mm))
+        return overlayTidy(loops.front(), inside_here);
+    std::vector<planar::Curve> curves;
+    for (std::size_t i = 0; i < loops.size(); ++i)
+        planar::appendCurves(*loops[i].loop, loops[i].operand, static_cast<int>(i), curves);
+    return overlayCurves(curves, inside_here, tol);
+}
+
+void append(Region& region, Region more) {
+    std::move(more.loops.begin(), more.loops.end(), std::back_inserter(region.loops));
+}
+
+/// Points `inside` the rule, group by group of loops that meet.
+Region overlay(const OperandLoops& loops, const Rule& inside, const Tolerances& tol) {
+    Region result;
+    for (const planar::LoopGroup& group : planar::loopGroups(loops, kApartShare * tol.linear_mm))
+        append(result, overlayGroup(group, inside, tol));
+    return planar::ordered(std::move(result));
+}
+
+void appendLoops(const Region& region, int operand, OperandLoops& loops) {
+    for (const Loop& loop : region.loops)
+        loops.push_back({&loop, operand});
+}
+
 /// The loops whose boxes come near the box. No other loop can contain a point of the box.
 Region near(const Region& region, const Box2& box) {
     Region result;
@@ -61,11 +107,11 @@ Region near(const Region& region, const Box2& box) {
     return result;
 }
 
-std::vector<planar::Curve> curvesOf(const Region& a, const Region& b) {
-    std::vector<planar::Curve> curves;
-    planar::appendCurves(a, 0, curves);
-    planar::appendCurves(b, 1, curves);
-    return curves;
+OperandLoops loopsOf(const Region& a, const Region& b) {
+    OperandLoops loops;
+    appendLoops(a, 0, loops);
+    appendLoops(b, 1, loops);
+    return loops;
 }
 
 struct Placed {
@@ -74,21 +120,20 @@ struct Placed {
 };
 
 Region uniteAtOnce(std::span<const Placed> regions, const Tolerances& tol) {
-    std::vector<planar::Curve> curves;
+    OperandLoops loops;
     Region apart;
     for (const Placed& one : regions) {
         const bool meets = std::any_of(regions.begin(), regions.end(), [&](const Placed& other) {
             return &other != &one && one.box.intersects(other.box);
         });
         if (meets)
-            planar::appendCurves(*one.region, 0, curves);
+            appendLoops(*one.region, 0, loops);
         else
             apart.loops.insert(apart.loops.end(), one.region->loops.begin(), one.region->loops.end());
     }
-    if (curves.empty()) return apart;
-    const Region joined = overlay(
-        curves, [](int a, int) { return a > 0; }, tol);
-    apart.loops.insert(apart.loops.end(), joined.loops.begin(), joined.loops.end());
+    if (loops.empty()) return apart;
+    append(apart, overlay(
+                      loops, [](int a, int) { return a > 0; }, tol));
     return apart;
 }
 
@@ -133,7 +178,7 @@ Region intersect(const Region& a, const Region& b, const Tolerances& tol) {
     const Region near_b = near(b, grown(boundingBox(a), tol.linear_mm));
     if (near_a.empty() || near_b.empty()) return {};
     return overlay(
-        curvesOf(near_a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b > 0; }, tol);
+        loopsOf(near_a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b > 0; }, tol);
 }
 
 Region subtract(const Region& a, const Region& b, const Tolerances& tol) {
@@ -141,7 +186,7 @@ Region subtract(const Region& a, const Region& b, const Tolerances& tol) {
     const Region near_b = near(b, grown(boundingBox(a), tol.linear_mm));
     if (near_b.empty()) return planar::ordered(a);
     return overlay(
-        curvesOf(a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b <= 0; }, tol);
+        loopsOf(a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b <= 0; }, tol);
 }
 
 }  // namespace stepmill

@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
 #include "planar/boolean/arrangement.h"
+#include "planar/boolean/curve_pairs.h"
 #include "planar/intersection.h"
 #include "planar/segment.h"
 #include "stepmill/core/units.h"
@@ -17,41 +16,6 @@
 namespace stepmill::planar {
 
 namespace {
-
-/// Calls visit(i, j) for all pairs of boxes that overlap.
-template <typename Visit>
-void forOverlappingBoxes(const std::vector<Curve>& curves, double slack_mm, Visit visit) {
-    std::vector<int> order(curves.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return curves[at(a)].box.min().x() < curves[at(b)].box.min().x(); });
-    std::vector<int> active;
-    for (const int i : order) {
-        const Box2 box = grown(curves[at(i)].box, slack_mm);
-        std::erase_if(active, [&](int j) { return curves[at(j)].box.max().x() < box.min().x(); });
-        for (const int j : active)
-            if (curves[at(j)].box.intersects(box)) visit(std::min(i, j), std::max(i, j));
-        active.push_back(i);
-    }
-}
-
-bool adjacent(const Curve& a, const Curve& b) {
-    return a.loop == b.loop && (a.segment.to == b.from || b.segment.to == a.from);
-}
-
-/// Do two neighbouring edges cross at p, rather than meet at their corner? Rounding lets edges that touch
-/// tangentially at their corner cross once more, micrometres away and a nanometre deep.
-bool crossesBesideCorner(const Curve& a, const Curve& b, const Vec2& p) {
-    double from_corner = std::numeric_limits<double>::infinity();
-    if (a.segment.to == b.from) from_corner = std::min(from_corner, (p - b.from).norm());
-    if (b.segment.to == a.from) from_corner = std::min(from_corner, (p - a.from).norm());
-    constexpr double kDeepMm = 10 * kGridMm;
-    if (from_corner / 4 <= kDeepMm) return false;
-    const Vec2 ta = tangentAt(a.from, a.segment, shareOf(p, a.from, a.segment));
-    const Vec2 tb = tangentAt(b.from, b.segment, shareOf(p, b.from, b.segment));
-    // The two curves part by about a quarter of chord times angle in between.
-    return from_corner * std::abs(cross(ta, tb)) / 4 > kDeepMm;
-}
 
 /// A curve is cut at a node.
 struct Cut {

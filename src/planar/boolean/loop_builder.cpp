@@ -14,9 +14,6 @@ namespace stepmill::planar {
 
 namespace {
 
-/// Points of the grid lie up to 0.7 nm off the curve they were computed for, so may an arc's centre, and its
-/// radius 0.5 nm: 1.9 nm in all. Below the 2 nm that `diagnose` allows.
-constexpr double kOnCurveMm = 1.95 * kGridMm;
 /// Circles closer than this are one circle that was rounded differently.
 constexpr double kSameCircleMm = 3 * kGridMm;
 
@@ -120,11 +117,6 @@ struct BuiltEdge {
 
     Segment carrier() const { return {carrier_to, segment.arc}; }
 };
-
-bool sameCircle(const Arc& a, const Arc& b) {
-    return a.ccw == b.ccw &&
-           (a.centre - b.centre).norm() + std::abs(a.radius_mm - b.radius_mm) <= kSameCircleMm;
-}
 
 bool oneLine(const BuiltEdge& a, const BuiltEdge& b) {
     const Vec2 whole = b.segment.to - a.from;
@@ -321,6 +313,11 @@ bool lowerLeft(const Vec2& a, const Vec2& b) {
 }
 
 }  // namespace
+
+bool sameCircle(const Arc& a, const Arc& b) {
+    return a.ccw == b.ccw &&
+           (a.centre - b.centre).norm() + std::abs(a.radius_mm - b.radius_mm) <= kSameCircleMm;
+}
 
 std::optional<Region> buildLoops(const Arrangement& arrangement, const std::vector<Piece>& pieces,
                                  double thin_mm) {

@@ -7,32 +7,27 @@
 #include "report/page/program_lines.h"
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
-#include "stepmill/core/enum_words.h"
+#include "stepmill/core/squawk_grade.h"
 #include "stepmill/plan/warning_order.h"
 
 namespace stepmill::report {
 namespace {
 
-enum class Grade { Danger, Caution, Note };
-
-constexpr EnumWord<Grade> kGrades[] = {
-    {Grade::Danger, "danger"}, {Grade::Caution, "caution"}, {Grade::Note, "note"}};
-
-Grade gradeOf(const Warning& warning) {
+SquawkGrade gradeOf(const Warning& warning) {
     switch (consequenceOf(warning)) {
         case Consequence::Danger:
-            return Grade::Danger;
+            return SquawkGrade::Danger;
         case Consequence::MissingOnThePart:
         case Consequence::Cost:
-            return Grade::Caution;
+            return SquawkGrade::Caution;
         case Consequence::Note:
             break;
     }
-    return Grade::Note;
+    return SquawkGrade::Note;
 }
 
 struct Squawk {
-    Grade grade = Grade::Note;
+    SquawkGrade grade = SquawkGrade::Note;
     std::string text;
 };
 
@@ -54,18 +49,20 @@ std::vector<Squawk> ownSquawks(const SheetSubject& subject, const PlannedSetup& 
     std::vector<Squawk> own;
     const Plan& plan = subject.plan();
     if (programOf(subject.proven, setup) == nullptr)
-        own.push_back({Grade::Danger, "No program is written for this setup: run none that lies about."});
+        own.push_back(
+            {SquawkGrade::Danger, "No program is written for this setup: run none that lies about."});
     if (!setup.clamping.vise && !plan.request.fixtures.setups.contains(setup.setup.id))
-        own.push_back({Grade::Caution, "No way to hold it is known; the paths keep clear of no clamp (" +
-                                           setup.clamping.text + ")."});
+        own.push_back(
+            {SquawkGrade::Caution,
+             "No way to hold it is known; the paths keep clear of no clamp (" + setup.clamping.text + ")."});
     if (setup.setup.indexed)
         own.push_back(
-            {Grade::Caution, "The tool axis is not along the part's box: sine vise or rotary axis."});
+            {SquawkGrade::Caution, "The tool axis is not along the part's box: sine vise or rotary axis."});
     return own;
 }
 
 Element row(const Squawk& squawk) {
-    const std::string grade = wordOf(kGrades, squawk.grade);
+    const std::string grade = wordOf(kSquawkGrades, squawk.grade);
     return Element("p", Element("b", grade), " " + squawk.text).with("class", "squawk " + grade);
 }
 
@@ -78,7 +75,7 @@ Element squawks(const SheetSubject& subject, const PlannedSetup& setup, bool fir
         if (of_a_setup ? setupOf(warning.subject) == setup.setup.id : first)
             all.push_back({gradeOf(warning), warningText(warning)});
     }
-    if (all.empty()) all.push_back({Grade::Note, "nothing to heed in this setup."});
+    if (all.empty()) all.push_back({SquawkGrade::Note, "nothing to heed in this setup."});
     std::stable_sort(all.begin(), all.end(),
                      [](const Squawk& a, const Squawk& b) { return a.grade < b.grade; });
     Element list("div.squawks");

@@ -228,11 +228,21 @@ SequenceStep drilledBy(const DagTask& task, const Candidate& n) {
                        : drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
 }
 
+SharedRings ringsBy(Pattern pattern, const DagTask& task, const Candidate& n, const Stretch& stretch) {
+    return makeRings(clearingTask(task, n, stretch, {}, pattern, nullptr), *n.tool, n.cutting,
+                     task.ground.tolerances());
+}
+
 /// Each region takes its own quickest pattern; the links between the regions may cost more than that saves.
 Toolpath quickestPath(const DagTask& task, const Candidate& n, const Stretch& stretch,
                       const DecomposedArea& decomposed) {
-    Toolpath path = pathBy(task.options.pattern, task, n, stretch, decomposed, nullptr);
-    Toolpath weighed = pathBy(kWeighedPattern, task, n, stretch, decomposed, nullptr);
+    if (decomposed.centres.empty()) return {};
+    // Rings for any pattern have those of the weighed one among them.
+    const SharedRings rings = ringsBy(task.options.pattern, task, n, stretch);
+    Toolpath path = pathBy(task.options.pattern, task, n, stretch, decomposed, rings);
+    // Where every region took the weighed pattern this is its path.
+    if (path.pattern == toString(kWeighedPattern)) return path;
+    Toolpath weighed = pathBy(kWeighedPattern, task, n, stretch, decomposed, rings);
     const auto weight = [&](const Toolpath& one) {
         return weightOf(edgeCost(one.totals, *n.tool, task.machine), task.options.objective);
     };
@@ -261,9 +271,7 @@ SequenceStep milledBy(const DagTask& task, const Candidate* m, const Candidate& 
 
 SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
     if (tool.drill()) return nullptr;
-    const Stretch whole = stretchesOf(task, nullptr).front();
-    return makeRings(clearingTask(task, tool, whole, {}, kWeighedPattern, nullptr), *tool.tool, tool.cutting,
-                     task.ground.tolerances());
+    return ringsBy(kWeighedPattern, task, tool, stretchesOf(task, nullptr).front());
 }
 
 std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, const Candidate& n,

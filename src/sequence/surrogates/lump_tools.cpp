@@ -36,7 +36,7 @@ ToolReach LumpTools::reachIn(int surrogate) const {
         lumpFeature(job().feature(), lump_, obstruction, tool.diameter_mm + kBesideMm, tol_);
     const FeatureGround ground(feature, tol_);
     job().checkTime();
-    ToolReach found = toolReach(ground, tool, job().options.material);
+    ToolReach found = reachInLump(ground, tool, job().options.material);
     found.cutter.wider_obstruction = feature.obstruction;
     found.cutter.opens_target = false;
     return found;

@@ -9,6 +9,7 @@
 #include "stepmill/post/post.h"
 #include "stepmill/post/read_program.h"
 #include "support/height_map.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kRimMm = 0.3;
 /// A holder that is lower than the material beside it by less rests on rounding [mm].
 constexpr double kFlushMm = 0.01;
 
-const Tolerances kTol;
+using test::kTol;
 
 /// The blank as it may be, in a setup: the raw box larger on every side; where an earlier setup has cut the
 /// top, that is where it was cut.

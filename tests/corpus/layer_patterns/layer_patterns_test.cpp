@@ -6,11 +6,12 @@
 #include "stepmill/plan/plan.h"
 #include "support/clearing_tasks.h"
 #include "support/run_program.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// Times of one layer by pattern, and of the choice.
 struct LayerTimes {

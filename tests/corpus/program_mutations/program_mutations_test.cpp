@@ -16,12 +16,13 @@
 #include "support/program_edits.h"
 #include "support/program_judge.h"
 #include "support/second_reader.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
 constexpr int kDefaultMutations = 100;
-const Tolerances kTol;
+using test::kTol;
 /// Each tool has a length of its own in the table, so that a wrong one shows: its number times this.
 constexpr double kInchesATool = 0.1;
 

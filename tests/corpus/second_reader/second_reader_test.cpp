@@ -10,13 +10,14 @@
 #include "support/expected_outcomes.h"
 #include "support/planned_parts.h"
 #include "support/second_reader.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
 using Json = nlohmann::json;
 
-const Tolerances kTol;
+using test::kTol;
 /// The interpreter prints four decimals.
 constexpr double kPrintedMm = 1.01e-4;
 /// What rounding to the program's decimals does to a move's length.

@@ -16,6 +16,7 @@
 #include "stepmill/part/part_shape.h"
 #include "stepmill/plan/plan.h"
 #include "support/height_map.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
@@ -32,7 +33,7 @@ constexpr double kGougeMm = 0.02;
 /// left in a corner, and less is left there with an allowance.
 constexpr double kAirShare = 0.65;
 
-const Tolerances kTol;
+using test::kTol;
 
 /// The finished part as the spindle sees it.
 void raisePart(HeightMap& map, const Setup& setup) {

@@ -2,11 +2,12 @@
 
 #include "stepmill/access/access_curve.h"
 #include "support/random_grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr unsigned kSeeds = 12;
 constexpr double kWidestMm = 40;
 

@@ -6,6 +6,7 @@
 #include "stepmill/access/slivers.h"
 #include "stepmill/planar/region_text.h"
 #include "support/random_grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
@@ -14,7 +15,7 @@ using test::endMill;
 using test::kMaterial;
 using test::RandomGround;
 
-const Tolerances kTol;
+using test::kTol;
 constexpr unsigned kSeeds = 40;
 
 /// Centres dropped because they are less than tol.sliver_mm apart leave strips about as wide and some

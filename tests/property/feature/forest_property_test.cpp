@@ -7,11 +7,12 @@
 
 #include "stepmill/feature/feature.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 const Vec2 kSize(100, 80);
 constexpr double kHeight = 40;
 constexpr int kCases = 60;

@@ -14,13 +14,14 @@
 #include "stepmill/layers/stock_after.h"
 #include "stepmill/planar/boolean.h"
 #include "support/occt_solids.h"
+#include "support/tolerances.h"
 
 using namespace stepmill;
 using namespace stepmill::test;
 
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 const Vec3 kSize(60, 40, 20);
 /// Of what was cut: what the quadrature over slabs with many bends may miss.
 constexpr double kVolumeShare = 0.01;

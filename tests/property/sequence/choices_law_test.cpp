@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "bossed_tasks.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// Tools in the order of their visits.
 std::vector<std::string> visitsOf(const ToolSequence& sequence) {

@@ -9,11 +9,12 @@
 #include "support/height_map.h"
 #include "support/random_pockets.h"
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kCellMm = 0.25;
 /// Half a cell's diagonal at the cutter's rim.
 constexpr double kRimMm = 0.2;

@@ -5,11 +5,12 @@
 #include "every_order.h"
 #include "sequence/dag/sequence_choices.h"
 #include "support/random_grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kRounding = 1e-9;
 
 /// How often and by how much some numbers are less than the DAG's.

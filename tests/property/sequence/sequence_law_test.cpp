@@ -6,11 +6,12 @@
 #include "support/clearing_tasks.h"
 #include "support/random_numbers.h"
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 Feature randomPocket(std::mt19937& random) {
     const double width = uniform(random, 30, 100);

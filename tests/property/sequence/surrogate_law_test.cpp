@@ -8,11 +8,12 @@
 #include "sequence/dag/sequence_choices.h"
 #include "sequence/surrogates/surrogates.h"
 #include "support/clearing_tasks.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Every sequence of tools with every choice of surrogates for every lump, weighed one by one.

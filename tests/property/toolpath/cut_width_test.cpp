@@ -7,14 +7,15 @@
 #include "stepmill/toolpath/cut_ground.h"
 #include "support/random_pockets.h"
 #include "support/raster_simulator.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 constexpr double kCellMm = 0.1;
 /// Areas are compared over stretches of this many radii.
 constexpr double kStretchShare = 0.6;

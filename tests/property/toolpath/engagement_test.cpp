@@ -6,14 +6,15 @@
 
 #include "support/random_pockets.h"
 #include "support/raster_simulator.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 constexpr double kSlotFeed = 600;
 
 /// Area taken over length gone is the width of cut, in the mean of a window.

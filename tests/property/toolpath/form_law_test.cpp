@@ -9,12 +9,13 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/toolpath/form_passes.h"
 #include "support/dice.h"
+#include "support/tolerances.h"
 #include "support/tool_makers.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr int kPockets = 40;
 constexpr double kStockMm = 100;
 

@@ -6,14 +6,15 @@
 
 #include "support/random_pockets.h"
 #include "support/sound_path.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 /// The path of the task, sound and without moves that go nowhere.
 Toolpath soundPath(const ClearingTask& task, double radius_mm, double step_over_mm) {

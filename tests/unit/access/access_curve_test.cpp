@@ -5,6 +5,7 @@
 #include "stepmill/access/access_curve.h"
 #include "stepmill/core/units.h"
 #include "support/grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using test::closedPocket;
 using test::makeFeature;
 
-const Tolerances kTol;
+using test::kTol;
 
 Region rect(double x0, double y0, double x1, double y1) {
     return makeRectangle({x0, y0}, {x1, y1});

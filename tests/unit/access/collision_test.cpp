@@ -4,13 +4,14 @@
 
 #include "stepmill/planar/boolean.h"
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 using namespace stepmill;
 using namespace stepmill::test;
 
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kCutterMm = 3;  // radius
 
 /// A small pocket in a large part that has two hundred round holes far away.

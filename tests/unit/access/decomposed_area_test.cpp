@@ -4,6 +4,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "support/grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
@@ -13,7 +14,7 @@ using test::endMill;
 using test::kMaterial;
 using test::makeFeature;
 
-const Tolerances kTol;
+using test::kTol;
 
 CutterArea access(const FeatureGround& ground, double diameter_mm) {
     return toolReach(ground, endMill(diameter_mm), kMaterial).cutter;

@@ -5,6 +5,7 @@
 #include "stepmill/access/collision.h"
 #include "stepmill/core/units.h"
 #include "support/grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
@@ -15,7 +16,7 @@ using test::inHolder;
 using test::kMaterial;
 using test::makeFeature;
 
-const Tolerances kTol;
+using test::kTol;
 
 /// Areas are exact but for joints on the 1 nm grid and walls shared to 0.1 um.
 constexpr double kAreaMm2 = 2e-2;

@@ -3,13 +3,14 @@
 #include "stack_maker.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/feature/reason.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::makeStack;
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle({0, 0}, {100, 80});
 
 /// The block around a rectangular room.

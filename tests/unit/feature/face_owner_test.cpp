@@ -3,13 +3,14 @@
 #include "stack_maker.h"
 #include "stepmill/feature/face_owner.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::makeStack;
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle({0, 0}, {100, 80});
 
 FaceShape face(int index, const Vec3& at, const Vec3& normal) {

@@ -5,13 +5,14 @@
 #include "stack_maker.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/hole_group.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::makeStack;
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle({0, 0}, {100, 80});
 
 Region drilled(const Region& from, const std::vector<Vec2>& centres, double radius_mm) {

@@ -2,13 +2,14 @@
 
 #include "graph_maker.h"
 #include "stepmill/feature/hole.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::GraphMaker;
 
-const Tolerances kTol;
+using test::kTol;
 
 Hole onlyHole(const GraphMaker& maker) {
     const std::vector<Hole> holes = findHoles(maker.graph, kTol);

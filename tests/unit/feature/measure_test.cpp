@@ -3,13 +3,14 @@
 #include "stack_maker.h"
 #include "stepmill/feature/measure.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::makeStack;
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle({0, 0}, {100, 80});
 
 FeatureMeasures measure(const LayerStack& stack, const Feature& feature) {

@@ -2,13 +2,14 @@
 
 #include "graph_maker.h"
 #include "stepmill/feature/part_form.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::GraphMaker;
 
-const Tolerances kTol;
+using test::kTol;
 
 /// The six sides of a block 10 mm wide come first.
 class PartForms : public ::testing::Test {

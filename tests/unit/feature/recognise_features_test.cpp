@@ -4,13 +4,14 @@
 #include "stack_maker.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using test::makeStack;
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle({0, 0}, {100, 80});
 
 Region rect(double x0, double y0, double x1, double y1) {

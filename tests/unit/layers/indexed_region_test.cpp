@@ -8,13 +8,14 @@
 #include "layers/stock/scanned_area.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 using namespace stepmill;
 using namespace stepmill::layers;
 
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A plate of 60 x 40 with a round hole and a rounded pocket.
 Region plate() {

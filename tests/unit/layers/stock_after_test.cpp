@@ -5,13 +5,14 @@
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "support/occt_solids.h"
+#include "support/tolerances.h"
 
 using namespace stepmill;
 using namespace stepmill::test;
 
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A block 60 x 40 x 20 set up from above: z 0 is its top.
 stepmill::Setup block(const Vec3& axis = Vec3::UnitZ()) {

@@ -10,11 +10,12 @@
 #include "stepmill/core/units.h"
 #include "stepmill/part/face_graph.h"
 #include "stepmill/part/part_shape.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 TopoDS_Shape block() {
     return BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(40, 30, 20)).Shape();

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// Two setups from the same side. The first leaves 60 mm3 of 100, of which its form cutters take 30; the
 /// second has a feature of 20 mm3 that no tool of its own fits, and no name for the rest.

@@ -8,13 +8,14 @@
 #include "stepmill/planar/boolean.h"
 #include "support/grounds.h"
 #include "support/shape_makers.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
+using test::kTol;
 
 Feature pocket(const std::string& id, const Region& target, double top_mm, double floor_mm,
                std::vector<std::string> parents) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 #include "support/tool_makers.h"
 
 namespace stepmill {
@@ -10,7 +11,7 @@ namespace {
 
 using test::makeMill;
 
-const Tolerances kTol;
+using test::kTol;
 /// Ground that the wide cutter leaves for the narrow one.
 const Region kCorner = makeRectangle({40, 0}, {50, 10});
 

@@ -4,11 +4,12 @@
 
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr FinishAllowance kAllowance{0.3, 0.2};
 
 Plan planSample(const std::string& name, const FinishAllowance& finish, double over_top_mm = 0) {

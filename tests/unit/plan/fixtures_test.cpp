@@ -7,11 +7,12 @@
 #include "stepmill/core/units.h"
 #include "stepmill/plan/plan.h"
 #include "support/told.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 Plan planWith(const std::string& sample, const std::vector<Fixture>& fixtures) {
     PlanRequest request;

@@ -2,11 +2,12 @@
 
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle(Vec2(0, 0), Vec2(100, 60));
 
 /// Half a millimetre on every side of a block of 100 x 60.

@@ -5,11 +5,12 @@
 
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// The pocket with its sequence: the last feature of the part.
 PlannedFeature planPocket(const std::string& name, SurrogateRule rule) {

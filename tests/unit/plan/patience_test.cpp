@@ -7,11 +7,12 @@
 #include "plan/few_tools.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 Plan planWith(const Patience& patience, const std::string& name) {
     PlanRequest request;

@@ -5,11 +5,12 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/plan/plan.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 PlanRequest inAluminium() {
     PlanRequest request;

@@ -4,11 +4,12 @@
 #include "stepmill/plan/reduced_feature.h"
 #include "stepmill/planar/boolean.h"
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A pocket of 100 x 100 from z = 0 to -20 that leaves `left` standing.
 PlannedFeature parentLeaving(const Region& left) {

@@ -7,13 +7,14 @@
 #include "stepmill/plan/roughing.h"
 #include "support/grounds.h"
 #include "support/shape_makers.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
+using test::kTol;
 constexpr FinishAllowance kHalf{0.5, 0.5};
 
 double allowanceMm3(const FeatureSet& found) {

@@ -7,11 +7,12 @@
 
 #include "stepmill/plan/stages.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kOffsetMm = 0.1;
 
 /// Circles by centre, side and radius; an arc cut in two is one circle.

@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/plan/removed.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 Part samplePart(const std::string& name) {
     return readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name).front();

@@ -4,12 +4,13 @@
 #include "plan/stick_outs.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "support/told.h"
+#include "support/tolerances.h"
 #include "support/tool_makers.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 ToolAssembly ranged(const std::string& id) {
     ToolAssembly tool = test::inHolder(test::bareTool(id, ToolType::Flat, 10), 30, 40, 30);

@@ -4,11 +4,12 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/region_text.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 Region fromText(const std::string& text) {
     return regionFromText(text, "test");

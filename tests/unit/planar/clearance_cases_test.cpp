@@ -18,11 +18,12 @@
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/region_text.h"
 #include "support/region_checks.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 struct Case {
     std::string name;

@@ -4,6 +4,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 #include "unit/planar/clearance_shapes.h"
 
 namespace stepmill {
@@ -15,7 +16,7 @@ using test::expectArea;
 using test::pocketWithIsland;
 using test::roundedArea;
 
-const Tolerances kTol;
+using test::kTol;
 
 TEST(ClearanceDiagram, RoundedPocketWithIslandShrinksAndGrowsExactly) {
     const ClearanceDiagram diagram(pocketWithIsland(), kTol);

@@ -9,6 +9,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "support/tolerances.h"
 #include "unit/planar/clearance_shapes.h"
 
 namespace stepmill {
@@ -17,7 +18,7 @@ namespace {
 using test::addHole;
 using Kind = ClearanceEvent::Kind;
 
-const Tolerances kTol;
+using test::kTol;
 
 std::string text(const std::vector<ClearanceEvent>& events) {
     std::string result;

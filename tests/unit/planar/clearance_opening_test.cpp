@@ -8,6 +8,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/region_text.h"
+#include "support/tolerances.h"
 #include "unit/planar/clearance_shapes.h"
 
 namespace stepmill {
@@ -20,7 +21,7 @@ using test::expectRoundedArea;
 using test::pocketWithIsland;
 using test::roundedArea;
 
-const Tolerances kTol;
+using test::kTol;
 const double kSharpCorner = 1 - kPi / 4;  ///< what a disc of radius 1 leaves in a square corner
 
 Segment line(double x, double y) {

@@ -5,11 +5,12 @@
 #include <random>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A plate with two holes and a round corner cut off.
 Region plate() {

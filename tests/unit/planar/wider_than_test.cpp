@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 TEST(WiderThan, AStripIsAsWideAsItsShorterSide) {
     const Region strip = makeRectangle({0, 0}, {100, 0.5});

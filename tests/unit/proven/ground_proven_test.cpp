@@ -6,11 +6,12 @@
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/proven/proven_plan.h"
 #include "stepmill/verify/claim.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 Part samplePart(const std::string& name) {
     return readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name + ".step").front();

@@ -4,11 +4,12 @@
 
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/proven/proven_plan.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr FinishAllowance kHalf{0.5, 0.5};
 
 class RoughedSample : public testing::TestWithParam<const char*> {};

@@ -8,13 +8,14 @@
 #include "stepmill/core/error.h"
 #include "stepmill/proven/proven_plan.h"
 #include "stepmill/verify/claim.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const Tolerances kTol;
+using test::kTol;
 const std::string kSource = STEPMILL_SOURCE_DIR;
 
 const Part& plate() {

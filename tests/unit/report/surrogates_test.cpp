@@ -4,11 +4,12 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/record/plan_json.h"
 #include "stepmill/report/report.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// The pocket beside bosses, where the 0.2 in cutter helps the 0.5 in one.
 const Plan& bossedPlan() {

@@ -3,11 +3,12 @@
 #include "sequence/dag/candidate.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 ToolLibrary fiveMills() {
     return makeLibrary({makeMill(25, 2200, 6), makeMill(16, 2000, 5), makeMill(10, 1500, 4),

@@ -4,11 +4,12 @@
 
 #include "support/sample_feature.h"
 #include "support/told.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 ToolSequence sequenced(const Feature& feature, const std::vector<ToolAssembly>& tools,
                        const FinishAllowance& finish) {

@@ -4,11 +4,12 @@
 
 #include "sequence/advice/trial_tools.h"
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// In a holder, with the shank between flutes and holder.
 ToolAssembly withShank(ToolAssembly tool, double stick_out_mm, double holder_mm) {

@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 DagEdge edge(const std::string& from, const std::string& to, double feed_time_s) {
     DagEdge result;

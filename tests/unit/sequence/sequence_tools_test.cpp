@@ -2,11 +2,12 @@
 #include <tbb/global_control.h>
 
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 const DagEdge* findEdge(const ToolSequence& sequence, const std::string& from, const std::string& to) {
     for (const DagEdge& edge : sequence.edges) {

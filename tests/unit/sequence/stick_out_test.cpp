@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A mill of 10 mm in a holder of 40 mm that may be set out from 6 to 30 mm.
 ToolAssembly rangedMill() {

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 using namespace stepmill;
 
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 const Region kBlock = makeRectangle(Vec2(0, 0), Vec2(80, 50));
 
 Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {

@@ -2,11 +2,12 @@
 
 #include "stepmill/study/curves.h"
 #include "stepmill/study/inspection.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// Ground that two setups could reach is the first one's, as inspect says.
 TEST(FindCurves, AreOfTheFeaturesThatInspectNames) {

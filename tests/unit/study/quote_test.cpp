@@ -6,11 +6,12 @@
 
 #include "stepmill/catalog/read_catalog.h"
 #include "support/occt_solids.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A block with one pocket of 50 x 30 mm in its middle.
 Part pocketed(double depth_mm, double corner_radius_mm) {

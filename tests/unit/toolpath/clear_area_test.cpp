@@ -10,6 +10,7 @@
 #include "stepmill/planar/edge.h"
 #include "support/clearing_tasks.h"
 #include "support/sound_path.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
@@ -19,8 +20,8 @@ using namespace test;
 constexpr double kCellMm = 0.1;
 constexpr double kMarginMm = 0.15;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 /// 70 x 50, corner radius 6, island of diameter 16 in the middle.
 Region pocketWithIsland() {

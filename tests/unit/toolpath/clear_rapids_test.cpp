@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/clearing_tasks.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
@@ -11,7 +12,7 @@ constexpr double kRadiusMm = 5;
 constexpr double kSideMm = 2;
 constexpr double kInsideMm = 0.5;
 constexpr double kTopMm = 2;
-const Tolerances kTol;
+using test::kTol;
 
 Machine carefulMachine() {
     Machine machine = machineWithRapid(5000);

@@ -4,14 +4,15 @@
 
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 struct Rival {
     double diameter_mm;

@@ -4,14 +4,15 @@
 
 #include "stepmill/core/units.h"
 #include "support/clearing_tasks.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 ToolAssembly drill(double diameter_mm) {
     ToolAssembly tool = flatEndMill(diameter_mm);

@@ -4,14 +4,15 @@
 
 #include "support/clearing_tasks.h"
 #include "support/sound_path.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 /// A blind hole of 6 mm, 20 deep, as a 4 mm cutter with a long reach clears it.
 ClearingTask deepHole() {

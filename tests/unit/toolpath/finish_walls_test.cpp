@@ -6,14 +6,15 @@
 
 #include "stepmill/core/units.h"
 #include "support/clearing_tasks.h"
+#include "support/tolerances.h"
 
 namespace stepmill::toolpath {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 constexpr double kRadiusMm = 4;
 constexpr double kAllowanceMm = 0.3;
 

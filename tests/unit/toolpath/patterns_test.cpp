@@ -6,14 +6,15 @@
 #include "stepmill/planar/edge.h"
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 Toolpath cutWith(ClearingTask task, Pattern pattern, double radius_mm, double step_over_mm) {
     task.pattern = pattern;

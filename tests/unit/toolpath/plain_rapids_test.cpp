@@ -8,7 +8,7 @@ namespace {
 using namespace test;
 
 constexpr double kRetractMm = 10;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
 
 /// Over a pass, over ground in the feature, and down into it by rapids.
 Toolpath hastyPath() {

@@ -5,6 +5,7 @@
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
 #include "support/sound_path.h"
+#include "support/tolerances.h"
 #include "toolpath/script/depth_script.h"
 
 namespace stepmill {
@@ -12,8 +13,8 @@ namespace {
 
 using namespace test;
 
-const Tolerances kTol;
-const Machine kMachine = machineWithRapid(5000);
+using test::kMachine;
+using test::kTol;
 
 TEST(RestArea, OfARoundedPocketIsItsFourCorners) {
     const Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 4);

@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 #include "support/tool_makers.h"
 
 namespace stepmill::test {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kLengthMm = 40;
 constexpr double kHeightMm = 2;
 /// Slices are no higher where bands are not.

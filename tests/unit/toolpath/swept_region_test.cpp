@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/core/units.h"
+#include "support/tolerances.h"
 
 namespace stepmill::toolpath {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 TEST(SweptRegion, OfAStandIsADisc) {
     EXPECT_NEAR(area(sweptRegion({{Vec2(3, 4), {}}}, 2, kTol)), 4 * kPi, 1e-6);

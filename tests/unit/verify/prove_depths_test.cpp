@@ -1,12 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 #include "verify/prove_operation.h"
 
 namespace stepmill::verify {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kStepDownMm = 4;
 
 /// A 10 mm cutter along y = 0 in a trough 10 mm wide and 10 mm deep, from x = 0 to 40.

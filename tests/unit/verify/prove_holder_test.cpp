@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "support/sample_feature.h"
+#include "support/tolerances.h"
 #include "verify/prove_operation.h"
 
 namespace stepmill::verify {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 
 /// A pocket of 60 x 20, 30 deep, and a cutter of 10 in a holder of 20 that begins 10 over the tip.
 class NarrowPocket : public ::testing::Test {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stepmill::batch {
+namespace stepmill {
 
 /// A row of a CSV file with the line it begins on.
 struct CsvRow {
@@ -17,4 +17,4 @@ struct CsvRow {
 /// \param file  for messages \throws Error(InvalidCatalog) naming file and line where a quote is not closed
 std::vector<CsvRow> readCsv(const std::string& file, std::string_view text);
 
-}  // namespace stepmill::batch
+}  // namespace stepmill

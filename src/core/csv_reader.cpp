@@ -1,10 +1,10 @@
-#include "batch/csv_reader.h"
+#include "stepmill/core/csv_reader.h"
 
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
 
-namespace stepmill::batch {
+namespace stepmill {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -96,4 +96,4 @@ std::vector<CsvRow> readCsv(const std::string& file, std::string_view text) {
     return CsvReader(file, text).read();
 }
 
-}  // namespace stepmill::batch
+}  // namespace stepmill

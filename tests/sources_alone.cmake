@@ -1,0 +1,45 @@
+# Tests have short names for what they are about. These have one that another source of their program has, too: they are
+# compiled by themselves where others are joined.
+set_source_files_properties(
+  corpus/batch/quote_command_test.cpp
+  corpus/command_line/rank_command_test.cpp
+  corpus/hostile_input/extreme_values_test.cpp
+  corpus/hostile_input/hostile_names_test.cpp
+  property/access/area_laws_test.cpp
+  property/sequence/cheapest_path_law_test.cpp
+  property/sequence/order_law_test.cpp
+  property/sequence/sensitivity_law_test.cpp
+  property/sequence/sequence_law_test.cpp
+  unit/access/tool_reach_test.cpp
+  unit/batch/part_order_test.cpp
+  unit/catalog/limits_test.cpp
+  unit/catalog/read_fixtures_test.cpp
+  unit/catalog/read_hole_table_test.cpp
+  unit/catalog/read_materials_test.cpp
+  unit/catalog/spindle_test.cpp
+  unit/catalog/stick_out_range_test.cpp
+  unit/catalog/tool_errors_test.cpp
+  unit/feature/face_owner_test.cpp
+  unit/feature/hole_group_test.cpp
+  unit/feature/measure_test.cpp
+  unit/feature/recognise_features_test.cpp
+  unit/part/make_part_test.cpp
+  unit/plan/order_operations_test.cpp
+  unit/plan/patience_test.cpp
+  unit/plan/plan_part_test.cpp
+  unit/plan/roughing_test.cpp
+  unit/plan/stages_test.cpp
+  unit/plan/usable_library_test.cpp
+  unit/planar/clearance_cases_test.cpp
+  unit/planar/clearance_diagram_test.cpp
+  unit/planar/clearance_opening_test.cpp
+  unit/planar/region_test.cpp
+  unit/planar/region_text_test.cpp
+  unit/post/start_and_end_test.cpp
+  unit/proven/threads_proven_test.cpp
+  unit/report/pages_test.cpp
+  unit/report/quote_page_test.cpp
+  unit/report/sheets_test.cpp
+  unit/toolpath/cut_ground_test.cpp
+  unit/toolpath/finish_walls_test.cpp
+  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
