@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "setup/ray_tree.h"
+#include "stepmill/setup/draft.h"
 
 namespace stepmill::setup {
 
@@ -129,7 +130,7 @@ class Sampler {
             place.depth_mm.push_back(blocked ? 0 : wayToSkin(from, axis));
             place.reach.push_back(
                 blocked ? Reach::None
-                        : (isUprightOrLevel(place.normal, axis) &&
+                        : (isWallOrFloor(place.normal, axis) &&
                                    place.depth_mm.back() <= std::min(kDeepMm, kDeepRatio * gap_mm)
                                ? Reach::Finished
                                : Reach::Poor));
@@ -137,9 +138,10 @@ class Sampler {
     }
 
   private:
-    static bool isUprightOrLevel(const Vec3& normal, const Vec3& axis) {
+    static bool isWallOrFloor(const Vec3& normal, const Vec3& axis) {
         const double up = normal.dot(axis);
-        return std::abs(up) < kUprightSine || (up > 0 && normal.cross(axis).norm() < kUprightSine);
+        const bool wall = up > -kUprightSine && up < kDraftSine;
+        return wall || (up > 0 && normal.cross(axis).norm() < kUprightSine);
     }
 
     double wayToSkin(const Vec3& from, const Vec3& direction) const {
