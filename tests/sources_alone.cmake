@@ -10,6 +10,8 @@ set_source_files_properties(
   property/sequence/order_law_test.cpp
   property/sequence/sensitivity_law_test.cpp
   property/sequence/sequence_law_test.cpp
+  corpus/command_line/foreign_files_test.cpp
+  corpus/weakened_plans/weakened_plans_test.cpp
   unit/access/tool_reach_test.cpp
   unit/batch/part_order_test.cpp
   unit/catalog/limits_test.cpp

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "stepmill/part/part.h"
 #include "stepmill/planar/vector.h"
 
 namespace stepmill {

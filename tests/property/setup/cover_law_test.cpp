@@ -77,7 +77,9 @@ TEST(BestAxesLaw, NoSingleExchangeHelpsWhereTheSearchEndsEarly) {
             for (unsigned other = 0; other <= one; ++other) {
                 const unsigned changed = found ^ (1U << one) ^ (other == one ? 0U : 1U << other);
                 const bool exchange = other == one || ((found >> one ^ found >> other) & 1U) != 0;
-                if (exchange) EXPECT_LE(worthOf(made.groups, made.bonus, changed), worth + 1e-8);
+                if (exchange) {
+                    EXPECT_LE(worthOf(made.groups, made.bonus, changed), worth + 1e-8);
+                }
             }
     }
 }

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 using namespace stepmill;
 
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kDiscMm = 0.04;
 /// How near to each other the bounds come where all of an open side is equally far off, so that the number of
 /// squares ends the search [mm].

@@ -211,8 +211,9 @@ TEST_F(FreeCadFolder, ReadsBackWhatWasWritten) {
         EXPECT_NEAR(is.flute_length_mm, was.flute_length_mm, 1e-6) << was.id;
         EXPECT_NEAR(is.stick_out_mm, was.stick_out_mm, 1e-6) << was.id;
         EXPECT_EQ(is.flutes, was.flutes) << was.id;
-        if (was.type != ToolType::Face)
+        if (was.type != ToolType::Face) {
             EXPECT_NEAR(is.corner_radius_mm, was.corner_radius_mm, 1e-6) << was.id;
+        }
         EXPECT_NEAR(is.point_angle_deg, was.point_angle_deg, 1e-4) << was.id;
         EXPECT_EQ(is.thread ? is.thread->name : "", was.thread ? was.thread->name : "") << was.id;
     }

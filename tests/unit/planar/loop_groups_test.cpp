@@ -4,11 +4,12 @@
 
 #include "planar/boolean/loop_groups.h"
 #include "stepmill/planar/boolean.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 constexpr double kApartMm = 2e-3;
 
 Region plateWithHoles() {

@@ -49,7 +49,7 @@ TEST_P(CutTogether, FollowsFromPartAndLibrary) {
     const Part part = samplePart(GetParam());
     const ProvenPlan plan = planned(part, true);
     const PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
-    for (const ProofFailure& failure : compareWithPart(record, {part, defaultToolLibrary(), {}, {}}, kTol))
+    for (const ProofFailure& failure : compareWithPart(record, {part, defaultToolLibrary(), {}, {}, {}}, kTol))
         ADD_FAILURE() << failure.operation << ": " << failure.text;
 }
 
@@ -59,7 +59,7 @@ std::vector<ProofFailure> saidOf(const Part& part, const ProvenPlan& plan,
     PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
     for (auto& [id, recorded] : record.features)
         if (!recorded.feature.ground_of.empty()) change(recorded.feature);
-    return compareWithPart(record, {part, defaultToolLibrary(), {}, {}}, kTol);
+    return compareWithPart(record, {part, defaultToolLibrary(), {}, {}, {}}, kTol);
 }
 
 TEST(ChangedGround, IsNotWhatThePartSays) {
