@@ -8,7 +8,6 @@
 #include <tbb/parallel_for.h>
 
 #include "setup/ray_tree.h"
-#include "stepmill/setup/draft.h"
 
 namespace stepmill::setup {
 
@@ -130,7 +129,7 @@ class Sampler {
             place.depth_mm.push_back(blocked ? 0 : wayToSkin(from, axis));
             place.reach.push_back(
                 blocked ? Reach::None
-                        : (isWallOrFloor(place.normal, axis) &&
+                        : (isUprightOrLevel(place.normal, axis) &&
                                    place.depth_mm.back() <= std::min(kDeepMm, kDeepRatio * gap_mm)
                                ? Reach::Finished
                                : Reach::Poor));
@@ -138,10 +137,9 @@ class Sampler {
     }
 
   private:
-    static bool isWallOrFloor(const Vec3& normal, const Vec3& axis) {
+    static bool isUprightOrLevel(const Vec3& normal, const Vec3& axis) {
         const double up = normal.dot(axis);
-        const bool wall = up > -kUprightSine && up < kDraftSine;
-        return wall || (up > 0 && normal.cross(axis).norm() < kUprightSine);
+        return std::abs(up) < kUprightSine || (up > 0 && normal.cross(axis).norm() < kUprightSine);
     }
 
     double wayToSkin(const Vec3& from, const Vec3& direction) const {

@@ -12,7 +12,7 @@ enum class Reach : char {
     None,     ///< the part is in the way
     Poor,     ///< free, but the face is neither floor nor wall to this axis (steps stay on it), or the place
               ///< lies deep in a narrow gap: long slim tools
-    Finished  ///< free, and the face is a floor or a wall, upright or drafted, within reach of common tools
+    Finished  ///< free, and the face is a floor or a wall within reach of common tools
 };
 
 /// Places that all axes reach in the same way.

@@ -2,7 +2,6 @@
 
 #include "layers/faces/trace_faces.h"
 #include "stepmill/core/units.h"
-#include "stepmill/setup/draft.h"
 
 namespace stepmill::layers {
 
@@ -10,6 +9,8 @@ namespace {
 
 /// Heights closer than that are the same [mm].
 constexpr double kSameMeshMm = 2e-3;
+/// Leaning that much or less from the vertical is draft.
+const double kDraftNormal = std::sin(20 * kPi / 180);
 /// Steeper than that from the horizontal, a bevel is a chamfer rather than a nearly level face.
 const double kChamferNormal = std::sin(80 * kPi / 180);
 
@@ -64,7 +65,7 @@ class Namer {
         if (trace.stand == FaceStand::Turning)
             return isAcross(trace) ? SlopeCause::AcrossAxis : SlopeCause::FreeForm;
         if (closesToPoint(trace)) return SlopeCause::DrillPoint;
-        if (trace.greatest_normal_z <= kDraftSine) return SlopeCause::Draft;
+        if (trace.greatest_normal_z <= kDraftNormal) return SlopeCause::Draft;
         if (isFlank(trace)) return isChamfer(trace) ? SlopeCause::Chamfer : SlopeCause::SlantedFace;
         if (meets(trace, Bend::Smooth, FaceStand::Floor, trace.bottom_z_mm) && flattensBelow(trace))
             return SlopeCause::FloorFillet;

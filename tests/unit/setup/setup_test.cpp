@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/core/error.h"
-#include "stepmill/core/units.h"
 #include "support/occt_solids.h"
 
 using namespace stepmill;
@@ -135,16 +134,6 @@ TEST(ChooseSetups, IndexesToATiltedHoleLast) {
     ASSERT_EQ(axesOf(setups), (Names{"+z", "-0.7071,0.0000,0.7071"}));
     EXPECT_FALSE(setups[0].indexed);
     EXPECT_TRUE(setups[1].indexed);
-}
-
-TEST(ChooseSetups, AsksForNoSetupOfTheirOwnForDraftedWalls) {
-    // A boss 40 by 40 at its foot whose walls lean back by 10 degrees over 20 mm.
-    const double back = 20 * std::tan(10 * kPi / 180);
-    const gp_Ax2 foot(gp_Pnt(10, 50, 10), gp_Dir(0, -1, 0), gp_Dir(1, 0, 0));
-    const TopoDS_Shape boss =
-        BRepPrimAPI_MakeWedge(foot, 40, 20, 40, back, back, 40 - back, 40 - back).Shape();
-    const TopoDS_Shape plate = box(0, 0, 0, 60, 60, 10);
-    EXPECT_EQ(axesOf(chooseSetups(part(BRepAlgoAPI_Fuse(plate, boss).Shape()), {})), Names{"+z"});
 }
 
 TEST(ChooseSetups, KeepsToTheAxesAndOrderAskedFor) {
