@@ -17,10 +17,8 @@ namespace {
 /// Of axes that reach the same, the one over the stock's largest side is best held; less than any volume.
 constexpr double kFootprintBonus = 0.01;
 
-/// What an indexed axis costs over one along the box, in setups: it takes a sine vise and a datum more, and
-/// to it all that others cut leans. A casting with drafted walls has a dozen such axes that each reach one
-/// face more.
-constexpr double kIndexedCost = 2;
+/// What an indexed axis costs over one along the box, in setups: it takes a sine vise and a datum more.
+constexpr double kIndexedCost = 1;
 
 Box3 boxOfPoints(const setup::Facets& facets, const Eigen::Matrix3d& rotation) {
     Box3 box;
