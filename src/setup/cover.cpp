@@ -2,8 +2,6 @@
 
 #include "setup/cover.h"
 
-#include <limits>
-
 namespace stepmill::setup {
 
 namespace {
@@ -37,56 +35,11 @@ class Search {
             if (!isDominated(axis)) all.push_back(axis);
         std::vector<double> held(worth_.empty() ? 0 : worth_.front().size(), 0.0);
         visit(held, 0, all);
-        if (visits_ > kMostVisits) improve(all);
         std::sort(best_.begin(), best_.end());
         return best_;
     }
 
   private:
-    double worthOfSet(const std::vector<int>& axes) const {
-        double worth = 0;
-        for (const int axis : axes)
-            worth += bonus_[axis] - 1;
-        for (std::size_t g = 0; g < worth_.front().size(); ++g) {
-            double most = 0;
-            for (const int axis : axes)
-                most = std::max(most, worth_[axis][g]);
-            worth += most;
-        }
-        return worth;
-    }
-
-    /// Sets that differ from the best so far by one axis left out, added or taken for another.
-    std::vector<std::vector<int>> nextToBest(const std::vector<int>& all) const {
-        std::vector<std::vector<int>> sets;
-        for (std::size_t out = 0; out <= best_.size(); ++out) {
-            std::vector<int> kept = best_;
-            if (out < best_.size()) kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(out));
-            sets.push_back(kept);
-            kept.push_back(-1);
-            for (const int axis : all) {
-                kept.back() = axis;
-                sets.push_back(kept);
-            }
-        }
-        return sets;
-    }
-
-    /// A search that comes to its end too early may hold an axis that does not pay: single axes are exchanged
-    /// as long as that helps.
-    void improve(const std::vector<int>& all) {
-        for (bool better = true; better;) {
-            better = false;
-            for (std::vector<int>& set : nextToBest(all)) {
-                const double worth = worthOfSet(set);
-                if (worth <= best_worth_ + kSameWorth) continue;
-                best_worth_ = worth;
-                best_ = std::move(set);
-                better = true;
-            }
-        }
-    }
-
     /// Does another axis reach all that this one does, as well? Of equal ones the first stays.
     bool isDominated(int axis) const {
         for (int other = 0; other < static_cast<int>(worth_.size()); ++other) {
@@ -107,12 +60,10 @@ class Search {
         return sum;
     }
 
-    /// No less than what any of the axes can add together: of each group what the best of them reaches, less
-    /// the cost of one axis. Further ones, indexed ones above all, cost more.
     double mostWorth(const std::vector<double>& held, const std::vector<std::pair<double, int>>& axes) const {
-        double sum = std::numeric_limits<double>::lowest();
+        double sum = 0;
         for (const auto& [by, axis] : axes)
-            sum = std::max(sum, bonus_[axis] - 1);
+            sum += bonus_[axis];
         for (std::size_t g = 0; g < held.size(); ++g) {
             double most = 0;
             for (const auto& [by, axis] : axes)
@@ -137,7 +88,9 @@ class Search {
             paying.emplace_back(by, axis);
             sum += by;
         }
-        double bound = worth + std::min(sum, mostWorth(held, paying));
+        // However many axes follow, together they add no more than the best of them does in each group, less
+        // one.
+        double bound = worth + std::min(sum, mostWorth(held, paying) - 1);
         std::stable_sort(paying.begin(), paying.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
         for (std::size_t i = 0; i < paying.size(); ++i) {
