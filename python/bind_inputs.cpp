@@ -22,8 +22,9 @@ py::tuple corners(const Box3& box) {
     return py::make_tuple(corner(box.min()), corner(box.max()));
 }
 
-std::vector<Part> load(const fs::path& file, const std::string& unit, const std::map<std::string, double>& depths,
-                       const std::string& outline, double thickness) {
+std::vector<Part> load(const fs::path& file, const std::string& unit,
+                       const std::map<std::string, double>& depths, const std::string& outline,
+                       double thickness) {
     const py::gil_scoped_release free;
     DrawingOptions drawing;
     drawing.depths = depths;

@@ -35,7 +35,9 @@ SetupRequest setupRequest(const std::vector<std::string>& setups) {
     request.stock_tolerance_mm = kSawnToleranceMm;
     for (const std::string& setup : setups) {
         const std::optional<Vec3> axis = parseAxis(setup);
-        if (!axis) throw Error(ErrorCode::Usage, "setups", "expected axes such as +z or x,y,z, found '" + setup + "'");
+        if (!axis)
+            throw Error(ErrorCode::Usage, "setups",
+                        "expected axes such as +z or x,y,z, found '" + setup + "'");
         request.axes.push_back(*axis);
     }
     return request;
@@ -62,8 +64,9 @@ PlanRequest planRequest(const std::vector<std::string>& setups, const Machine& m
     return request;
 }
 
-ProvenPlan plan(const Part& part, const ToolLibrary& tools, const Machine& machine, const std::string& material,
-                const std::vector<std::string>& setups, bool by_cost, const std::string& unit) {
+ProvenPlan plan(const Part& part, const ToolLibrary& tools, const Machine& machine,
+                const std::string& material, const std::vector<std::string>& setups, bool by_cost,
+                const std::string& unit) {
     const py::gil_scoped_release free;
     PlanRequest request = planRequest(setups, machine, material, by_cost);
     request.unit = unit;
@@ -139,11 +142,11 @@ void bindStudies(py::module_& module) {
 void bindResults(py::module_& module) {
     py::class_<Points>(module, "Points", py::buffer_protocol())
         .def_buffer([](Points& points) {
-            return py::buffer_info(points.points.empty() ? nullptr : points.points.front().data(), sizeof(double),
-                                   py::format_descriptor<double>::format(), 2,
-                                   {static_cast<py::ssize_t>(points.points.size()), py::ssize_t{2}},
-                                   {static_cast<py::ssize_t>(sizeof(Vec2)), static_cast<py::ssize_t>(sizeof(double))},
-                                   true);
+            return py::buffer_info(
+                points.points.empty() ? nullptr : points.points.front().data(), sizeof(double),
+                py::format_descriptor<double>::format(), 2,
+                {static_cast<py::ssize_t>(points.points.size()), py::ssize_t{2}},
+                {static_cast<py::ssize_t>(sizeof(Vec2)), static_cast<py::ssize_t>(sizeof(double))}, true);
         })
         .def("__len__", [](const Points& points) { return points.points.size(); });
     bindPlan(module);

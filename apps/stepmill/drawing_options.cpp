@@ -30,8 +30,9 @@ void takeDepth(const std::string& word, DrawingOptions& options) {
             fmt::format("expected LAYER=DEPTH with a number, found '{}'", word.substr(0, kLongestWordQuote)));
     const std::string layer = word.substr(0, equals);
     if (!options.depths.emplace(layer, depth).second)
-        throw Error(ErrorCode::Usage, "--depth",
-                    fmt::format("expected one depth for '{}', found two", layer.substr(0, kLongestWordQuote)));
+        throw Error(
+            ErrorCode::Usage, "--depth",
+            fmt::format("expected one depth for '{}', found two", layer.substr(0, kLongestWordQuote)));
 }
 
 }  // namespace

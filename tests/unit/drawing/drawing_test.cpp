@@ -161,8 +161,7 @@ TEST(Dxf, RefusesProfilesThatCross) {
     const std::string bow = line("P", 10, 10, 30, 30) + line("P", 30, 30, 30, 10) +
                             line("P", 30, 10, 10, 30) + line("P", 10, 30, 10, 10);
     const std::string itself = refusal(dxf(square("OUT", 0, 0, 50) + bow), plate({{"P", 2}}));
-    EXPECT_NE(itself.find("cross neither themselves nor each other: edges cross at ("),
-              std::string::npos)
+    EXPECT_NE(itself.find("cross neither themselves nor each other: edges cross at ("), std::string::npos)
         << itself;
     const std::string each_other = refusal(
         dxf(square("OUT", 0, 0, 50) + square("P", 10, 10, 20) + square("P", 20, 20, 20)), plate({{"P", 2}}));

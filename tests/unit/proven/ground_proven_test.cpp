@@ -49,7 +49,8 @@ TEST_P(CutTogether, FollowsFromPartAndLibrary) {
     const Part part = samplePart(GetParam());
     const ProvenPlan plan = planned(part, true);
     const PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
-    for (const ProofFailure& failure : compareWithPart(record, {part, defaultToolLibrary(), {}, {}, {}}, kTol))
+    for (const ProofFailure& failure :
+         compareWithPart(record, {part, defaultToolLibrary(), {}, {}, {}}, kTol))
         ADD_FAILURE() << failure.operation << ": " << failure.text;
 }
 
