@@ -90,6 +90,12 @@ struct CutFollower::Impl {
         int state = 0;
         std::vector<double> widths_mm;  ///< empty until they are asked for
         double widest_mm = 0;
+        double engaged_rad = 0;
+    };
+    /// Of a rim at one place.
+    struct Cut {
+        double width_mm = 0;
+        double engaged_rad = 0;
     };
     /// State of the level, what earlier operations and slopes have swept down to it, the way, whether it is
     /// gone back, and where the cutter goes in it if it is short.
@@ -127,6 +133,7 @@ struct CutFollower::Impl {
             const Known& found = lookUp(edge, level, low_mm, along);
             cut.widths_mm = &found.widths_mm;
             cut.widest_mm = found.widest_mm;
+            cut.engaged_rad = found.engaged_rad;
         } else {
             enter(edge, level, low_mm, along);
         }
@@ -158,7 +165,7 @@ struct CutFollower::Impl {
     const Known& lookUp(const Edge& edge, Level& level, double z_mm, const std::optional<Vec2>& along) {
         Known& found = answerTo(edge, level, z_mm, along);
         if (found.widths_mm.empty()) {
-            found.widths_mm = widthsOf(edge, level, z_mm, along);
+            measure(edge, level, z_mm, along, found);
             found.widest_mm = *std::max_element(found.widths_mm.begin(), found.widths_mm.end());
         }
         level.state = found.state;
@@ -198,40 +205,56 @@ struct CutFollower::Impl {
         return found;
     }
 
-    std::vector<double> widthsOf(const Edge& edge, const Level& level, double z_mm,
-                                 const std::optional<Vec2>& along) const {
+    void measure(const Edge& edge, const Level& level, double z_mm, const std::optional<Vec2>& along,
+                 Known& into) const {
         const std::vector<double> places = placesAlong(edge, radius_mm);
-        std::vector<double> widths(places.size(), 0);
-        if (z_mm >= ground.top_z_mm - kSameCutHeightMm) return widths;
+        into.widths_mm.assign(places.size(), 0);
+        if (z_mm >= ground.top_z_mm - kSameCutHeightMm) return;
         const Around whole = around(grown(edge.box, radius_mm), level, z_mm + kSameCutHeightMm);
         // Without a boundary near, all of the way is inside, or none of it.
         const bool inside = whole.boundary.empty() && ground.target.contains(edge.from);
-        if (whole.boundary.empty() && !inside) return widths;
-        const auto widthAt = [&](const Vec2& at, const Vec2& direction) {
-            const Box2 near = grown(Box2(at), radius_mm);
-            Rim rim(at, direction, radius_mm);
-            for (const SweptWay* way : whole.swept)
-                if (way->box.intersects(near)) rim.cover(way->edge, way->radius_mm - cusp_share * radius_mm);
-            if (rim.isCovered()) return 0.0;
-            return inside ? rim.freeWidthMm() : rim.freeWidthInMm(ground.target, whole.boundary);
-        };
+        if (whole.boundary.empty() && !inside) return;
         if (isShort(edge)) {
-            const double width_mm =
-                along ? widthAt(edge.to(), *along) : widthAnyWay(widthAt(edge.to(), tangentAt(edge, 1)));
-            return std::vector<double>(places.size(), width_mm);
+            Cut cut = cutAt(edge.to(), along.value_or(tangentAt(edge, 1)), whole, inside);
+            if (!along) cut = anyWay(cut);
+            into.widths_mm.assign(places.size(), cut.width_mm);
+            into.engaged_rad = cut.engaged_rad;
+            return;
         }
-        for (std::size_t i = 0; i < places.size(); ++i)
-            widths[i] = widthAt(pointAt(edge, places[i]), tangentAt(edge, places[i]));
-        return widths;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Cut cut = cutAt(pointAt(edge, places[i]), tangentAt(edge, places[i]), whole, inside);
+            into.widths_mm[i] = cut.width_mm;
+            into.engaged_rad = std::max(into.engaged_rad, cut.engaged_rad);
+        }
+    }
+
+    Cut cutAt(const Vec2& at, const Vec2& direction, const Around& whole, bool inside) const {
+        const Box2 near = grown(Box2(at), radius_mm);
+        Rim rim(at, direction, radius_mm);
+        Rim beyond_grazes(at, direction, radius_mm);
+        const bool angles = measures == Measures::WidthsAndAngles;
+        for (const SweptWay* way : whole.swept) {
+            if (!way->box.intersects(near)) continue;
+            rim.cover(way->edge, way->radius_mm - cusp_share * radius_mm);
+            if (angles) beyond_grazes.cover(way->edge, way->radius_mm + kGrazeShare * radius_mm);
+        }
+        if (rim.isCovered()) return {};
+        Cut cut;
+        cut.width_mm = inside ? rim.freeWidthMm() : rim.freeWidthInMm(ground.target, whole.boundary);
+        if (angles) cut.engaged_rad = rim.engagedIn(ground.target, whole.boundary, beyond_grazes).angle_rad;
+        return cut;
     }
 
     /// Of a cutter that may go any way: as wide as it is, where it cuts at all.
-    double widthAnyWay(double width_mm) const { return width_mm > 0 ? 2 * radius_mm : 0; }
+    Cut anyWay(const Cut& cut) const {
+        return {cut.width_mm > 0 ? 2 * radius_mm : 0, cut.engaged_rad > 0 ? kPi : 0};
+    }
 
     const CutGround::Impl& ground;
     double radius_mm;
     double step_down_mm;
     double cusp_share;
+    Measures measures;
     std::map<double, Level> levels;
     SweptWays slopes;
     Trail trail;
@@ -240,8 +263,9 @@ struct CutFollower::Impl {
     int last_state = 0;
 };
 
-CutFollower::CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share)
-    : impl_(new Impl{*ground.impl_, radius_mm, step_down_mm, cusp_share, {}, {}, {}, {}, {}, 0}) {}
+CutFollower::CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share,
+                         Measures measures)
+    : impl_(new Impl{*ground.impl_, radius_mm, step_down_mm, cusp_share, measures, {}, {}, {}, {}, {}, 0}) {}
 CutFollower::~CutFollower() = default;
 
 MoveCut CutFollower::next(const Vec3& from, const Move& move) {

@@ -6,6 +6,12 @@
 
 namespace stepmill::toolpath {
 
+/// How much of the front half of a cutter's rim stands in material.
+struct Engaged {
+    double width_mm = 0;   ///< across the direction of travel
+    double angle_rad = 0;  ///< along the rim
+};
+
 /// The front half of a cutter's rim at one place of its way: which of it lies in swept ground, and how wide
 /// the rest is. Angles are to the direction of travel, from -90 to 90 degrees.
 class Rim {
@@ -21,12 +27,16 @@ class Rim {
     double freeWidthMm();
     /// The same, of what is left inside the region. \param near  its edges that may meet the rim
     double freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near);
+    /// What is left inside the region, but for grazes: stretches of the rim of which nothing is left of
+    /// `beyond_grazes`, the same rim with all that was swept taken for so much wider.
+    Engaged engagedIn(const IndexedRegion& region, const std::vector<const Edge*>& near, Rim& beyond_grazes);
 
   private:
     struct Span {
         double from_rad;
         double to_rad;
     };
+    using Spans = std::vector<Span>;
 
     Vec2 at(double angle_rad) const;
     Vec2 at(double angle_rad, double radius_mm) const;
@@ -37,12 +47,13 @@ class Rim {
     void meetLine(const Vec2& p, const Vec2& along, std::vector<double>& into) const;
     void meetEdge(const Edge& edge, std::vector<double>& into) const;
     void settle();
+    Spans freeIn(const IndexedRegion& region, const std::vector<const Edge*>& near);
 
     Vec2 centre_;
     Vec2 along_;
     double radius_mm_;
-    std::vector<Span> covered_;
-    std::vector<Span> free_;
+    Spans covered_;
+    Spans free_;
     bool settled_ = false;
     std::vector<double> angles_;  ///< reused
 };

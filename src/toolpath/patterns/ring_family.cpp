@@ -99,7 +99,7 @@ class FamilyMaker {
 
   private:
     bool isWanted(Pattern pattern) const {
-        return task_.pattern == Pattern::Best || task_.pattern == pattern;
+        return task_.pattern == Pattern::Best ? isAmong(task_.patterns, pattern) : task_.pattern == pattern;
     }
 
     std::vector<Inset> insetsOf(const Region& region) const {
