@@ -169,6 +169,15 @@ void warnOfUnreachable(const Plan& plan, Warnings& into) {
     }
 }
 
+/// Held stock that no later setup takes stays on the part.
+void warnOfHeldStock(const Plan& plan, Warnings& into) {
+    for (const ReasonVolume& entry : plan.balance.residual_by_reason)
+        if (entry.reason == Reason::Holding && entry.volume_mm3 >= kWorthAWarningMm3)
+            into.push_back({"held-stock", plan.part.file,
+                            fmt::format("{:.4g} mm3 stay where the part is held: no later setup takes them",
+                                        entry.volume_mm3)});
+}
+
 void warnOfBooks(const Plan& plan, const std::string& largest_gap, const Tolerances& tol, Warnings& into) {
     if (plan.balance.gapShare() > tol.volume_share)
         into.push_back({"books", plan.part.file,
@@ -216,6 +225,13 @@ void warnOfDeflection(const PlannedSetup& setup, Warnings& into) {
                              operation.tool_id, kMostDeflectionMm)});
 }
 
+void warnOfHold(const PlannedSetup& setup, Warnings& into) {
+    if (setup.clamping.kind != HoldKind::None) return;
+    into.push_back({"no-hold", setup.setup.id,
+                    "no way to hold it is known, and the paths keep clear of no clamp (" +
+                        setup.clamping.text + "): --fixtures says how it is held, --no-setup does without"});
+}
+
 void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     for (const PlannedFeature& planned : setup.features) {
         warnOfAllowance(planned, into);
@@ -223,6 +239,7 @@ void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     append(into, slowSteps(setup));
     warnOfDeflection(setup, into);
     warnOfTravel(plan.machine, setup, into);
+    warnOfHold(setup, into);
     warnOfSpindleHeight(plan, setup, into);
 }
 
@@ -285,6 +302,7 @@ std::vector<Warning> unusedFixtures(const FixtureFile& given, const std::vector<
 std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap, const Tolerances& tol) {
     Warnings warnings;
     warnOfUnreachable(plan, warnings);
+    warnOfHeldStock(plan, warnings);
     warnOfResiduals(plan.setups, warnings);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup, warnings);

@@ -9,19 +9,8 @@
 namespace stepmill {
 namespace {
 
-std::vector<Prism> stockSlabs(const LayerStack& layers) {
-    std::vector<Prism> slabs;
-    for (const Layer& layer : layers.layers)
-        slabs.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
-    return slabs;
-}
-
-std::vector<bool> uprightSlabs(const LayerStack& layers) {
-    std::vector<bool> upright;
-    for (const Layer& layer : layers.layers)
-        upright.push_back(layer.stock_air_mm3 <= 0);
-    return upright;
-}
+/// Axes whose cosine is below this look at each other.
+constexpr double kOppositeCosine = -1 + 1e-9;
 
 bool isUndercut(const Unplanned& unplanned) {
     return unplanned.reason == Reason::Undercut;
@@ -68,9 +57,6 @@ Stage makeStage(Setup setup, const SliceOptions& slicing, const Tolerances& tol)
     stage.setup = std::move(setup);
     stage.layers = slice(stage.setup, tol, slicing);
     stage.found = recogniseFeatures(stage.layers, tol);
-    stage.clamping = suggestClamping(stockSlabs(stage.layers), uprightSlabs(stage.layers),
-                                     featurePrisms(stage.found), tol);
-    stage.setup.fixtures = stage.clamping.jaws;
     stage.air_mm3 = netOfAir(stage.found, stage.layers);
     return stage;
 }
@@ -111,9 +97,15 @@ std::optional<Stage> SetupWalk::next() {
         Setup setup = first ? planned : onStock(planned, left_);
         setup.id = fmt::format("S{}", cut_ + 1);
         Stage stage = makeStage(std::move(setup), slicing_, tol_);
+        stage.turned_over_later = turnsOver(stage.setup.axis);
         if (first || !planned.chosen || !stage.found.features.empty()) return stage;
     }
     return std::nullopt;
+}
+
+bool SetupWalk::turnsOver(const Vec3& axis) const {
+    return std::any_of(setups_.begin() + static_cast<std::ptrdiff_t>(next_), setups_.end(),
+                       [&](const Setup& later) { return later.axis.dot(axis) < kOppositeCosine; });
 }
 
 StockStep SetupWalk::cut(const Stage& stage, const std::vector<Prism>& removed) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/core/enum_words.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
@@ -11,14 +12,7 @@ namespace stepmill {
 
 namespace {
 
-/// Jaws of an ordinary vise for machining centres [mm].
-constexpr double kJawHeightMm = 40;
-constexpr double kJawWidthMm = 150;
-constexpr double kJawThicknessMm = 40;
-/// Cutting and the stock's top stay this far above the jaws: by what these are grown [mm].
-constexpr double kOverJawsMm = kFixtureGrowth * kJawHeightMm;
-/// Less depth or length than this holds nothing [mm].
-constexpr double kLeastDepthMm = 3;
+/// Less length than this holds nothing [mm].
 constexpr double kLeastLengthMm = 5;
 /// Sides this near to one plane are one [mm]: a hundredth is what jaws take up.
 constexpr double kPlaneMm = 0.01;
@@ -85,16 +79,31 @@ Hold facing(const std::vector<Interval>& a, const std::vector<Interval>& b) {
 }
 
 /// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it.
-Fixture jaw(const std::string& name, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm) {
+Fixture jaw(const Vise& vise, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm) {
     const Vec2 along(-out.y(), out.x());
-    const double half_mm = (1 + kFixtureGrowth) * kJawWidthMm / 2;
-    const double far_mm = offset_mm + (1 + kFixtureGrowth) * kJawThicknessMm;
+    const double half_mm = (1 + kFixtureGrowth) * vise.jaw_width_mm / 2;
+    const double far_mm = offset_mm + (1 + kFixtureGrowth) * vise.jaw_thickness_mm;
     const Vec2 from = (middle_mm - half_mm) * along;
     const Vec2 to = (middle_mm + half_mm) * along;
     return {
-        name,
+        "vise jaw",
         makePolygon({from + offset_mm * out, from + far_mm * out, to + far_mm * out, to + offset_mm * out}),
-        top_z_mm - kJawHeightMm, top_z_mm + kFixtureGrowth * kJawHeightMm};
+        top_z_mm - vise.jaw_height_mm, top_z_mm + vise.jaw_clearance_mm, FixtureKind::Jaw};
+}
+
+/// Heights over the stock's bottom at which the jaws can end, with what the stock stands on, from the
+/// highest.
+struct JawTop {
+    double over_bottom_mm = 0;
+    double parallels_mm = 0;
+};
+
+std::vector<JawTop> jawTops(const Vise& vise) {
+    std::vector<JawTop> tops{{vise.jaw_height_mm, 0}};
+    for (const double parallels_mm : vise.parallels_mm)
+        if (parallels_mm < vise.jaw_height_mm)
+            tops.push_back({vise.jaw_height_mm - parallels_mm, parallels_mm});
+    return tops;
 }
 
 /// Adds the directions across straight sides that are not known yet.
@@ -125,26 +134,35 @@ struct Grip {
     double to_mm = 0;
 };
 
+/// What keeps the jaws from going higher.
+enum class ViseUse {
+    Free,       ///< nothing is cut beside them
+    GripStock,  ///< they hold stock below the part
+    GripSides   ///< they hold as little as they may of sides that are cut above them
+};
+
 class ViseFinder {
   public:
-    ViseFinder(const std::vector<Prism>& arriving, const std::vector<bool>& upright,
-               const std::vector<Prism>& removed)
-        : arriving_(arriving),
-          upright_(upright),
-          removed_(removed),
-          bottom_mm_(arriving.back().bottom_z_mm) {}
+    ViseFinder(const StockToHold& stock, const Vise& vise)
+        : stock_(stock),
+          vise_(vise),
+          tops_(jawTops(vise)),
+          bottom_mm_(stock.arriving.back().bottom_z_mm),
+          height_mm_(stock.arriving.front().top_z_mm - bottom_mm_) {}
 
-    Clamping best() {
+    Clamping best(ViseUse use) {
         std::vector<Vec2> directions;
-        for (std::size_t i = arriving_.size(); i-- > 0;)
-            if (upright_[i]) addDirections(arriving_[i].region, directions);
+        for (std::size_t i = stock_.arriving.size(); i-- > 0;)
+            if (stock_.upright[i]) addDirections(stock_.arriving[i].region, directions);
         Clamping best;
         for (const Vec2& across : directions)
             for (const Grip& grip : gripsAlong(across))
-                consider(across, grip, best);
-        if (!best.vise) best.text = "no vise: " + why_;
+                consider(across, grip, use, best);
         return best;
     }
+
+    /// Why the last use that was asked for will not do.
+    const std::string& why() const { return why_; }
 
   private:
     /// Jaws meet what sticks out furthest so far, going up; where something sticks out farther still they
@@ -153,8 +171,8 @@ class ViseFinder {
         std::vector<Grip> grips;
         Grip now{-1e300, -1e300, 0, 0};
         bool open = false;
-        for (std::size_t i = arriving_.size(); i-- > 0;) {
-            const Prism& slab = arriving_[i];
+        for (std::size_t i = stock_.arriving.size(); i-- > 0;) {
+            const Prism& slab = stock_.arriving[i];
             const double right = furthest(slab.region, across);
             const double left = furthest(slab.region, -across);
             if (right > now.right_mm + kPlaneMm || left > now.left_mm + kPlaneMm) {
@@ -171,14 +189,15 @@ class ViseFinder {
             }
         }
         if (open) grips.push_back(now);
-        std::erase_if(grips, [](const Grip& grip) { return grip.to_mm - grip.from_mm < kLeastDepthMm; });
+        std::erase_if(grips,
+                      [&](const Grip& grip) { return grip.to_mm - grip.from_mm < vise_.grip_mm - kPlaneMm; });
         return grips;
     }
 
     /// Lowest cutting that comes to the jaw on this side, over the stock's bottom.
     double lowestCut(const Vec2& out, double offset_mm) const {
         double lowest = 1e300;
-        for (const Prism& prism : removed_)
+        for (const Prism& prism : stock_.removed)
             if (furthest(prism.region, out) > offset_mm - kPlaneMm)
                 lowest = std::min(lowest, prism.bottom_z_mm - bottom_mm_);
         return lowest;
@@ -188,11 +207,11 @@ class ViseFinder {
     Hold held(const Vec2& across, const Grip& grip, double to_mm) const {
         Hold least;
         least.length_mm = 1e300;
-        for (std::size_t i = 0; i < arriving_.size(); ++i) {
-            const Prism& slab = arriving_[i];
+        for (std::size_t i = 0; i < stock_.arriving.size(); ++i) {
+            const Prism& slab = stock_.arriving[i];
             const double low = slab.bottom_z_mm - bottom_mm_;
             const double high = slab.top_z_mm - bottom_mm_;
-            if (!upright_[i] || high <= grip.from_mm + kPlaneMm || low >= to_mm - kPlaneMm) continue;
+            if (!stock_.upright[i] || high <= grip.from_mm + kPlaneMm || low >= to_mm - kPlaneMm) continue;
             // Along -across the stretches run the other way round.
             std::vector<Interval> opposite = sidesOn(slab.region, -across, grip.left_mm);
             for (Interval& interval : opposite)
@@ -203,43 +222,105 @@ class ViseFinder {
         return least.length_mm < 1e300 ? least : Hold{};
     }
 
-    void consider(const Vec2& across, const Grip& grip, Clamping& best) {
-        const double cut = std::min(lowestCut(across, grip.right_mm), lowestCut(-across, grip.left_mm));
-        const double top = arriving_.front().top_z_mm - bottom_mm_;
-        const double to =
-            std::min({grip.to_mm, grip.from_mm + kJawHeightMm, std::min(cut, top) - kOverJawsMm});
-        const double depth = to - grip.from_mm;
-        if (depth < kLeastDepthMm) {
+    /// The jaws reach no higher over the stock's bottom.
+    double highestJaws(const Vec2& across, const Grip& grip, ViseUse use) const {
+        const double clear_mm = std::min(grip.to_mm, height_mm_ - vise_.jaw_clearance_mm);
+        if (use == ViseUse::GripStock) {
+            const double spare_mm = stock_.under_part_mm - vise_.jaw_clearance_mm - vise_.grip_mm;
+            return std::min(clear_mm, stock_.under_part_mm - vise_.jaw_clearance_mm -
+                                          std::clamp(spare_mm, 0.0, kGripOverlapMm));
+        }
+        if (use == ViseUse::GripSides) return clear_mm;
+        const double cut_mm = std::min(lowestCut(across, grip.right_mm), lowestCut(-across, grip.left_mm));
+        return std::min(clear_mm, cut_mm - vise_.jaw_clearance_mm);
+    }
+
+    /// The highest jaws that hold enough; of sides that are cut above them the lowest.
+    std::optional<JawTop> jawTop(const Grip& grip, double highest_mm, ViseUse use) const {
+        std::optional<JawTop> found;
+        for (const JawTop& top : tops_) {
+            if (top.over_bottom_mm > highest_mm + kPlaneMm) continue;
+            if (top.over_bottom_mm - grip.from_mm < vise_.grip_mm - kPlaneMm) continue;
+            if (!found || use == ViseUse::GripSides) found = top;
+        }
+        return found;
+    }
+
+    /// Is there enough above held sides for the next setup's jaws to hold what this one cut?
+    bool canBeTurnedOver(double held_mm) const {
+        return height_mm_ - held_mm >= vise_.grip_mm + vise_.jaw_clearance_mm - kPlaneMm;
+    }
+
+    void consider(const Vec2& across, const Grip& grip, ViseUse use, Clamping& best) {
+        const double opening = grip.right_mm + grip.left_mm;
+        if (opening > vise_.opening_mm) {
+            if (why_ == kNoSides)
+                why_ =
+                    fmt::format("it opens {:.4g} mm, the stock is {:.4g} mm wide", vise_.opening_mm, opening);
+            return;
+        }
+        const std::optional<JawTop> top = jawTop(grip, highestJaws(across, grip, use), use);
+        if (!top || (use == ViseUse::GripSides && !canBeTurnedOver(heldTo(*top, use)))) {
             why_ = "the cutting reaches down the sides that jaws could hold";
             return;
         }
-        const Hold hold = held(across, grip, to);
+        const Hold hold = held(across, grip, top->over_bottom_mm);
         if (hold.length_mm < kLeastLengthMm) return;
-        const double opening = grip.right_mm + grip.left_mm;
+        const double depth = top->over_bottom_mm - grip.from_mm;
         const double area = hold.length_mm * depth;
         const double most = best.length_mm * best.depth_mm;
-        if (best.vise && area < most * (1 - kSameHold)) return;
-        if (best.vise && area < most * (1 + kSameHold) && opening >= best.opening_mm) return;
-        best.vise = true;
-        best.across = Vec3(across.x(), across.y(), 0);
-        best.opening_mm = opening;
-        best.from_mm = grip.from_mm;
-        best.depth_mm = depth;
-        best.length_mm = hold.length_mm;
-        const double middle = (hold.span.from + hold.span.to) / 2;
-        best.jaws = {jaw("vise jaw", across, grip.right_mm, middle, bottom_mm_ + to),
-                     jaw("vise jaw", -across, grip.left_mm, -middle, bottom_mm_ + to)};
-        best.text = fmt::format(
-            "vise, jaws {:.4g} mm open across {}, {:.3g} mm deep{}", opening, directionName(across), depth,
-            grip.from_mm > kPlaneMm ? fmt::format(" from {:.3g} mm over the bottom", grip.from_mm)
-                                    : std::string());
+        if (best.isVise() && area < most * (1 - kSameHold)) return;
+        if (best.isVise() && area < most * (1 + kSameHold) && opening >= best.opening_mm) return;
+        best = made(across, grip, *top, hold, use);
     }
 
-    const std::vector<Prism>& arriving_;
-    const std::vector<bool>& upright_;
-    const std::vector<Prism>& removed_;
+    /// Up to where stock is kept from cutting, over the stock's bottom; 0: it is not.
+    double heldTo(const JawTop& top, ViseUse use) const {
+        const double over_jaws_mm = top.over_bottom_mm + vise_.jaw_clearance_mm;
+        if (use == ViseUse::Free) return 0;
+        return use == ViseUse::GripSides ? over_jaws_mm
+                                         : std::max(over_jaws_mm, stock_.under_part_mm - kGripOverlapMm);
+    }
+
+    Clamping made(const Vec2& across, const Grip& grip, const JawTop& top, const Hold& hold,
+                  ViseUse use) const {
+        Clamping made;
+        made.kind = HoldKind::Vise;
+        made.across = Vec3(across.x(), across.y(), 0);
+        made.opening_mm = grip.right_mm + grip.left_mm;
+        made.from_mm = grip.from_mm;
+        made.depth_mm = top.over_bottom_mm - grip.from_mm;
+        made.length_mm = hold.length_mm;
+        made.parallels_mm = top.parallels_mm;
+        made.held_mm = heldTo(top, use);
+        made.holds_all = use == ViseUse::GripStock;
+        const double middle = (hold.span.from + hold.span.to) / 2;
+        const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
+        made.jaws = {jaw(vise_, across, grip.right_mm, middle, top_z_mm),
+                     jaw(vise_, -across, grip.left_mm, -middle, top_z_mm)};
+        made.text = viseText(made);
+        return made;
+    }
+
+    static std::string viseText(const Clamping& vise) {
+        std::string text = fmt::format("vise, jaws {:.4g} mm open across {}, {:.3g} mm deep", vise.opening_mm,
+                                       directionName(vise.across.head<2>()), vise.depth_mm);
+        if (vise.from_mm > kPlaneMm) text += fmt::format(" from {:.3g} mm over the bottom", vise.from_mm);
+        if (vise.parallels_mm > 0) text += fmt::format(", on parallels of {:.4g} mm", vise.parallels_mm);
+        if (vise.held_mm > 0)
+            text += fmt::format("; {}the lowest {:.4g} mm stay in this setup",
+                                vise.holds_all ? "" : "at the outside ", vise.held_mm);
+        return text;
+    }
+
+    static constexpr const char* kNoSides = "no two flat parallel sides face each other";
+
+    const StockToHold& stock_;
+    const Vise& vise_;
+    std::vector<JawTop> tops_;
     double bottom_mm_ = 0;
-    std::string why_ = "no two flat parallel sides face each other";
+    double height_mm_ = 0;
+    std::string why_ = kNoSides;
 };
 
 double seatArea(const Prism& lowest, const std::vector<Prism>& removed, const Tolerances& tol) {
@@ -249,17 +330,77 @@ double seatArea(const Prism& lowest, const std::vector<Prism>& removed, const To
     return area(gone.empty() ? lowest.region : subtract(lowest.region, unite(gone, tol), tol));
 }
 
+/// The vise by the first use that will do.
+Clamping viseFor(const StockToHold& stock, const HoldWish& wish, std::string& why) {
+    ViseFinder finder(stock, wish.vise);
+    Clamping found = finder.best(ViseUse::Free);
+    why = finder.why();
+    const Vise& vise = wish.vise;
+    const bool grip_stock = stock.under_part_mm >= vise.grip_mm + vise.jaw_clearance_mm - kPlaneMm;
+    if (!found.isVise() && grip_stock) found = finder.best(ViseUse::GripStock);
+    const bool may_leave_sides = stock.turned_over_later || wish.kind == HoldKind::Vise;
+    if (!found.isVise() && may_leave_sides) found = finder.best(ViseUse::GripSides);
+    return found;
+}
+
+/// On a plate, where the stock has a seat for it.
+Clamping onPlate(const HoldWish& wish, double seat_mm2, const std::string& no_vise) {
+    Clamping clamping;
+    const bool asked = wish.kind == HoldKind::Plate || wish.kind == HoldKind::Skin;
+    if (seat_mm2 < kLeastPlateSeatMm2 && !(asked && seat_mm2 > 0)) {
+        clamping.text = fmt::format("no vise: {}; no plate: {:.3g} mm2 to rest on, expected {:g}", no_vise,
+                                    seat_mm2, kLeastPlateSeatMm2);
+        return clamping;
+    }
+    clamping.kind = wish.kind == HoldKind::Skin ? HoldKind::Skin : HoldKind::Plate;
+    clamping.text =
+        fmt::format("sacrificial plate of {:.4g} mm under all of it, by tape, glue or screws", wish.plate_mm);
+    if (clamping.kind == HoldKind::Skin) {
+        clamping.held_mm = kSkinMm;
+        clamping.holds_all = true;
+        clamping.text += fmt::format("; a skin of {:g} mm stays at the bottom", kSkinMm);
+    }
+    if (!no_vise.empty()) clamping.text += " (no vise: " + no_vise + ")";
+    return clamping;
+}
+
+constexpr EnumWord<HoldKind> kHolds[] = {{HoldKind::None, "none"},
+                                         {HoldKind::Given, "given"},
+                                         {HoldKind::Vise, "vise"},
+                                         {HoldKind::Plate, "plate"},
+                                         {HoldKind::Skin, "skin"}};
+
 }  // namespace
 
-Clamping suggestClamping(const std::vector<Prism>& arriving, const std::vector<bool>& upright,
-                         const std::vector<Prism>& removed, const Tolerances& tol) {
+std::string toString(HoldKind kind) {
+    return wordOf(kHolds, kind);
+}
+
+std::optional<HoldKind> anyHoldKindFrom(std::string_view word) {
+    return valueOf(kHolds, word);
+}
+
+std::optional<HoldKind> holdKindFrom(std::string_view word) {
+    const std::optional<HoldKind> kind = anyHoldKindFrom(word);
+    return kind == HoldKind::None || kind == HoldKind::Given ? std::nullopt : kind;
+}
+
+Clamping suggestClamping(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
     Clamping clamping;
-    if (arriving.empty() || arriving.back().region.empty()) {
+    if (stock.arriving.empty() || stock.arriving.back().region.empty()) {
         clamping.text = "no vise: the stock is empty at its bottom";
         return clamping;
     }
-    clamping = ViseFinder(arriving, upright, removed).best();
-    if (upright.back()) clamping.seat_mm2 = seatArea(arriving.back(), removed, tol);
+    std::string no_vise;
+    const bool may_be_vise = !wish.kind || wish.kind == HoldKind::Vise;
+    if (may_be_vise) clamping = viseFor(stock, wish, no_vise);
+    const double seat_mm2 = stock.upright.back() ? seatArea(stock.arriving.back(), stock.removed, tol) : 0;
+    if (!clamping.isVise() && wish.kind == HoldKind::Vise)
+        clamping.text = "no vise: " + no_vise;
+    else if (!clamping.isVise())
+        clamping = onPlate(wish, seat_mm2, no_vise);
+    const bool stays = clamping.holds_all && stock.upright.back();
+    clamping.seat_mm2 = stays ? area(stock.arriving.back().region) : seat_mm2;
     if (clamping.seat_mm2 <= 0) clamping.text += "; nothing flat to rest on at the bottom";
     return clamping;
 }

@@ -27,6 +27,7 @@ struct RecordedSetup {
     std::string program;  ///< file name
     Vec3 stock_size_mm = Vec3::Zero();
     std::vector<Fixture> fixtures;
+    Clamping clamping;  ///< without jaws, which are fixtures; of plans of older versions none
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     std::vector<std::string> operation_ids;  ///< in machining order
@@ -49,6 +50,10 @@ struct RecordedRequest {
     RecordedFile fixtures;
     FinishAllowance finish;
     std::optional<FinishAllowance> roughing;  ///< PlanRequest::roughing
+    std::vector<double> stock_sizes_mm;       ///< SetupRequest::stock_sizes_mm
+    Vise vise;
+    double plate_mm = kPlateThicknessMm;
+    std::optional<HoldKind> hold;  ///< PlanRequest::hold
 };
 
 /// What plan.json says that programs are proven against.
