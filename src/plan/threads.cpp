@@ -34,8 +34,12 @@ class SetupThreads {
     }
 
     void cut() {
-        for (PlannedFeature& planned : setup_.features)
+        for (PlannedFeature& planned : setup_.features) {
+            for (SequenceStep& step : planned.sequence.sizing)
+                add(std::move(step), planned.sequence);
+            planned.sequence.sizing.clear();
             for (const HoleWish& wish : wishes_.of(planned.feature, setup_.setup)) {
+                if (wish.entry->fit) tellOfFit(planned, wish);
                 if (wish.entry->make != HoleMaking::Tap) continue;
                 const std::string trouble = tap(planned, wish);
                 if (trouble.empty()) continue;
@@ -45,9 +49,28 @@ class SetupThreads {
                      fmt::format("no thread {} is cut in {} hole{}: {}", wish.entry->thread->name,
                                  wish.places.size(), wish.places.size() == 1 ? "" : "s", trouble)});
             }
+        }
     }
 
   private:
+    void tellOfFit(const PlannedFeature& planned, const HoleWish& wish) {
+        if (wish.whole && planned.sequence.not_sized.empty()) return;
+        into_.missing += static_cast<int>(wish.places.size());
+        if (!wish.whole) return;  // told with the table's entries
+        into_.warnings.push_back({"fit", planned.feature.id,
+                                  fmt::format("{} hole{} not brought to {}: {}", wish.places.size(),
+                                              wish.places.size() == 1 ? " is" : "s are",
+                                              wish.entry->fit->name, planned.sequence.not_sized)});
+    }
+
+    void add(SequenceStep step, ToolSequence& sequence) const {
+        const EdgeCost cost = edgeCost(step.path.totals, shop_.library.tool(step.tool_id), shop_.machine);
+        sequence.time_s += cost.time_s;
+        sequence.cost += cost.cost;
+        sequence.motion_s += cost.motion_s;
+        sequence.steps.push_back(std::move(step));
+    }
+
     /// \return  why there is no step; empty where there is one
     std::string tap(PlannedFeature& planned, const HoleWish& wish) const {
         if (shop_.machine.dialect == kWithoutTapping)
@@ -89,11 +112,7 @@ class SetupThreads {
             if (quicker) best = std::move(made.step);
         }
         if (!best) return trouble;
-        const EdgeCost cost = edgeCost(best->path.totals, library.tool(best->tool_id), shop_.machine);
-        sequence.time_s += cost.time_s;
-        sequence.cost += cost.cost;
-        sequence.motion_s += cost.motion_s;
-        sequence.steps.push_back(std::move(*best));
+        add(std::move(*best), sequence);
         return {};
     }
 
