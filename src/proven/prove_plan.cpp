@@ -187,6 +187,8 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
         if (progress) progress("proving the programs", 1);
         ProvenPlan proven = proved(std::move(plan), tol, prover);
         if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
+        // A caution speaks of features as this plan has them.
+        careful.assignment = proven.plan.assignment;
         careful.patience = patienceFor(careful.patience.end.secondsLeft());
     }
 }

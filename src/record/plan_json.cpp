@@ -303,23 +303,48 @@ Json orderJson(const WeighedOrder& order) {
     return {{"rule", toString(order.rule)}, {"travel_mm", number(order.travel_mm)}};
 }
 
+Json prismJson(const Prism& prism, RegionTables& regions) {
+    return {{"bottom_z_mm", number(prism.bottom_z_mm)},
+            {"top_z_mm", number(prism.top_z_mm)},
+            {"section", regions.add(prism.region)}};
+}
+
 Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions) {
-    return {{"id", setup.setup.id},
-            {"axis", directionJson(setup.setup.axis)},
-            {"transform", transformJson(setup.setup.part_to_setup)},
-            {"program", programName(setup.setup.id, dialect)},
-            {"features", listOf(wholeFeatures(setup.features), [](const auto& f) { return Json(f.id()); })},
-            {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
-            {"orders", listOf(setup.orders, orderJson)},
-            {"time_s", number(setup.time_s)},
-            {"motion_time_s", number(setup.motion_s)},
-            {"axis_name", axisName(setup.setup.axis)},
-            {"indexed", setup.setup.indexed},
-            {"stock", arrivingStockJson(setup.setup)},
-            {"clamping", clampingJson(setup.clamping)},
-            {"fixtures", listOf(setup.setup.fixtures,
-                                [&](const Fixture& fixture) { return fixtureJson(fixture, regions); })},
-            {"volume_balance", balanceJson(setup.balance)}};
+    Json json{{"id", setup.setup.id},
+              {"axis", directionJson(setup.setup.axis)},
+              {"transform", transformJson(setup.setup.part_to_setup)},
+              {"program", programName(setup.setup.id, dialect)},
+              {"features", listOf(wholeFeatures(setup.features), [](const auto& f) { return Json(f.id()); })},
+              {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
+              {"orders", listOf(setup.orders, orderJson)},
+              {"time_s", number(setup.time_s)},
+              {"motion_time_s", number(setup.motion_s)},
+              {"axis_name", axisName(setup.setup.axis)},
+              {"indexed", setup.setup.indexed},
+              {"stock", arrivingStockJson(setup.setup)},
+              {"clamping", clampingJson(setup.clamping)},
+              {"fixtures", listOf(setup.setup.fixtures,
+                                  [&](const Fixture& fixture) { return fixtureJson(fixture, regions); })},
+              {"volume_balance", balanceJson(setup.balance)}};
+    if (!setup.reserve.empty())
+        json["reserve"] =
+            listOf(setup.reserve, [&](const Prism& prism) { return prismJson(prism, regions); });
+    return json;
+}
+
+Json workJson(const WeighedWork& work) {
+    return {{"feature", work.feature},
+            {"axis_name", work.setup},
+            {"volume_mm3", number(work.volume_mm3)},
+            {"early_s", number(work.early_s)},
+            {"late_s", number(work.late_s)},
+            {"left", work.left}};
+}
+
+Json triedJson(const TriedReserve& tried) {
+    return {{"setup", tried.setup},           {"before_s", number(tried.before_s)},
+            {"with_s", number(tried.with_s)}, {"more_stays_mm3", number(tried.stays_mm3)},
+            {"taken", tried.taken},           {"work", listOf(tried.proposal.work, workJson)}};
 }
 
 Json formsJson(const Plan& plan, record::FeatureTables& tables) {
@@ -388,6 +413,8 @@ std::string planJson(const Plan& plan) {
                  {"regions", tables.regions.regions()},
                  {"loops", tables.regions.loops()}};
     if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
+    if (!plan.assignment.tried.empty())
+        content["assignment"] = listOf(plan.assignment.tried, triedJson);
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }

@@ -15,6 +15,7 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/part/part.h"
+#include "stepmill/plan/assignment.h"
 #include "stepmill/plan/operation.h"
 #include "stepmill/plan/operation_order.h"
 #include "stepmill/plan/patience.h"
@@ -88,6 +89,7 @@ struct PlannedSetup {
     Clamping clamping;
     std::vector<PlannedFeature> features;  ///< parents before children
     std::vector<Unplanned> unplanned;
+    std::vector<Prism> reserve;         ///< stands for later setups, which cut it; in setup coordinates
     std::vector<Operation> operations;  ///< in machining order
     std::vector<WeighedOrder> orders;   ///< that were weighed for these, the one taken first
     /// Where its form operations work, which come after all others; nothing without any.
@@ -126,6 +128,10 @@ struct PlanRequest {
     HoleTable holes;             ///< what is said of holes beyond the part's file; none: nothing
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
+    /// Which setup cuts what, where that is known from a plan before; nothing: it is found out. By
+    /// `assign` false every setup cuts all it reaches.
+    std::optional<Assignment> assignment;
+    bool assign = true;
     bool common_ground = true;  ///< nested features may be cut down together where that is quicker
     Cautions cautions;          ///< none in the first plan of a part
     Patience patience;
@@ -141,6 +147,7 @@ struct Plan {
     Objective objective = Objective::Time;
     CostModel cost_model = CostModel::Path;
     std::vector<PlannedSetup> setups;
+    Assignment assignment;
     ToolSharing sharing;
     PlanTotals totals;
     VolumeBalance balance;
