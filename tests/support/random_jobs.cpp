@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "support/random_parts.h"
+
 namespace stepmill::test {
 namespace {
 
@@ -14,7 +16,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kShopTools = "shop_metric_tools";
-constexpr const char* kShopWithForms = "shop_with_forms_tools";
 
 Json sampleLibrary(const std::string& name) {
     std::ifstream file(fs::path(STEPMILL_SOURCE_DIR) / "samples" / (name + ".json"));
@@ -70,14 +71,12 @@ struct Library {
     std::string text;
 };
 
-Library randomLibrary(Dice& dice, PartKind kind) {
-    const char* const shop = kind == PartKind::Forms && dice.chance(0.66) ? kShopWithForms : kShopTools;
+Library randomLibrary(Dice& dice) {
     const std::size_t which = dice.below(10);
-    if (shop == kShopWithForms && which < 4) return {"shop tools with forms", sampleLibrary(shop).dump(1)};
     if (which < 3) return {"built-in tools", ""};
     if (which == 3) return {"dsouza2006 tools", sampleLibrary("dsouza2006_tools").dump(1)};
     if (which == 4) return {"common pocket tools", sampleLibrary("common_pocket_tools").dump(1)};
-    Json library = sampleLibrary(shop);
+    Json library = sampleLibrary(kShopTools);
     std::string name = "all shop tools";
     if (which > 5) {
         keepSome(library, dice);
@@ -143,13 +142,12 @@ std::vector<std::string> randomOptions(Dice& dice, bool may_be_steel) {
 
 }  // namespace
 
-RandomJob randomJob(std::uint64_t seed, PartKind kind) {
+RandomJob randomJob(std::uint64_t seed) {
     Dice dice(seed);
     RandomJob job;
     job.seed = seed;
-    job.part =
-        randomPart(fmt::format("{}_{:04}", kind == PartKind::Forms ? "forms" : "random", seed), dice, kind);
-    const Library tools = randomLibrary(dice, kind);
+    job.part = randomPart(fmt::format("random_{:04}", seed), dice);
+    const Library tools = randomLibrary(dice);
     const Library fixtures = randomFixtures(dice);
     job.tools_json = tools.text;
     job.fixtures_json = fixtures.text;

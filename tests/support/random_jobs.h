@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "sample_parts.h"
-#include "support/random_parts.h"
 
 namespace stepmill::test {
 
@@ -19,8 +18,8 @@ struct RandomJob {
     std::string about;                 ///< part, library and clamps in a line
 };
 
-/// The same seed gives the same job. Jobs of parts with forms have form cutters twice as often as not.
-RandomJob randomJob(std::uint64_t seed, PartKind kind = PartKind::Shop);
+/// The same seed gives the same job.
+RandomJob randomJob(std::uint64_t seed);
 
 /// Writes the job's files into a folder; returns the words after the program's name that plan it there.
 std::vector<std::string> writeJob(const RandomJob& job, const std::string& folder);

@@ -3,7 +3,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Ax3.hxx>
@@ -12,8 +15,6 @@
 #include "solids.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
-#include "support/form_solids.h"
-#include "support/random_forms.h"
 
 namespace stepmill::test {
 namespace {
@@ -69,10 +70,28 @@ TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Ax3& to) {
     return BRepBuilderAPI_Transform(shape, move, Standard_True).Shape();
 }
 
+/// Upright sides that lean outwards on the way up.
+TopoDS_Shape drafted(const Place& floor, double floor_z, double top_z, double draft_deg) {
+    const double grows = (top_z - floor_z) * std::tan(degToRad(draft_deg));
+    BRepOffsetAPI_ThruSections loft(Standard_True, Standard_True);
+    for (const bool top : {false, true}) {
+        const double by = top ? grows : 0;
+        const double z = top ? top_z : floor_z;
+        BRepBuilderAPI_MakePolygon outline;
+        outline.Add(gp_Pnt(floor.x0 - by, floor.y0 - by, z));
+        outline.Add(gp_Pnt(floor.x1 + by, floor.y0 - by, z));
+        outline.Add(gp_Pnt(floor.x1 + by, floor.y1 + by, z));
+        outline.Add(gp_Pnt(floor.x0 - by, floor.y1 + by, z));
+        outline.Close();
+        loft.AddWire(outline.Wire());
+    }
+    return loft.Shape();
+}
+
 /// Cuts one side after another; what would spoil the solid is undone.
 class Cutter {
   public:
-    Cutter(SamplePart& part, Dice& dice, PartKind kind) : part_(part), dice_(dice), kind_(kind) {}
+    Cutter(SamplePart& part, Dice& dice) : part_(part), dice_(dice) {}
 
     void cut(const Side& side) {
         side_ = side;
@@ -85,7 +104,6 @@ class Cutter {
 
   private:
     void addFeature() {
-        if (kind_ == PartKind::Forms && dice_.chance(0.6)) return form();
         switch (dice_.below(10)) {
             case 0:
             case 1:
@@ -185,8 +203,7 @@ class Cutter {
         const double radius = cornerRadius(place);
         const double floor_z = -deep;
         if (dice_.chance(0.08)) {
-            remove(drafted({place.x0, place.y0, place.x1, place.y1, 0}, floor_z, kBeyondMm,
-                           dice_.oneOf({1.0, 3.0, 5.0, 10.0})),
+            remove(drafted(place, floor_z, kBeyondMm, dice_.oneOf({1.0, 3.0, 5.0, 10.0})),
                    fmt::format("drafted pocket {}x{}x{}", place.width(), place.height(), deep));
         } else {
             remove(pocketSolid(place, radius, floor_z, top_z),
@@ -289,23 +306,6 @@ class Cutter {
         pocket(place, depth(0.6), 0);
     }
 
-    /// What leans, is rounded at its floor, or free in its form.
-    void form() {
-        const Place place = inner();
-        const double radius = cornerRadius(place);
-        const FormRoom room{{place.x0, place.y0, place.x1, place.y1, radius},
-                            depth(0.6),
-                            side_.depth_mm,
-                            side_.length_mm,
-                            kBeyondMm};
-        try {
-            const FormCut cut = randomForm(room, dice_);
-            remove(cut.solid, cut.about);
-        } catch (const Error&) {
-            // A form that the kernel does not make: the part stays as it was.
-        }
-    }
-
     // Holes ---------------------------------------------------------------------------------------------
 
     struct At {
@@ -357,19 +357,18 @@ class Cutter {
 
     SamplePart& part_;
     Dice& dice_;
-    PartKind kind_;
     Side side_;
 };
 
 }  // namespace
 
-SamplePart randomPart(const std::string& name, Dice& dice, PartKind kind) {
+SamplePart randomPart(const std::string& name, Dice& dice) {
     const double length = dice.between(40, 160, 1);
     const double width = dice.between(40, std::max(45.0, 0.8 * length), 1);
     const double height = dice.between(10, std::min(60.0, width), 1);
     SamplePart part{name, fmt::format("block {}x{}x{}", length, width, height),
                     box(0, 0, 0, length, width, height)};
-    Cutter cutter(part, dice, kind);
+    Cutter cutter(part, dice);
     cutter.cut(sideOf(0, length, width, height));
     std::vector<std::size_t> others{1, 2, 3, 4, 5};
     const std::size_t more = dice.oneOf<std::size_t>({0, 0, 1, 1, 2});

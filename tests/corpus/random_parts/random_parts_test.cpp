@@ -1,7 +1,6 @@
 // Random shop parts are planned and proven: none ends with a proof that fails or books that stay open.
 //
 // STEPMILL_RANDOM_SEEDS     "from-to", for campaigns; default 1-100
-// STEPMILL_RANDOM_FORMS     the same for parts with drafts, rounded floors and free forms; default 1-15
 // STEPMILL_RANDOM_TIMEOUT_S of one part; default 15
 // STEPMILL_RANDOM_PROGRAM   another build of the program to try
 // STEPMILL_RANDOM_KEEP      folder for the files of every seed that fails; default: the temporary folder
@@ -42,8 +41,8 @@ struct Seeds {
     std::uint64_t to = 100;
 };
 
-Seeds seeds(const char* name, const std::string& otherwise) {
-    const std::string words = environment(name, otherwise);
+Seeds seeds() {
+    const std::string words = environment("STEPMILL_RANDOM_SEEDS", "1-100");
     const std::size_t dash = words.find('-');
     const std::uint64_t from = std::stoull(words);
     return {from, dash == std::string::npos ? from : std::stoull(words.substr(dash + 1))};
@@ -133,8 +132,8 @@ struct Totals {
     }
 };
 
-void runSeed(std::uint64_t seed, PartKind kind, double timeout_s, Totals& totals) {
-    const RandomJob job = randomJob(seed, kind);
+void runSeed(std::uint64_t seed, double timeout_s, Totals& totals) {
+    const RandomJob job = randomJob(seed);
     const TemporaryFolder folder;
     std::vector<std::string> words{program()};
     for (const std::string& word : writeJob(job, folder.path()))
@@ -155,21 +154,14 @@ void runSeed(std::uint64_t seed, PartKind kind, double timeout_s, Totals& totals
     ADD_FAILURE() << "seed " << seed << ":\n" << run.err << "again: " << keep(job);
 }
 
-void runSeeds(const Seeds& range, PartKind kind) {
+TEST(RandomParts, AreProvenOrSayWhatStays) {
+    const Seeds range = seeds();
     const double timeout_s = std::stod(environment("STEPMILL_RANDOM_TIMEOUT_S", "15"));
     Totals totals;
     for (std::uint64_t seed = range.from; seed <= range.to; ++seed)
-        runSeed(seed, kind, timeout_s, totals);
+        runSeed(seed, timeout_s, totals);
     totals.print();
     EXPECT_LE(totals.outcomes[Outcome::TimedOut], std::max(1.0, kMostTimedOut * totals.seeds));
-}
-
-TEST(RandomParts, AreProvenOrSayWhatStays) {
-    runSeeds(seeds("STEPMILL_RANDOM_SEEDS", "1-100"), PartKind::Shop);
-}
-
-TEST(RandomParts, WithFormsAreProvenOrSayWhatStays) {
-    runSeeds(seeds("STEPMILL_RANDOM_FORMS", "1-15"), PartKind::Forms);
 }
 
 TEST(RandomParts, AreTheSameForTheSameSeed) {
