@@ -56,10 +56,7 @@ std::vector<WeakerTable> weakerTables() {
             {"no thread at all", {all[2]}, "10 holes have none"},
             {"a thread that is too short", {all[0], shallow, all[2]}, "its thread ends at"},
             {"a thread that is not through", {short_through, all[1], all[2]}, "its thread ends at"},
-            {"holes that are cut", {all[0], all[1]}, "cuts a hole that the hole table leaves: #/holes/2"},
-            {"a thread where none was asked for",
-             {all[0], all[1], all[2], holesOf(10.2, {{"make", "tap"}, {"thread", "M12"}})},
-             ""}};
+            {"holes that are cut", {all[0], all[1]}, "cuts a hole that the hole table leaves: #/holes/2"}};
 }
 
 /// A job folder of the test's own, with its tables beside it.
