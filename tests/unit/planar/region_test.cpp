@@ -219,6 +219,27 @@ TEST(Region, ComponentsCarryTheirHolesInOrderOfLowestPoint) {
     EXPECT_EQ(parts[1].loops.size(), 1u);
 }
 
+TEST(Region, ComponentsKeepAHoleThatReachesOutAsFarAsLoopsMayTouch) {
+    // From the stock of a real part: the hole's corner is 4 nm outside the wall that it touches.
+    const Region outer = makePolygon({{23.249966, 147.347352},
+                                      {24.423955, 147.779285},
+                                      {24.372387, 149.075854},
+                                      {22.940234, 151.212095},
+                                      {22.940234, 148.655484}});
+    Region region = makePolygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}});
+    region.loops.push_back(outer.loops.front());
+    Loop hole;
+    hole.start = {23.25, 149.104143};
+    for (const Vec2& to : {Vec2(23.172665, 149.240258), Vec2(22.94023, 149.952053), Vec2(23.25, 149.952052),
+                           Vec2(23.25, 149.104143)})
+        hole.segments.push_back({to, std::nullopt});
+    region.loops.push_back(hole);
+    ASSERT_FALSE(diagnose(region).has_value());
+    const std::vector<Region> pieces = components(region);
+    ASSERT_EQ(pieces.size(), 2u);
+    EXPECT_NEAR(area(pieces[1]), area(outer) + signedArea(hole), 1e-12);
+}
+
 TEST(Region, ComponentsThrowOnAHoleOutside) {
     const Region region =
         fromText("circle 0 0 radius 1 ccw\ncircle 9 0 radius 1 ccw\ncircle 5 5 radius 1 cw");
