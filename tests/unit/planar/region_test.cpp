@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/region_text.h"
@@ -262,6 +263,22 @@ TEST(Region, PointAndTangentFollowTheArc) {
     EXPECT_NEAR(middle.x(), std::sqrt(2), 1e-12);
     EXPECT_NEAR(tangentAt({2, 0}, quarter, 0.5).x(), -std::sqrt(0.5), 1e-12);
     EXPECT_NEAR(sweepAngle({2, 0}, {0, 2}, Arc{{0, 0}, 2, false}), -1.5 * kPi, 1e-12);
+}
+
+TEST(Region, TellsArcsOfMoreThanAHalfCircleByTheirSweep) {
+    for (const bool ccw : {true, false})
+        for (int from = 0; from < 12; ++from)
+            for (int to = 0; to < 12; ++to)
+                for (const double least_rad : {kPi, kPi + 1e-6, 1.5 * kPi}) {
+                    const auto at = [](int hour) {
+                        return snapToGrid(
+                            Vec2(3 + 2 * std::cos(hour * kPi / 6), 2 * std::sin(hour * kPi / 6)));
+                    };
+                    const Arc arc{{3, 0}, 2, ccw};
+                    EXPECT_EQ(planar::sweepsMoreThan(least_rad, at(from), at(to), arc),
+                              std::abs(sweepAngle(at(from), at(to), arc)) > least_rad)
+                        << from << " to " << to << ", " << least_rad;
+                }
 }
 
 TEST(Region, TessellationKeepsTheChordAndThePointsLieOnTheCurve) {
