@@ -8,6 +8,7 @@
 
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/tolerances.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -240,8 +241,9 @@ bool lowerLeft(const Loop& a, const Loop& b) {
     return std::abs(signedArea(a)) < std::abs(signedArea(b));
 }
 
+/// A loop may reach out of the one around it as far as diagnose() lets loops that touch overlap.
 bool encloses(const Box2& outer, const Box2& inner) {
-    const Box2 slack = grown(outer, 2 * kGridMm);
+    const Box2 slack = grown(outer, 2 * Tolerances().linear_mm);
     return (slack.min().array() <= inner.min().array()).all() &&
            (slack.max().array() >= inner.max().array()).all();
 }

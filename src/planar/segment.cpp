@@ -73,6 +73,12 @@ bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p) {
     return !(cross(v, w) > 0 && cross(w, u) > 0);
 }
 
+bool sweepsMoreThan(double least_rad, const Vec2& from, const Vec2& to, const Arc& arc) {
+    const double turn = cross(from - arc.centre, to - arc.centre);
+    if (from != to && (arc.ccw ? turn > 0 : turn < 0)) return false;
+    return std::abs(sweepAngle(from, to, arc)) > least_rad;
+}
+
 double shareOf(const Vec2& p, const Vec2& from, const Segment& segment) {
     if (!segment.arc) {
         const Vec2 d = segment.to - from;

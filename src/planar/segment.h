@@ -13,6 +13,10 @@ bool inSweep(const Vec2& from, const Vec2& to, const Arc& arc, const Vec2& p);
 /// Around the true curve, its ends included.
 Box2 boundingBox(const Vec2& from, const Segment& segment);
 
+/// Is the arc's sweep larger than that? Most arcs are less than a half circle, which costs no angle to tell.
+/// \pre least_rad >= pi
+bool sweepsMoreThan(double least_rad, const Vec2& from, const Vec2& to, const Arc& arc);
+
 /// Where on the segment p lies, as a share of its length; outside [0, 1] beyond its ends.
 double shareOf(const Vec2& p, const Vec2& from, const Segment& segment);
 

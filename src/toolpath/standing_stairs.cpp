@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 
+#include <tbb/parallel_for.h>
+
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -70,12 +72,13 @@ std::vector<Region> inPlaces(const Region& region, const std::vector<Region>& pl
     return parts;
 }
 
-/// What a disc sweeps along one way, for several radii.
+/// What a disc sweeps along one way, for several radii. Safe to share between threads.
 class SweptWay {
   public:
-    SweptWay(const Path& way, const Tolerances& tol) : way_(way), edges_(edgesOf(way)), tol_(tol) {
+    SweptWay(const Path& way, const Tolerances& tol) : edges_(edgesOf(way)), tol_(tol) {
         box_ = boundingBox(way);
         box_.extend(way.start);
+        if (way.closed()) around_.emplace(Region{{signedArea(way) > 0 ? way : reversed(way)}}, tol);
     }
 
     /// False where the disc cuts nothing of the region.
@@ -85,7 +88,7 @@ class SweptWay {
         std::size_t count = 0;
         const std::vector<Path> near = stretchesNear(WalkInside(region, edges), radius_mm, count);
         if (near.empty()) return false;
-        const bool around = way_.closed() && 2 * count > edges_.size() && takeAround(region, radius_mm);
+        const bool around = around_ && 2 * count > edges_.size() && takeAround(region, radius_mm);
         if (!around) region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
         return true;
     }
@@ -109,29 +112,20 @@ class SweptWay {
     /// of a way that was rounded in a program are not sure.
     bool takeAround(Region& region, double radius_mm) const {
         try {
-            if (!around_) around_.emplace(Region{{signedArea(way_) > 0 ? way_ : reversed(way_)}}, tol_);
             const Region inner = intersect(region, around_->region(), tol_);
-            const Region kept_inside = inner.empty() ? Region{} : intersect(inner, offset(-radius_mm), tol_);
-            region = unite(subtract(region, offset(radius_mm), tol_), kept_inside, tol_);
+            const Region kept_inside =
+                inner.empty() ? Region{} : intersect(inner, around_->offset(-radius_mm), tol_);
+            region = unite(subtract(region, around_->offset(radius_mm), tol_), kept_inside, tol_);
             return true;
         } catch (const UnsureOffset&) {
             return false;
         }
     }
 
-    /// Of the ground that the way encloses; slices over the cutter's form share its full radius.
-    const Region& offset(double distance_mm) const {
-        const auto found = offsets_.find(distance_mm);
-        if (found != offsets_.end()) return found->second;
-        return offsets_.try_emplace(distance_mm, around_->offset(distance_mm)).first->second;
-    }
-
-    const Path& way_;
     std::vector<Edge> edges_;
     const Tolerances& tol_;
     Box2 box_;
-    mutable std::optional<ClearanceDiagram> around_;  ///< of the ground that a closed way encloses
-    mutable std::map<double, Region> offsets_;
+    std::optional<ClearanceDiagram> around_;  ///< of the ground that a closed way encloses
 };
 
 /// Joins moves to ways, and parts a way where it comes back to a point it has been at.
@@ -200,18 +194,19 @@ double StandingStairs::volumeMm3() const {
 
 void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
     std::vector<SweptWay> ways;
+    ways.reserve(level.ways.size());
     for (const Path& way : level.ways)
         ways.emplace_back(way, tol_);
-    for (Slice& slice : slices_) {
+    tbb::parallel_for(std::size_t{0}, slices_.size(), [&](std::size_t i) {
+        Slice& slice = slices_[i];
         const double over_mm = slice.z_mm - level.tip_z_mm;
         const double radius_mm = form.radiusAt(over_mm);
-        if (slice.region.empty() || radius_mm <= kSkinMm || over_mm > form.heightMm() + kBelowFormMm)
-            continue;
+        if (slice.region.empty() || radius_mm <= kSkinMm || over_mm > form.heightMm() + kBelowFormMm) return;
         bool changed = false;
         for (const SweptWay& way : ways)
             changed = way.takeFrom(slice.region, radius_mm) || changed;
         if (changed) slice.region = joined(toolpath::piecesBeyondSkins(slice.region, tol_));
-    }
+    });
 }
 
 std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& moves) {

@@ -52,7 +52,7 @@ ExpectedOutcome rowFrom(const std::string& part, const Json& fields) {
     if (fields.contains("import")) row.refusal = refusalFrom(fields.at("import"));
     row.solids = fields.value("solids", 1);
     row.slow = fields.value("slow", false);
-    row.slow_finishing = fields.value("slow_finishing", false);
+    row.slow_proofs = fields.value("slow_proofs", false);
     return row;
 }
 
@@ -113,8 +113,8 @@ std::vector<ExpectedOutcome> slowPlans() {
     return rows;
 }
 
-std::vector<ExpectedOutcome> withFinishing(std::vector<ExpectedOutcome> rows, bool slow) {
-    std::erase_if(rows, [slow](const ExpectedOutcome& row) { return row.slow_finishing != slow; });
+std::vector<ExpectedOutcome> withSlowProofs(std::vector<ExpectedOutcome> rows, bool slow) {
+    std::erase_if(rows, [slow](const ExpectedOutcome& row) { return row.slow_proofs != slow; });
     return rows;
 }
 

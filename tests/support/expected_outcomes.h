@@ -26,8 +26,8 @@ struct ExpectedOutcome {
     double cpu_s = 0;
     std::optional<ErrorCode> refusal;  ///< why the file is not even read; nothing: it is
     int solids = 1;                    ///< in the file, repeats counted
-    bool slow = false;            ///< for `make test-all` alone: in suites named Slow, which CI leaves out
-    bool slow_finishing = false;  ///< the same of its plan with finishing passes
+    bool slow = false;         ///< for `make test-all` alone: in suites named Slow, which CI leaves out
+    bool slow_proofs = false;  ///< the same of its plan with finishing passes
 
     bool hasPlan() const { return outcome == Outcome::Planned || outcome == Outcome::Gaps; }
 };
@@ -43,8 +43,8 @@ std::vector<ExpectedOutcome> expectedPlans(const std::vector<std::string>& folde
 /// All rows that get a plan and are slow.
 std::vector<ExpectedOutcome> slowPlans();
 
-/// Of some rows those that are, or are not, slow with finishing passes.
-std::vector<ExpectedOutcome> withFinishing(std::vector<ExpectedOutcome> rows, bool slow);
+/// Of some rows those that are, or are not, slow to prove with finishing passes or in all dialects.
+std::vector<ExpectedOutcome> withSlowProofs(std::vector<ExpectedOutcome> rows, bool slow);
 
 /// The rows of a folder.
 std::vector<ExpectedOutcome> expectedOf(const std::string& folder);

@@ -15,7 +15,7 @@ void appendCurves(const Loop& loop, int operand, int number, std::vector<Curve>&
     Vec2 from = loop.start;
     for (const Segment& segment : loop.segments) {
         const Vec2 to = segment.to;
-        if (segment.arc && std::abs(sweepAngle(from, to, *segment.arc)) > kPi + 1e-6) {
+        if (segment.arc && sweepsMoreThan(kPi + 1e-6, from, to, *segment.arc)) {
             const Segment half{snapToGrid(pointAt(from, segment, 0.5)), segment.arc};
             curves.push_back({makeEdge(from, half), operand, number});
             from = half.to;
@@ -45,7 +45,7 @@ Segment Arrangement::onCurve(const Piece& piece) const {
     if (!result.arc) return result;
     if (!piece.along) result.arc->ccw = !result.arc->ccw;
     // Rounding can turn a short chord about the centre the wrong way.
-    if (std::abs(sweepAngle(place(piece.begin), result.to, *result.arc)) > 1.5 * kPi) result.arc.reset();
+    if (sweepsMoreThan(1.5 * kPi, place(piece.begin), result.to, *result.arc)) result.arc.reset();
     return result;
 }
 

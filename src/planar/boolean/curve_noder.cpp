@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 
 #include "planar/boolean/arrangement.h"
@@ -30,45 +30,49 @@ struct Stretch {
     Segment segment;
 };
 
-/// Finds the node near a point, or makes one.
+/// Finds the node near a point, or makes one. Nodes lie in square cells, and cells in buckets: lists linked
+/// through the nodes, since a list of its own for every cell would cost more than all that is looked up.
 class NodeIndex {
   public:
-    NodeIndex(std::vector<Vec2>& nodes, double snap_mm) : nodes_(nodes), snap_mm_(snap_mm) {}
+    NodeIndex(std::vector<Vec2>& nodes, double snap_mm, std::size_t expected)
+        : nodes_(nodes), snap_mm_(snap_mm), last_in_(std::bit_ceil(2 * expected + 1), kNone) {}
 
     int add(const Vec2& p) {
-        int nearest = -1;
+        int nearest = kNone;
         double distance = snap_mm_;
         const std::int64_t x0 = cell(p.x() - snap_mm_), x1 = cell(p.x() + snap_mm_);
         const std::int64_t y0 = cell(p.y() - snap_mm_), y1 = cell(p.y() + snap_mm_);
         for (std::int64_t x = x0; x <= x1; ++x)
-            for (std::int64_t y = y0; y <= y1; ++y) {
-                const auto found = cells_.find(key(x, y));
-                if (found == cells_.end()) continue;
-                for (const int node : found->second) {
+            for (std::int64_t y = y0; y <= y1; ++y)
+                for (int node = last_in_[bucket(x, y)]; node != kNone; node = before_[at(node)]) {
                     const double d = (nodes_[at(node)] - p).norm();
-                    if (d > distance || (d == distance && nearest >= 0 && nearest < node)) continue;
+                    if (d > distance || (d == distance && nearest != kNone && nearest < node)) continue;
                     nearest = node;
                     distance = d;
                 }
-            }
-        if (nearest >= 0) return nearest;
+        if (nearest != kNone) return nearest;
         nodes_.push_back(snapToGrid(p));
         const int node = static_cast<int>(nodes_.size()) - 1;
-        cells_[key(cell(p.x()), cell(p.y()))].push_back(node);
+        before_.push_back(std::exchange(last_in_[bucket(cell(p.x()), cell(p.y()))], node));
         return node;
     }
 
   private:
+    static constexpr int kNone = -1;
+
     std::int64_t cell(double value) const {
         return static_cast<std::int64_t>(std::floor(value / (4 * snap_mm_)));
     }
-    static std::uint64_t key(std::int64_t x, std::int64_t y) {
-        return static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL ^ static_cast<std::uint64_t>(y);
+    std::size_t bucket(std::int64_t x, std::int64_t y) const {
+        const std::uint64_t key = (static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL) ^
+                                  (static_cast<std::uint64_t>(y) * 0xC2B2AE3D27D4EB4FULL);
+        return static_cast<std::size_t>(key >> 32) & (last_in_.size() - 1);
     }
 
     std::vector<Vec2>& nodes_;
     double snap_mm_;
-    std::unordered_map<std::uint64_t, std::vector<int>> cells_;
+    std::vector<int> last_in_;  // of each bucket, its last node
+    std::vector<int> before_;   // of each node, the one before it in its bucket
 };
 
 /// Points sorted along x and along y: those in a long thin box are found along its short side.
@@ -157,7 +161,7 @@ class CurveNoder {
 };
 
 std::vector<Cut> CurveNoder::cutsOfCurves() {
-    NodeIndex index(result_.nodes, snap_mm_);
+    NodeIndex index(result_.nodes, snap_mm_, result_.curves.size());
     Cuts cuts(result_.curves.size());
     std::vector<Stretch> snapped;  // the curves between the nodes of their ends
     snapped.reserve(result_.curves.size());
@@ -213,7 +217,7 @@ void CurveNoder::addPieces(const std::vector<Cut>& cuts) {
 Stretch CurveNoder::betweenNodes(const Curve& curve, int begin, int end) const {
     const Segment bent{result_.node(end), curve.segment.arc};
     // Snapping can turn a short arc about its centre the wrong way, and short curves into points.
-    const bool turned = bent.arc && std::abs(sweepAngle(result_.node(begin), bent.to, *bent.arc)) > 1.5 * kPi;
+    const bool turned = bent.arc && sweepsMoreThan(1.5 * kPi, result_.node(begin), bent.to, *bent.arc);
     if (begin == end || turned) return {curve.from, curve.segment};
     return {result_.node(begin), bent};
 }
@@ -224,7 +228,7 @@ void CurveNoder::addPiece(int begin, int end, int curve) {
     Piece piece{begin, end, curve, true, false, {}, -1};
     const std::optional<Arc>& arc = result_.curves[at(curve)].segment.arc;
     // Snapping can turn the ends of a short arc about its centre until the arc seems to go all the way round.
-    piece.straight = arc && std::abs(sweepAngle(result_.node(begin), result_.node(end), *arc)) > 1.5 * kPi;
+    piece.straight = arc && sweepsMoreThan(1.5 * kPi, result_.node(begin), result_.node(end), *arc);
     const Vec2 middle = pointAt(result_.node(begin), result_.segment(piece), 0.5);
     const int operand = result_.curves[at(curve)].operand;
     int* link = &first_at_[at(std::min(begin, end))];

@@ -103,6 +103,9 @@ struct ClearanceDiagram::Impl {
     };
     Memo<std::optional<Level>> levels;
     Memo<Opened> openings;
+    Memo<Region> bands;  ///< around the boundary: both sides of it ask for the same ones
+    Memo<std::optional<Region>> shrunk_by_booleans;
+    Memo<std::optional<Region>> grown_by_booleans;
 
     const Opened& opened(double radius) const {
         return openings.of(radius, [&] { return open(radius); });
@@ -122,7 +125,7 @@ struct ClearanceDiagram::Impl {
             Region rings = clearance::ringsOf(inside(), *level);
             if (keepsDistance(inside(), rings, distance)) return rings;
         }
-        return byBooleans(inside(), distance,
+        return byBooleans(shrunk_by_booleans, inside(), distance,
                           [&](const Region& band) { return subtract(region, band, tol); });
     }
     Region grown(double distance) const {
@@ -130,17 +133,29 @@ struct ClearanceDiagram::Impl {
             const Region rings = clearance::ringsOf(outside(), *level);
             if (keepsDistance(outside(), rings, distance)) return reversedLoops(rings);
         }
-        return byBooleans(outside(), distance, [&](const Region& band) { return unite(region, band, tol); });
+        return byBooleans(grown_by_booleans, outside(), distance,
+                          [&](const Region& band) { return unite(region, band, tol); });
+    }
+    template <typename Combine>
+    Region byBooleans(const Memo<std::optional<Region>>& known, const Profile& profile, double distance,
+                      const Combine& combine) const {
+        const std::optional<Region>& rings =
+            known.of(distance, [&] { return sureRings(profile, distance, combine); });
+        if (!rings) throw UnsureOffset();
+        return *rings;
     }
     /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is
-    /// added.
+    /// added. Nothing where even that is not sure.
     template <typename Combine>
-    Region byBooleans(const Profile& profile, double distance, const Combine& combine) const {
+    std::optional<Region> sureRings(const Profile& profile, double distance, const Combine& combine) const {
         for (const double more : {0.0, tol.linear_mm, 3 * tol.linear_mm}) {
-            const Region rings = combine(clearance::bandAround(region, distance + more, tol));
+            const Region rings = combine(bandOf(distance + more));
             if (keepsDistance(profile, rings, distance)) return rings;
         }
-        throw UnsureOffset();
+        return std::nullopt;
+    }
+    const Region& bandOf(double distance) const {
+        return bands.of(distance, [&] { return clearance::bandAround(region, distance, tol); });
     }
     /// Without a level: the shrunk region grown again.
     Region openedByBooleans(double radius) const {

@@ -26,7 +26,8 @@ std::vector<double> areasOf(const PlannedPart& planned) {
     std::vector<double> areas;
     const Json plan = Json::parse(slurp(planned.folder / "plan.json"));
     for (const Json& feature : plan.at("features"))
-        areas.push_back(feature.at("area_mm2"));
+        for (const Json& band : feature.at("bands"))
+            areas.push_back(band.at("area_mm2"));
     return areas;
 }
 

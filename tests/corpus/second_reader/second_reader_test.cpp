@@ -216,8 +216,8 @@ const std::vector<ExpectedOutcome> kAllParts = expectedPlans({"step_parts", "mac
 
 INSTANTIATE_TEST_SUITE_P(Corpus, SecondReaderOf, testing::ValuesIn(kAllParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(Corpus, SecondReaderOfFinishing,
-                         testing::ValuesIn(withFinishing(kSampleParts, false)), kPartName);
-INSTANTIATE_TEST_SUITE_P(Slow, SecondReaderOfFinishing, testing::ValuesIn(withFinishing(kSampleParts, true)),
+                         testing::ValuesIn(withSlowProofs(kSampleParts, false)), kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, SecondReaderOfFinishing, testing::ValuesIn(withSlowProofs(kSampleParts, true)),
                          kPartName);
 
 }  // namespace

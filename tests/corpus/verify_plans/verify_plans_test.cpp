@@ -72,12 +72,15 @@ const std::vector<ExpectedOutcome> kRealParts = expectedPlans({"machined", "nist
 INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyPlan, testing::ValuesIn(kSampleParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(RealParts, VerifyPlan, testing::ValuesIn(kRealParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(Slow, VerifyPlan, testing::ValuesIn(slowPlans()), kPartName);
-INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyFinishing, testing::ValuesIn(withFinishing(kSampleParts, false)),
+INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyFinishing, testing::ValuesIn(withSlowProofs(kSampleParts, false)),
                          kPartName);
-INSTANTIATE_TEST_SUITE_P(Slow, VerifyFinishing, testing::ValuesIn(withFinishing(kSampleParts, true)),
+INSTANTIATE_TEST_SUITE_P(Slow, VerifyFinishing, testing::ValuesIn(withSlowProofs(kSampleParts, true)),
                          kPartName);
 INSTANTIATE_TEST_SUITE_P(RealParts, VerifyFinishing, testing::ValuesIn(kRealParts), kPartName);
-INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyDialects, testing::ValuesIn(kSampleParts), kPartName);
+INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyDialects, testing::ValuesIn(withSlowProofs(kSampleParts, false)),
+                         kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, VerifyDialects, testing::ValuesIn(withSlowProofs(kSampleParts, true)),
+                         kPartName);
 
 TEST(VerifyPlans, MovesAsShortAsALastDecimalAreNoPlunges) {
     // Walls moved in by so little have edges that short, which ramps run along.

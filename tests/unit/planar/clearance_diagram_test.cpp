@@ -4,6 +4,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/region_text.h"
 #include "support/tolerances.h"
 #include "unit/planar/clearance_shapes.h"
 
@@ -140,6 +141,18 @@ TEST(ClearanceDiagram, HolesThatTouchEachOtherAndTheWall) {
     const double lens = 2 * 36 * std::acos(5.0 / 6) - 10 * std::sqrt(36.0 - 25);
     // The lens' corners are rounded to the grid, and 60 mm of arcs hang on them.
     EXPECT_NEAR(area(shrunk), 38 * 18 - 2 * kPi * 36 + lens, 60 * kGridMm / 10);
+}
+
+TEST(ClearanceDiagram, AnswersAlikeHoweverOftenAndInWhateverOrderItIsAsked) {
+    Region plate = makeRectangle({0, 0}, {40, 20});
+    addHole(plate, makeCircle({15, 10}, 5));
+    addHole(plate, makeCircle({25, 10}, 5));
+    const ClearanceDiagram diagram(plate, kTol);
+    for (int time = 0; time < 2; ++time)
+        for (const double distance_mm : {1.0, -1.0, -2.0, 2.0}) {
+            const Region alone = offset(plate, distance_mm, kTol);
+            EXPECT_EQ(toText(diagram.offset(distance_mm)), toText(alone)) << distance_mm;
+        }
 }
 
 TEST(ClearanceDiagram, EmptyRegionStaysEmpty) {

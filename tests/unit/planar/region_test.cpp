@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/region_text.h"
@@ -219,6 +220,27 @@ TEST(Region, ComponentsCarryTheirHolesInOrderOfLowestPoint) {
     EXPECT_EQ(parts[1].loops.size(), 1u);
 }
 
+TEST(Region, ComponentsKeepAHoleThatReachesOutAsFarAsLoopsMayTouch) {
+    // From the stock of a real part: the hole's corner is 4 nm outside the wall that it touches.
+    const Region outer = makePolygon({{23.249966, 147.347352},
+                                      {24.423955, 147.779285},
+                                      {24.372387, 149.075854},
+                                      {22.940234, 151.212095},
+                                      {22.940234, 148.655484}});
+    Region region = makePolygon({{0, 0}, {5, 0}, {5, 5}, {0, 5}});
+    region.loops.push_back(outer.loops.front());
+    Loop hole;
+    hole.start = {23.25, 149.104143};
+    for (const Vec2& to : {Vec2(23.172665, 149.240258), Vec2(22.94023, 149.952053), Vec2(23.25, 149.952052),
+                           Vec2(23.25, 149.104143)})
+        hole.segments.push_back({to, std::nullopt});
+    region.loops.push_back(hole);
+    ASSERT_FALSE(diagnose(region).has_value());
+    const std::vector<Region> pieces = components(region);
+    ASSERT_EQ(pieces.size(), 2u);
+    EXPECT_NEAR(area(pieces[1]), area(outer) + signedArea(hole), 1e-12);
+}
+
 TEST(Region, ComponentsThrowOnAHoleOutside) {
     const Region region =
         fromText("circle 0 0 radius 1 ccw\ncircle 9 0 radius 1 ccw\ncircle 5 5 radius 1 cw");
@@ -241,6 +263,22 @@ TEST(Region, PointAndTangentFollowTheArc) {
     EXPECT_NEAR(middle.x(), std::sqrt(2), 1e-12);
     EXPECT_NEAR(tangentAt({2, 0}, quarter, 0.5).x(), -std::sqrt(0.5), 1e-12);
     EXPECT_NEAR(sweepAngle({2, 0}, {0, 2}, Arc{{0, 0}, 2, false}), -1.5 * kPi, 1e-12);
+}
+
+TEST(Region, TellsArcsOfMoreThanAHalfCircleByTheirSweep) {
+    for (const bool ccw : {true, false})
+        for (int from = 0; from < 12; ++from)
+            for (int to = 0; to < 12; ++to)
+                for (const double least_rad : {kPi, kPi + 1e-6, 1.5 * kPi}) {
+                    const auto at = [](int hour) {
+                        return snapToGrid(
+                            Vec2(3 + 2 * std::cos(hour * kPi / 6), 2 * std::sin(hour * kPi / 6)));
+                    };
+                    const Arc arc{{3, 0}, 2, ccw};
+                    EXPECT_EQ(planar::sweepsMoreThan(least_rad, at(from), at(to), arc),
+                              std::abs(sweepAngle(at(from), at(to), arc)) > least_rad)
+                        << from << " to " << to << ", " << least_rad;
+                }
 }
 
 TEST(Region, TessellationKeepsTheChordAndThePointsLieOnTheCurve) {
