@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <mutex>
 
 #include "access/farthest_room.h"
@@ -19,42 +18,15 @@ constexpr double kWidestCutterStepMm = 0.01;
 /// Farther than that beyond all of the target an offset leaves nothing of it, rounding and all [mm].
 constexpr double kBeyondMm = 0.005;
 
-/// A region with what it was offset to: tools share diameters and holders, and each is asked about again and
-/// again.
-class LazyOffsets {
-  public:
-    const ClearanceDiagram& diagram(const Region& region, const Tolerances& tol) {
-        return diagram_.of(region, tol);
-    }
-
-    /// \param region  always the same
-    Region of(const Region& region, double distance_mm, const Tolerances& tol) {
-        if (region.empty() || distance_mm == 0) return region;
-        {
-            const std::lock_guard lock(mutex_);
-            if (const auto known = offsets_.find(distance_mm); known != offsets_.end()) return known->second;
-        }
-        // Not under the lock: making it may start tasks. Two threads that make the same make equal ones.
-        Region made = diagram_.of(region, tol).offset(distance_mm);
-        const std::lock_guard lock(mutex_);
-        return offsets_.emplace(distance_mm, std::move(made)).first->second;
-    }
-
-  private:
-    LazyDiagram diagram_;
-    std::mutex mutex_;
-    std::map<double, Region> offsets_;
-};
-
 /// Radius of the widest disc clear of the obstruction that is centred in the target: the least distance at
 /// which the grown obstruction covers the target. Distances alone answer most of its halvings.
-double widestRadiusFromOutside(const Feature& feature, LazyOffsets& obstruction, const Tolerances& tol) {
+double widestRadiusFromOutside(const Feature& feature, LazyDiagram& obstruction, const Tolerances& tol) {
     const access::FarthestRoom known =
         access::farthestRoom(feature.target, feature.obstruction, std::sqrt(4 * tol.area_mm2 / kPi));
     const auto roomFor = [&](double radius_mm) {
         if (radius_mm <= known.reached_mm) return true;
         if (radius_mm >= known.most_mm + kBeyondMm) return false;
-        const Region grown = obstruction.diagram(feature.obstruction, tol).offset(radius_mm);
+        const Region grown = obstruction.of(feature.obstruction, tol).offset(radius_mm);
         return area(subtract(feature.target, grown, tol)) > tol.area_mm2;
     };
     Box2 box = boundingBox(feature.target);
@@ -74,11 +46,12 @@ struct FeatureGround::Impl {
     Feature feature;
     Tolerances tol;
     bool walled_in = false;
-    LazyOffsets target;
-    LazyOffsets obstruction;
-    std::vector<std::unique_ptr<LazyOffsets>> obstacles;
+    // Tools share diameters and holders, and each is asked about again and again.
+    LazyDiagram target;
+    LazyDiagram obstruction;
+    std::vector<std::unique_ptr<LazyDiagram>> obstacles;
 
-    const ClearanceDiagram& targetDiagram() { return target.diagram(feature.target, tol); }
+    const ClearanceDiagram& targetDiagram() { return target.of(feature.target, tol); }
     std::once_flag widest_once;
     double widest_mm = 0;
 };
@@ -89,7 +62,7 @@ FeatureGround::FeatureGround(const Feature& feature, const Tolerances& tol)
     impl_->tol = tol;
     impl_->walled_in = feature.open_length_mm <= tol.sliver_mm;
     for (std::size_t i = 0; i < feature.obstacles.size(); ++i)
-        impl_->obstacles.push_back(std::make_unique<LazyOffsets>());
+        impl_->obstacles.push_back(std::make_unique<LazyDiagram>());
 }
 
 FeatureGround::~FeatureGround() = default;
@@ -108,7 +81,7 @@ bool FeatureGround::walledIn() const {
 }
 
 Region FeatureGround::targetOffset(double distance_mm) const {
-    return impl_->target.of(impl_->feature.target, distance_mm, impl_->tol);
+    return impl_->targetDiagram().offset(distance_mm);
 }
 
 Region FeatureGround::targetOpening(double radius_mm) const {
@@ -122,12 +95,12 @@ Region FeatureGround::targetRestCentres(double large_mm, double small_mm) const 
 }
 
 Region FeatureGround::obstructionOffset(double distance_mm) const {
-    return impl_->obstruction.of(impl_->feature.obstruction, distance_mm, impl_->tol);
+    return impl_->obstruction.of(impl_->feature.obstruction, impl_->tol).offset(distance_mm);
 }
 
 Region FeatureGround::obstacleOffset(std::size_t index, double distance_mm) const {
-    return impl_->obstacles.at(index)->of(impl_->feature.obstacles.at(index).section, distance_mm,
-                                          impl_->tol);
+    const Region& section = impl_->feature.obstacles.at(index).section;
+    return impl_->obstacles.at(index)->of(section, impl_->tol).offset(distance_mm);
 }
 
 double FeatureGround::widestCutterMm() const {

@@ -51,8 +51,8 @@ struct MedialAxis {
 /// leaves of equality); equal is not
 /// passable. A disc fills a concave arc of its own radius.
 ///
-/// Each side is built when it is first asked for, O(n log n) for n edges; a query costs O(n). Openings are
-/// kept by radius. Its answers never change; safe to share between threads.
+/// Each side is built when it is first asked for, O(n log n) for n edges; a query costs O(n). Offsets
+/// and openings are kept by distance. Its answers never change; safe to share between threads.
 class ClearanceDiagram {
   public:
     ClearanceDiagram(const Region& region, const Tolerances& tol);

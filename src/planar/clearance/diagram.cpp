@@ -103,9 +103,9 @@ struct ClearanceDiagram::Impl {
     };
     Memo<std::optional<Level>> levels;
     Memo<Opened> openings;
-    Memo<Region> bands;  ///< around the boundary: both sides of it ask for the same ones
-    Memo<std::optional<Region>> shrunk_by_booleans;
-    Memo<std::optional<Region>> grown_by_booleans;
+    Memo<Region> bands;                  ///< around the boundary: both sides of it ask for the same ones
+    Memo<std::optional<Region>> inward;  ///< offsets; nothing where none is sure
+    Memo<std::optional<Region>> outward;
 
     const Opened& opened(double radius) const {
         return openings.of(radius, [&] { return open(radius); });
@@ -121,33 +121,34 @@ struct ClearanceDiagram::Impl {
     }
 
     Region shrunk(double distance) const {
+        return sure(inward.of(distance, [&] { return shrink(distance); }));
+    }
+    Region grown(double distance) const {
+        return sure(outward.of(distance, [&] { return grow(distance); }));
+    }
+    static const Region& sure(const std::optional<Region>& offset) {
+        if (!offset) throw UnsureOffset();
+        return *offset;
+    }
+    std::optional<Region> shrink(double distance) const {
         if (const auto level = clearance::levelAt(inside(), distance, Tie::Blocked)) {
             Region rings = clearance::ringsOf(inside(), *level);
             if (keepsDistance(inside(), rings, distance)) return rings;
         }
-        return byBooleans(shrunk_by_booleans, inside(), distance,
+        return byBooleans(inside(), distance,
                           [&](const Region& band) { return subtract(region, band, tol); });
     }
-    Region grown(double distance) const {
+    std::optional<Region> grow(double distance) const {
         if (const auto level = clearance::levelAt(outside(), distance, Tie::Blocked)) {
             const Region rings = clearance::ringsOf(outside(), *level);
             if (keepsDistance(outside(), rings, distance)) return reversedLoops(rings);
         }
-        return byBooleans(grown_by_booleans, outside(), distance,
-                          [&](const Region& band) { return unite(region, band, tol); });
-    }
-    template <typename Combine>
-    Region byBooleans(const Memo<std::optional<Region>>& known, const Profile& profile, double distance,
-                      const Combine& combine) const {
-        const std::optional<Region>& rings =
-            known.of(distance, [&] { return sureRings(profile, distance, combine); });
-        if (!rings) throw UnsureOffset();
-        return *rings;
+        return byBooleans(outside(), distance, [&](const Region& band) { return unite(region, band, tol); });
     }
     /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is
-    /// added. Nothing where even that is not sure.
+    /// added.
     template <typename Combine>
-    std::optional<Region> sureRings(const Profile& profile, double distance, const Combine& combine) const {
+    std::optional<Region> byBooleans(const Profile& profile, double distance, const Combine& combine) const {
         for (const double more : {0.0, tol.linear_mm, 3 * tol.linear_mm}) {
             const Region rings = combine(bandOf(distance + more));
             if (keepsDistance(profile, rings, distance)) return rings;
