@@ -26,7 +26,7 @@ namespace {
 /// The heap keeps what is freed, up to this [bytes]: giving pages back and asking for them anew takes a third
 /// of the time of a small plan.
 constexpr int kKeptHeapBytes = 1 << 30;
-/// The largest the library takes [bytes].
+/// Blocks up to this come from that heap [bytes]; the C library allows no more.
 constexpr int kLargestHeapBlock = 32 << 20;
 
 void keepFreedHeap() {

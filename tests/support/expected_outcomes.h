@@ -27,7 +27,7 @@ struct ExpectedOutcome {
     std::optional<ErrorCode> refusal;  ///< why the file is not even read; nothing: it is
     int solids = 1;                    ///< in the file, repeats counted
     bool slow = false;         ///< for `make test-all` alone: in suites named Slow, which CI leaves out
-    bool slow_proofs = false;  ///< the same of its plan with finishing passes
+    bool slow_proofs = false;  ///< the same of its proofs with finishing passes or in all dialects
 
     bool hasPlan() const { return outcome == Outcome::Planned || outcome == Outcome::Gaps; }
 };
