@@ -19,6 +19,7 @@ constexpr double kOnEdge = 1e-6;
 /// A patch as the viewer sees it, in cells.
 struct SeenPatch {
     BodyKind kind = BodyKind::Raw;
+    int surface = 0;  ///< of an image's normals
     std::vector<std::vector<Vec2>> loops;
     Vec3 normal;
     double depth_mm = 0;  ///< at the frame's corner, ...
@@ -124,7 +125,7 @@ class FirstSeen {
         const bool here = leaving_ ? surface->kind == BodyKind::CutHere : inside.in(BodyKind::CutHere);
         cell_.what = fixture ? Shown::Fixture : here ? Shown::CutHere : Shown::Stock;
         cell_.depth_mm = depth_mm;
-        cell_.normal = surface->normal.z() < 0 ? Vec3(-surface->normal) : surface->normal;
+        cell_.surface = surface->surface;
     }
 
     bool leaving_;
@@ -230,10 +231,14 @@ Vec3 Sight::seen(const Vec3& p) const {
 
 StockImages stockImages(const std::vector<Body>& bodies, const Sight& sight) {
     std::vector<SeenPatch> patches;
+    std::vector<Vec3> normals{Vec3::Zero()};
     for (const Body& body : bodies)
         for (const Patch& patch : body.patches)
-            if (std::optional<SeenPatch> seen = seenPatch(body.kind, patch, sight))
+            if (std::optional<SeenPatch> seen = seenPatch(body.kind, patch, sight)) {
+                seen->surface = static_cast<int>(normals.size());
+                normals.push_back(seen->normal.z() < 0 ? Vec3(-seen->normal) : seen->normal);
                 patches.push_back(std::move(*seen));
+            }
     std::vector<std::vector<const SeenPatch*>> by_row(sight.rows());
     for (const SeenPatch& patch : patches) {
         const int last = std::min<int>(sight.rows() - 1, static_cast<int>(std::floor(patch.bottom)));
@@ -245,6 +250,7 @@ StockImages stockImages(const std::vector<Body>& bodies, const Sight& sight) {
         image->columns = sight.columns();
         image->rows = sight.rows();
         image->cells.resize(static_cast<std::size_t>(image->columns) * image->rows);
+        image->normals = normals;
     }
     tbb::parallel_for(0, sight.rows(), [&](int row) {
         const RowHits hits(by_row[row], row, sight.columns());

@@ -35,10 +35,11 @@ class Sight {
 /// What a cell of a picture shows.
 enum class Shown : std::uint8_t { Nothing, Stock, CutHere, Fixture };
 
+/// Small: a picture has half a million.
 struct SeenCell {
     Shown what = Shown::Nothing;
-    double depth_mm = 0;         ///< towards the viewer
-    Vec3 normal = Vec3::Zero();  ///< as the viewer sees it
+    int surface = 0;      ///< of the image's normals
+    double depth_mm = 0;  ///< towards the viewer
 };
 
 /// Row by row from above.
@@ -46,7 +47,11 @@ struct Image {
     int columns = 0;
     int rows = 0;
     std::vector<SeenCell> cells;
+    std::vector<Vec3> normals;  ///< of surfaces, as the viewer sees them; the first, of nothing, is zero
 
+    const Vec3& normalOf(const SeenCell& cell) const {
+        return normals[static_cast<std::size_t>(cell.surface)];
+    }
     const SeenCell& at(int column, int row) const {
         return cells[static_cast<std::size_t>(row) * columns + column];
     }

@@ -103,7 +103,7 @@ void drawImage(Element& svg, const Image& image, const Sight& sight) {
     };
     svg.add(area("left",
                  [&](const SeenCell& cell) {
-                     return cell.what != Shown::Nothing && cell.normal.dot(left) > kFacesLeft;
+                     return cell.what != Shown::Nothing && image.normalOf(cell).dot(left) > kFacesLeft;
                  }),
             area("jaw", [](const SeenCell& cell) { return cell.what == Shown::Fixture; }),
             area("here", [](const SeenCell& cell) { return cell.what == Shown::CutHere; }));

@@ -173,54 +173,63 @@ std::string pathOf(const std::vector<std::vector<Corner>>& lines, std::size_t le
     return data;
 }
 
-/// Where the surface of `a` would be, as deep as it goes on, beside by (columns, rows).
-double goesOnTo(const SeenCell& a, int columns, int rows, double cell_mm) {
-    return a.depth_mm + (-a.normal.x() * columns + a.normal.y() * rows) / a.normal.z() * cell_mm;
-}
-
-bool isOneSurface(const SeenCell& a, const SeenCell& b, int columns, int rows, double cell_mm) {
-    if (a.normal.dot(b.normal) < kSmoothCos) return false;
-    const double most_mm = kStepCells * cell_mm;
-    return std::abs(goesOnTo(a, columns, rows, cell_mm) - b.depth_mm) < most_mm ||
-           std::abs(goesOnTo(b, -columns, -rows, cell_mm) - a.depth_mm) < most_mm;
-}
-
 /// How the line between two neighbouring cells is drawn.
 enum class Stroke : std::uint8_t { None, Edge, Fixture, Cut };
 
-Stroke strokeBetween(const SeenCell& a, const SeenCell& b, int columns, int rows, double cell_mm) {
-    const bool fixture_a = a.what == Shown::Fixture;
-    const bool fixture_b = b.what == Shown::Fixture;
-    if (a.what == Shown::Nothing || b.what == Shown::Nothing)
-        return a.what == b.what ? Stroke::None : fixture_a || fixture_b ? Stroke::Fixture : Stroke::Edge;
-    if (fixture_a != fixture_b) return Stroke::Edge;
-    if (!isOneSurface(a, b, columns, rows, cell_mm)) return fixture_a ? Stroke::Fixture : Stroke::Edge;
-    return a.what == b.what ? Stroke::None : Stroke::Cut;
-}
+/// Which lines an image has between its cells.
+class Neighbours {
+  public:
+    Neighbours(const Image& image, double cell_mm) : image_(image), cell_mm_(cell_mm) {}
+
+    /// \param columns, rows  from `a` to `b`
+    Stroke between(const SeenCell& a, const SeenCell& b, int columns, int rows) const {
+        // Most neighbours are pieces of one level plane, or of nothing.
+        if (a.what == b.what && a.depth_mm == b.depth_mm && image_.normalOf(a) == image_.normalOf(b) &&
+            (a.what == Shown::Nothing || image_.normalOf(a).z() == 1))
+            return Stroke::None;
+        const bool fixture_a = a.what == Shown::Fixture;
+        const bool fixture_b = b.what == Shown::Fixture;
+        if (a.what == Shown::Nothing || b.what == Shown::Nothing)
+            return a.what == b.what ? Stroke::None : fixture_a || fixture_b ? Stroke::Fixture : Stroke::Edge;
+        if (fixture_a != fixture_b) return Stroke::Edge;
+        if (!isOneSurface(a, b, columns, rows)) return fixture_a ? Stroke::Fixture : Stroke::Edge;
+        return a.what == b.what ? Stroke::None : Stroke::Cut;
+    }
+
+  private:
+    bool isOneSurface(const SeenCell& a, const SeenCell& b, int columns, int rows) const {
+        if (image_.normalOf(a).dot(image_.normalOf(b)) < kSmoothCos) return false;
+        const double most_mm = kStepCells * cell_mm_;
+        return std::abs(goesOnTo(a, columns, rows) - b.depth_mm) < most_mm ||
+               std::abs(goesOnTo(b, -columns, -rows) - a.depth_mm) < most_mm;
+    }
+
+    /// Where the surface of `a` would be, as deep as it goes on, beside by (columns, rows).
+    double goesOnTo(const SeenCell& a, int columns, int rows) const {
+        const Vec3& normal = image_.normalOf(a);
+        return a.depth_mm + (-normal.x() * columns + normal.y() * rows) / normal.z() * cell_mm_;
+    }
+
+    const Image& image_;
+    double cell_mm_;
+};
 
 }  // namespace
 
 Strokes strokesOf(const Image& image, double cell_mm) {
     // By Stroke; nothing is added for None.
     std::array<Sides, 4> sides{Sides(image), Sides(image), Sides(image), Sides(image)};
-    /// How the line between a cell and its neighbour, 1 to the right or below, is drawn.
-    const auto between = [&](const SeenCell& a, const SeenCell& b, int columns, int rows) {
-        // Most neighbours are pieces of one level plane, or of nothing.
-        if (a.what == b.what && a.depth_mm == b.depth_mm && a.normal == b.normal &&
-            (a.what == Shown::Nothing || a.normal.z() == 1))
-            return Stroke::None;
-        return strokeBetween(a, b, columns, rows, cell_mm);
-    };
+    const Neighbours neighbours(image, cell_mm);
     for (int row = 0; row < image.rows; ++row)
         for (int column = 0; column < image.columns; ++column) {
             const SeenCell& cell = image.at(column, row);
             if (column + 1 < image.columns) {
-                const Stroke stroke = between(cell, image.at(column + 1, row), 1, 0);
+                const Stroke stroke = neighbours.between(cell, image.at(column + 1, row), 1, 0);
                 if (stroke != Stroke::None)
                     sides[static_cast<std::size_t>(stroke)].addDown({column + 1, row});
             }
             if (row + 1 < image.rows) {
-                const Stroke stroke = between(cell, image.at(column, row + 1), 0, 1);
+                const Stroke stroke = neighbours.between(cell, image.at(column, row + 1), 0, 1);
                 if (stroke != Stroke::None)
                     sides[static_cast<std::size_t>(stroke)].addRight({column, row + 1});
             }
