@@ -17,6 +17,7 @@ set_source_files_properties(
   unit/catalog/limits_test.cpp
   unit/catalog/read_fixtures_test.cpp
   unit/catalog/read_hole_table_test.cpp
+  unit/catalog/read_hole_tools_test.cpp
   unit/catalog/read_materials_test.cpp
   unit/catalog/spindle_test.cpp
   unit/catalog/stick_out_range_test.cpp
@@ -37,7 +38,9 @@ set_source_files_properties(
   unit/planar/clearance_opening_test.cpp
   unit/planar/region_test.cpp
   unit/planar/region_text_test.cpp
+  unit/post/hole_cycles_test.cpp
   unit/post/start_and_end_test.cpp
+  unit/proven/holes_proven_test.cpp
   unit/proven/threads_proven_test.cpp
   unit/report/pages_test.cpp
   unit/report/quote_page_test.cpp

@@ -39,7 +39,7 @@ double smallestCutterMm(const InspectOptions& options) {
             : readToolLibrary(options.part.tools_file, options.part.limits.maxFileBytes());
     double smallest_mm = std::numeric_limits<double>::infinity();
     for (const ToolAssembly& tool : library.tools)
-        if (!tool.isDrill() && !tool.isTap()) smallest_mm = std::min(smallest_mm, tool.diameter_mm);
+        if (!tool.isForHoles()) smallest_mm = std::min(smallest_mm, tool.diameter_mm);
     return std::isfinite(smallest_mm) ? smallest_mm : 0;
 }
 

@@ -148,8 +148,9 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--machine", options.machine_file, "machine (JSON); default: a machining centre");
     command.add_option("--fixtures", options.fixtures_file,
                        "what holds the part in each setup (JSON); default: the jaws of the suggested vise");
-    command.add_option("--holes", options.holes_file,
-                       "which holes are tapped, drilled alone or left (JSON); default: nothing is said");
+    command.add_option(
+        "--holes", options.holes_file,
+        "which holes are tapped, reamed, bored, drilled alone or left (JSON); default: nothing is said");
     CLI::Option* materials =
         command.add_option("--materials", options.materials_file,
                            "what cuts of each material ask for, which feeds follow (JSON); default: seven "

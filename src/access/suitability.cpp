@@ -40,6 +40,11 @@ std::optional<Exclusion> unsuitable(const FeatureGround& ground, const ToolAssem
                                     const std::string& material) {
     if (tool.isTap())
         return Exclusion{ExclusionReason::WrongType, "a tap cuts threads into holes that are made"};
+    if (tool.isSpot()) return Exclusion{ExclusionReason::WrongType, "a spot drill starts holes for drills"};
+    if (tool.isSizer())
+        return Exclusion{
+            ExclusionReason::WrongType,
+            fmt::format("a {} tool brings bores to a fit where one is asked for", toString(tool.type))};
     if (tool.type == ToolType::Chamfer)
         return Exclusion{ExclusionReason::WrongType, "a chamfer mill leaves its cone on a flat floor"};
     if (tool.type == ToolType::Ball || tool.type == ToolType::Bull)

@@ -38,6 +38,9 @@ constexpr Limits kFeed{1, 100000};
 /// Conversion from inches rounds.
 constexpr double kLimitRounding = 1e-9;
 
+/// Sharper points are those of spot drills [deg].
+constexpr double kLeastDrillPointDeg = 90;
+
 /// Passes closer together than this share of the diameter cut nothing worth the time, and a wide pocket takes
 /// more of them than fit in memory.
 constexpr double kLeastStepOverShare = 1e-3;
@@ -137,7 +140,7 @@ class ToolRules {
         if (type == "ball")
             expect(nearlyEqual(corner, radius), at,
                    "half the diameter of a ball cutter, " + lengthText(radius), found);
-        else if (type == "flat" || type == "drill" || type == "chamfer" || type == "tap")
+        else if (type == "flat" || type == "chamfer" || isForHoles())
             expect(corner == 0, at,
                    "0 for a " + type +
                        (type == "flat"      ? " end mill"
@@ -152,8 +155,21 @@ class ToolRules {
     }
 
     void checkPoint() {
-        if (tool_["type"] != "drill" && tool_.contains("point_angle_deg"))
-            findings_.push_back({childPointer(pointer_, "point_angle_deg"), "expected on a drill alone"});
+        const std::string type = tool_["type"];
+        const auto only = [&](const char* field, bool fits, const char* expected) {
+            if (!fits && tool_.contains(field))
+                findings_.push_back({childPointer(pointer_, field), expected});
+        };
+        only("point_angle_deg", type == "drill" || type == "spot", "expected on a drill or spot drill alone");
+        only("self_centring", type == "drill", "expected on a drill alone");
+        only("lead", type == "reamer" || type == "boring", "expected on a reamer or boring head alone");
+        if (type == "drill" && tool_.contains("point_angle_deg"))
+            expect(tool_["point_angle_deg"] >= kLeastDrillPointDeg, childPointer(pointer_, "point_angle_deg"),
+                   fmt::format("{:g} degrees or more of a drill", kLeastDrillPointDeg),
+                   tool_["point_angle_deg"]);
+        if (tool_.contains("lead"))
+            expect(tool_["lead"] < tool_["flute_length"], childPointer(pointer_, "lead"),
+                   "less than the flute length, " + lengthText(tool_["flute_length"]), tool_["lead"]);
     }
 
     /// A tap is as wide as its thread, and its cutting part is longer than its lead.
@@ -192,7 +208,7 @@ class ToolRules {
 
     void checkPlunge() {
         if (tool_.value("max_plunge", 0.0) <= 0) return;
-        const bool drill = tool_["type"] == "drill";
+        const bool drill = tool_["type"] == "drill" || tool_["type"] == "spot";
         expect(tool_.value("centre_cutting", drill), childPointer(pointer_, "max_plunge"),
                "0 for a tool that does not cut at its centre", tool_["max_plunge"]);
         const double flutes = tool_["flute_length"];
@@ -222,6 +238,12 @@ class ToolRules {
                "at least the height of the cone, " + lengthText(cone_height), tool_["flute_length"]);
     }
 
+    bool isForHoles() const {
+        const std::optional<ToolType> type = toolTypeFrom(tool_["type"].get<std::string>());
+        ToolAssembly tool;
+        tool.type = type.value_or(ToolType::Flat);
+        return tool.isForHoles();
+    }
     bool isRange() const { return tool_["stick_out"].is_object(); }
     /// Flutes and shank must be out of the holder at the shortest; the holder's heights are those of the
     /// longest.
@@ -289,7 +311,7 @@ class ToolRules {
 
     void checkSteps(const json& data, const std::string& at) {
         const double flutes = tool_["flute_length"];
-        const bool mills = tool_["type"] != "drill" && tool_["type"] != "tap";
+        const bool mills = !isForHoles();
         for (const char* name : {"step_over", "step_down"})
             if (mills && !data.contains(name))
                 findings_.push_back(

@@ -39,11 +39,10 @@ class ToolReader {
             tool.type == ToolType::Ball ? tool.diameter_mm / 2 : length(from, "corner_radius");
         tool.tip_diameter_mm = length(from, "tip_diameter");
         tool.included_angle_deg = from.value("included_angle_deg", 0.0);
-        tool.point_angle_deg = from.value("point_angle_deg", tool.point_angle_deg);
-        if (tool.isTap()) readThread(from, tool);
+        readHoleForm(from, tool);
         tool.flute_length_mm = length(from, "flute_length");
         tool.flutes = from.value("flutes", 0);
-        tool.centre_cutting = from.value("centre_cutting", tool.isDrill());
+        tool.centre_cutting = from.value("centre_cutting", tool.isDrill() || tool.isSpot());
         tool.cutter_material =
             cutterMaterialFrom(from.value("cutter_material", "carbide")).value_or(CutterMaterial::Carbide);
         tool.max_plunge_mm = from.contains("max_plunge") ? length(from, "max_plunge") : usualPlungeMm(tool);
@@ -69,6 +68,18 @@ class ToolReader {
     }
 
     double length(const json& from, const char* field) const { return from.value(field, 0.0) * mm_per_unit_; }
+
+    void readHoleForm(const json& from, ToolAssembly& tool) const {
+        const double usual_deg = tool.isSpot() ? kUsualSpotPointDeg : tool.point_angle_deg;
+        tool.point_angle_deg = from.value("point_angle_deg", usual_deg);
+        if (tool.isDrill())
+            tool.self_centring = from.value("self_centring", tool.point_angle_deg >= kSelfCentringPointDeg);
+        if (tool.isTap()) readThread(from, tool);
+        if (!tool.isSizer()) return;
+        const bool reamer = tool.type == ToolType::Reamer;
+        const double usual_mm = reamer ? kUsualLeadShare * tool.diameter_mm : 0;
+        tool.lead_mm = from.contains("lead") ? length(from, "lead") : usual_mm;
+    }
 
     /// The thread's own diameter: inches in files are rounded.
     static void readThread(const json& from, ToolAssembly& tool) {

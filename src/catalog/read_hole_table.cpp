@@ -16,8 +16,11 @@ using nlohmann::json;
 /// Sizes in a table come from a drawing or a report of three decimals [mm].
 constexpr double kDrawnMm = 5e-4;
 
-constexpr EnumWord<HoleMaking> kMakings[] = {
-    {HoleMaking::Tap, "tap"}, {HoleMaking::Drill, "drill"}, {HoleMaking::Leave, "leave"}};
+constexpr EnumWord<HoleMaking> kMakings[] = {{HoleMaking::Tap, "tap"},
+                                             {HoleMaking::Ream, "ream"},
+                                             {HoleMaking::Bore, "bore"},
+                                             {HoleMaking::Drill, "drill"},
+                                             {HoleMaking::Leave, "leave"}};
 
 /// Reads a document that keeps the schema.
 class HoleTableReader {
@@ -62,7 +65,23 @@ class HoleTableReader {
             fail(pointer, "expected at least one of diameter, depth and ids, found none");
         entry.make = valueOf(kMakings, from["make"].get<std::string>()).value();
         readThread(from, pointer, entry);
+        readFit(from, pointer, entry);
         return entry;
+    }
+
+    void readFit(const json& from, const std::string& pointer, HoleEntry& entry) const {
+        const bool sizes = entry.make == HoleMaking::Ream || entry.make == HoleMaking::Bore;
+        if (sizes && !from.contains("fit"))
+            fail(pointer, "expected the field \"fit\" of a hole to be reamed or bored, found none");
+        if (!sizes && from.contains("fit"))
+            fail(pointer + "/fit", "expected with \"make\": \"ream\" or \"bore\" alone");
+        if (!sizes) return;
+        entry.fit = fitFrom(from["fit"].get<std::string>());
+        if (!entry.fit)
+            fail(pointer + "/fit",
+                 fmt::format("expected a fit of F, G, H or JS and a grade from 6 to 11 such as "
+                             "H7, found {}",
+                             from["fit"].dump()));
     }
 
     void readThread(const json& from, const std::string& pointer, HoleEntry& entry) const {

@@ -32,7 +32,8 @@ class ToolWriter {
         if (tool.flutes > 0) made["flutes"] = tool.flutes;
         if (tool.cutter_material != CutterMaterial::Carbide)
             made["cutter_material"] = toString(tool.cutter_material);
-        if (tool.centre_cutting != tool.isDrill()) made["centre_cutting"] = tool.centre_cutting;
+        if (tool.centre_cutting != (tool.isDrill() || tool.isSpot()))
+            made["centre_cutting"] = tool.centre_cutting;
         if (tool.max_plunge_mm != usualPlungeMm(tool)) made["max_plunge"] = length(tool.max_plunge_mm);
         putStickOut(made, tool);
         putHolder(made, tool);
@@ -63,7 +64,10 @@ class ToolWriter {
             made["tip_diameter"] = length(tool.tip_diameter_mm);
             made["included_angle_deg"] = shortNumber(tool.included_angle_deg);
         }
-        if (tool.isDrill()) made["point_angle_deg"] = shortNumber(tool.point_angle_deg);
+        if (tool.isDrill() || tool.isSpot()) made["point_angle_deg"] = shortNumber(tool.point_angle_deg);
+        if (tool.isDrill() && tool.self_centring != (tool.point_angle_deg >= kSelfCentringPointDeg))
+            made["self_centring"] = tool.self_centring;
+        if (tool.isSizer()) made["lead"] = length(tool.lead_mm);
         if (tool.isTap() && tool.thread) {
             made["thread"] = tool.thread->name;
             made["lead_threads"] = shortNumber(tool.lead_mm / tool.thread->pitch_mm);

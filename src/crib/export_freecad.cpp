@@ -18,11 +18,13 @@ using Json = nlohmann::ordered_json;
 constexpr EnumWord<ToolType> kShapes[] = {{ToolType::Flat, "endmill"},  {ToolType::Ball, "ballend"},
                                           {ToolType::Bull, "bullnose"}, {ToolType::Drill, "drill"},
                                           {ToolType::Face, "endmill"},  {ToolType::Chamfer, "v-bit"},
-                                          {ToolType::Tap, "tap"}};
+                                          {ToolType::Tap, "tap"},       {ToolType::Spot, "drill"},
+                                          {ToolType::Reamer, "reamer"}, {ToolType::Boring, "reamer"}};
 constexpr EnumWord<ToolType> kShapeTypes[] = {{ToolType::Flat, "Endmill"},  {ToolType::Ball, "Ballend"},
                                               {ToolType::Bull, "Bullnose"}, {ToolType::Drill, "Drill"},
                                               {ToolType::Face, "Endmill"},  {ToolType::Chamfer, "VBit"},
-                                              {ToolType::Tap, "Tap"}};
+                                              {ToolType::Tap, "Tap"},       {ToolType::Spot, "Drill"},
+                                              {ToolType::Reamer, "Reamer"}, {ToolType::Boring, "Reamer"}};
 
 /// A name that every file system takes.
 std::string fileName(const ToolAssembly& tool) {
@@ -62,7 +64,7 @@ class BitWriter {
                   {"Flutes", std::to_string(tool.flutes)},
                   {"Material", tool.cutter_material == CutterMaterial::Hss ? "HSS" : "Carbide"}};
         if (tool.type == ToolType::Bull) json["CornerRadius"] = length(tool.corner_radius_mm);
-        if (tool.isDrill()) json["TipAngle"] = angle(tool.point_angle_deg);
+        if (tool.isDrill() || tool.isSpot()) json["TipAngle"] = angle(tool.point_angle_deg);
         if (tool.isTap() && tool.thread) json["Pitch"] = length(tool.thread->pitch_mm);
         if (tool.type == ToolType::Chamfer) {
             json["TipDiameter"] = length(tool.tip_diameter_mm);

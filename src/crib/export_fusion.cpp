@@ -67,9 +67,9 @@ class FusionWriter {
                   {"OAL", length(tool.stick_out_mm + gripMm(tool))},
                   {"RE", length(tool.corner_radius_mm)},
                   {"SFDM", length(tool.shank.diameter_mm)}};
-        if (tool.isDrill())
+        if (tool.isDrill() || tool.isSpot())
             json["SIG"] = tool.point_angle_deg;
-        else if (!tool.isTap())
+        else if (!tool.isForHoles())
             json["TA"] = tool.type == ToolType::Chamfer ? tool.included_angle_deg / 2 : 0;
         json["TP"] = tool.isTap() && tool.thread ? length(tool.thread->pitch_mm) : 0;
         json["assemblyGaugeLength"] =

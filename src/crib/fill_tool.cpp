@@ -80,7 +80,7 @@ class Filler {
             data.step_down_mm = stepDownMm(usual);
             note("cutting/" + data.material + "/step_down", usual.source);
         }
-        if (data.step_over_mm == 0 && !tool_.isDrill() && usual.step_over_diameters > 0) {
+        if (data.step_over_mm == 0 && !tool_.isForHoles() && usual.step_over_diameters > 0) {
             data.step_over_mm = usual.step_over_diameters * tool_.diameter_mm;
             note("cutting/" + data.material + "/step_over", usual.source);
         }
@@ -105,8 +105,7 @@ class Filler {
             data.plunge_feed_mm_per_min = rounded(usual.plunge_share * data.feed_mm_per_min, kFeedStep);
         data.ramp_angle_deg = usual.ramp_angle_deg;
         if (!tool_.isTap()) data.step_down_mm = stepDownMm(usual);
-        if (!tool_.isTap() && !tool_.isDrill())
-            data.step_over_mm = usual.step_over_diameters * tool_.diameter_mm;
+        if (!tool_.isForHoles()) data.step_over_mm = usual.step_over_diameters * tool_.diameter_mm;
         tool_.cutting.push_back(std::move(data));
         note("cutting/" + usual.material, usual.source);
     }

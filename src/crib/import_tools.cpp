@@ -40,10 +40,10 @@ std::vector<std::string> gapsOf(const ToolAssembly& tool) {
     if (tool.shank.diameter_mm == 0)
         gaps.push_back("no shank: taken as thick as the cutter; put it under \"shank\"");
     if (tool.cutting.empty())
-        gaps.push_back(tool.flutes == 0 && !tool.isDrill()
+        gaps.push_back(tool.flutes == 0 && !tool.isForHoles()
                            ? "no cutting data, so that no plan takes it; a feed per tooth needs \"flutes\""
                            : "no cutting data, so that no plan takes it; put it under \"cutting\"");
-    if (!tool.isDrill() && !tool.isTap() && !tool.centre_cutting)
+    if (!tool.isForHoles() && !tool.centre_cutting)
         gaps.push_back("not told to cut at its centre: it goes down by ramps alone; say \"centre_cutting\"");
     if (tool.life_min == 0) gaps.push_back("no tool life: its wear costs nothing; put it under \"life_min\"");
     return gaps;
@@ -51,7 +51,7 @@ std::vector<std::string> gapsOf(const ToolAssembly& tool) {
 
 /// Data that a mill cannot be planned with go, with a note.
 void dropHalfCutting(ToolAssembly& tool, std::vector<std::string>& gaps) {
-    if (tool.isDrill() || tool.isTap()) return;
+    if (tool.isForHoles()) return;
     const auto lacks = [](const CuttingData& data) {
         return data.step_over_mm == 0 || data.step_down_mm == 0;
     };

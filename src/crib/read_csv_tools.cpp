@@ -146,7 +146,7 @@ class CsvTool {
         ToolAssembly& tool = foreign_.tool;
         const std::string type = columns_.cell(row_, "type");
         const crib::TypeWord word = crib::typeOfWords(type);
-        if (word.type) tool.type = *word.type;
+        if (word.type) crib::setType(tool, *word.type);
         if (!word.type)
             foreign_.unfit = !word.unfit.empty() ? word.unfit
                                                  : fmt::format("'{}' is no type of tool that Stepmill knows",

@@ -49,7 +49,7 @@ class FreeCadBit {
         const std::string shape = from_.text("shape");
         crib::TypeWord word = crib::typeOfWords(type);
         if (!word.type && word.unfit.empty()) word = crib::typeOfWords(fs::path(shape).stem().string());
-        if (word.type) foreign_.tool.type = *word.type;
+        if (word.type) crib::setType(foreign_.tool, *word.type);
         if (!word.type)
             foreign_.unfit = !word.unfit.empty() ? word.unfit
                                                  : fmt::format("'{}' is no shape of tool that Stepmill knows",
@@ -77,7 +77,7 @@ class FreeCadBit {
                     "FlatRadius left aside: programs differ on what it means; expected "
                     "CornerRadius");
         }
-        if (tool.isDrill() && parameters.has("TipAngle"))
+        if ((tool.isDrill() || tool.isSpot()) && parameters.has("TipAngle"))
             tool.point_angle_deg = angle(parameters, "TipAngle");
         if (tool.type == ToolType::Chamfer) {
             tool.tip_diameter_mm = length(parameters, "TipDiameter");

@@ -48,7 +48,7 @@ class FusionTool {
         ToolAssembly& tool = foreign_.tool;
         const std::string type = from_.text("type");
         const crib::TypeWord word = crib::typeOfWords(type);
-        if (word.type) tool.type = *word.type;
+        if (word.type) crib::setType(tool, *word.type);
         if (!word.type)
             foreign_.unfit = !word.unfit.empty() ? word.unfit
                                                  : fmt::format("'{}' is no type of tool that Stepmill knows",
@@ -91,12 +91,12 @@ class FusionTool {
             tool.corner_radius_mm = mm(geometry, "RE");
             foreign_.notes.push_back("a flat end mill with a corner radius: taken as a bull nose");
         }
-        if (tool.isDrill() && geometry.number("SIG") > 0) tool.point_angle_deg = geometry.number("SIG");
+        if ((tool.isDrill() || tool.isSpot()) && geometry.number("SIG") > 0)
+            tool.point_angle_deg = geometry.number("SIG");
         if (tool.type == ToolType::Chamfer) {
             tool.tip_diameter_mm = mm(geometry, "tip-diameter");
             tool.included_angle_deg = 2 * taper_deg;
-        } else if (!tool.isDrill() && !tool.isTap() && tool.type != ToolType::Face &&
-                   std::abs(taper_deg) > kUprightDeg) {
+        } else if (!tool.isForHoles() && tool.type != ToolType::Face && std::abs(taper_deg) > kUprightDeg) {
             foreign_.unfit =
                 fmt::format("its flanks lean by {:.6g} degrees; cutters here are upright", taper_deg);
         }

@@ -63,7 +63,7 @@ class HsmTool {
         ToolAssembly& tool = foreign_.tool;
         const std::string type = from_.attribute("type").value();
         const crib::TypeWord word = crib::typeOfWords(type);
-        if (word.type) tool.type = *word.type;
+        if (word.type) crib::setType(tool, *word.type);
         if (!word.type)
             foreign_.unfit = !word.unfit.empty() ? word.unfit
                                                  : fmt::format("'{}' is no type of tool that Stepmill knows",
@@ -108,12 +108,11 @@ class HsmTool {
         const double taper_deg = number(body, "taper-angle");
         if (tool.type == ToolType::Bull || tool.type == ToolType::Face)
             tool.corner_radius_mm = mm(body, "corner-radius");
-        if (tool.isDrill() && taper_deg > 0) tool.point_angle_deg = taper_deg;
+        if ((tool.isDrill() || tool.isSpot()) && taper_deg > 0) tool.point_angle_deg = taper_deg;
         if (tool.type == ToolType::Chamfer) {
             tool.tip_diameter_mm = mm(body, "tip-diameter");
             tool.included_angle_deg = 2 * taper_deg;
-        } else if (!tool.isDrill() && !tool.isTap() && tool.type != ToolType::Face &&
-                   taper_deg > kUprightHsmDeg) {
+        } else if (!tool.isForHoles() && tool.type != ToolType::Face && taper_deg > kUprightHsmDeg) {
             foreign_.unfit =
                 fmt::format("its flanks lean by {:.6g} degrees; cutters here are upright", taper_deg);
         }

@@ -71,7 +71,7 @@ class TableLine {
     void takeRemark(std::string_view remark) {
         crib::TypeWord word = crib::typeOfWords(remark.substr(0, remark.find(':')));
         if (!word.type && word.unfit.empty()) word = crib::typeOfWords(remark);
-        if (word.type) foreign_.tool.type = *word.type;
+        if (word.type) crib::setType(foreign_.tool, *word.type);
         foreign_.tool.description = fieldText(remark, 900);
         has_type_ = word.type.has_value();
         foreign_.unfit = word.unfit;

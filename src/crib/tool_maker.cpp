@@ -133,7 +133,9 @@ void finishTool(ForeignTool& foreign, double pitch_mm, const std::string& file,
         return;
     }
     if (tool.type == ToolType::Ball) tool.corner_radius_mm = tool.diameter_mm / 2;
-    if (tool.isDrill()) tool.centre_cutting = true;
+    if (tool.isDrill() || tool.isSpot()) tool.centre_cutting = true;
+    if (tool.isDrill()) tool.self_centring = tool.point_angle_deg >= kSelfCentringPointDeg;
+    if (tool.type == ToolType::Reamer) tool.lead_mm = kUsualLeadShare * tool.diameter_mm;
     if (tool.isTap()) finishTap(foreign, pitch_mm);
     if (tool.type == ToolType::Bull && tool.corner_radius_mm == 0)
         foreign.unfit = "the corner radius of a bull nose is not told";

@@ -61,14 +61,14 @@ class Squawker {
             say(SquawkGrade::Caution,
                 fmt::format("{}: a feed of {:.3g} mm a tooth on {:.4g} mm; is that a typing error?",
                             data.material, chip * tool_->diameter_mm, tool_->diameter_mm));
-        if (!tool_->isDrill() && data.ramp_angle_deg == 0 && tool_->max_plunge_mm == 0)
+        if (!tool_->isForHoles() && data.ramp_angle_deg == 0 && tool_->max_plunge_mm == 0)
             say(SquawkGrade::Note, data.material +
                                        ": no ramp angle and no plunge depth: it enters from outside "
                                        "alone");
     }
 
     void lookForGaps() {
-        if (tool_->flutes == 0 && !tool_->isDrill() && !tool_->isTap())
+        if (tool_->flutes == 0 && !tool_->isForHoles())
             say(SquawkGrade::Note, "flutes are not told: feeds are not set by what is cut");
         if (tool_->life_min == 0) say(SquawkGrade::Note, "no tool life: its wear costs nothing");
         if (tool_->price == 0) say(SquawkGrade::Note, "no price: its wear costs nothing");

@@ -14,27 +14,28 @@ constexpr EnumWord<ToolType> kHsmWords[] = {
     {ToolType::Flat, "flat end mill"},      {ToolType::Ball, "ball end mill"},
     {ToolType::Bull, "bull nose end mill"}, {ToolType::Drill, "drill"},
     {ToolType::Face, "face mill"},          {ToolType::Chamfer, "chamfer mill"},
-    {ToolType::Tap, "tap right hand"}};
+    {ToolType::Tap, "tap right hand"},      {ToolType::Spot, "spot drill"},
+    {ToolType::Reamer, "reamer"},           {ToolType::Boring, "boring bar"}};
 
-/// Types that other programs have and Stepmill does not. They come first: a "spot drill" is no drill.
-constexpr std::array kUnfit = {" spot drill ",   " spotdrill ",    " spotting drill ", " center drill ",
-                               " centre drill ", " counter sink ", " countersink ",    " counter bore ",
-                               " counterbore ",  " reamer ",       " boring ",         " thread mill ",
-                               " threadmill ",   " dovetail ",     " lollipop ",       " slot mill ",
-                               " slitting ",     " slittingsaw ",  " tapered ",        " taperedballnose ",
-                               " radius mill ",  " form mill ",    " circle segment ", " turning ",
-                               " probe ",        " holder ",       " laser ",          " waterjet ",
-                               " plasma ",       " left hand ",    " engraver ",       " engraving ",
-                               " saw "};
+/// Types that other programs have and Stepmill does not. They come first: a "centre drill" is no drill.
+constexpr std::array kUnfit = {" center drill ", " centre drill ",   " counter sink ",    " countersink ",
+                               " counter bore ", " counterbore ",    " thread mill ",     " threadmill ",
+                               " dovetail ",     " lollipop ",       " slot mill ",       " slitting ",
+                               " slittingsaw ",  " tapered ",        " taperedballnose ", " radius mill ",
+                               " form mill ",    " circle segment ", " turning ",         " probe ",
+                               " holder ",       " laser ",          " waterjet ",        " plasma ",
+                               " left hand ",    " engraver ",       " engraving ",       " saw "};
 
 /// The special before the plain.
 constexpr EnumWord<ToolType> kWords[] = {
-    {ToolType::Chamfer, " chamfer "}, {ToolType::Chamfer, " v bit "}, {ToolType::Chamfer, " vbit "},
-    {ToolType::Ball, " ball "},       {ToolType::Ball, " ballend "},  {ToolType::Ball, " ballnose "},
-    {ToolType::Bull, " bull "},       {ToolType::Bull, " bullnose "}, {ToolType::Bull, " torus "},
-    {ToolType::Face, " face "},       {ToolType::Face, " facemill "}, {ToolType::Face, " shell mill "},
-    {ToolType::Tap, " tap "},         {ToolType::Drill, " drill "},   {ToolType::Flat, " flat "},
-    {ToolType::Flat, " end mill "},   {ToolType::Flat, " endmill "},  {ToolType::Flat, " slot drill "}};
+    {ToolType::Chamfer, " chamfer "}, {ToolType::Chamfer, " v bit "},   {ToolType::Chamfer, " vbit "},
+    {ToolType::Ball, " ball "},       {ToolType::Ball, " ballend "},    {ToolType::Ball, " ballnose "},
+    {ToolType::Bull, " bull "},       {ToolType::Bull, " bullnose "},   {ToolType::Bull, " torus "},
+    {ToolType::Face, " face "},       {ToolType::Face, " facemill "},   {ToolType::Face, " shell mill "},
+    {ToolType::Tap, " tap "},         {ToolType::Reamer, " reamer "},   {ToolType::Boring, " boring "},
+    {ToolType::Spot, " spot drill "}, {ToolType::Spot, " spotdrill "},  {ToolType::Spot, " spotting drill "},
+    {ToolType::Drill, " drill "},     {ToolType::Flat, " flat "},       {ToolType::Flat, " end mill "},
+    {ToolType::Flat, " endmill "},    {ToolType::Flat, " slot drill "}, {ToolType::Spot, " spot "}};
 
 }  // namespace
 
@@ -60,6 +61,11 @@ TypeWord typeOfWords(std::string_view text) {
     for (const EnumWord<ToolType>& entry : kWords)
         if (words.find(entry.word) != std::string::npos) return {entry.value, ""};
     return {};
+}
+
+void setType(ToolAssembly& tool, ToolType type) {
+    tool.type = type;
+    if (tool.isSpot()) tool.point_angle_deg = kUsualSpotPointDeg;
 }
 
 std::string hsmWord(ToolType type) {

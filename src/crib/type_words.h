@@ -17,6 +17,9 @@ struct TypeWord {
 /// The type that words tell, whatever else they say; of several the most special: "ball end mill" is a ball.
 TypeWord typeOfWords(std::string_view words);
 
+/// Makes it a tool of that type, with the point that is usual until its file says another.
+void setType(ToolAssembly& tool, ToolType type);
+
 /// How Fusion and HSMWorks call a type, such as "flat end mill".
 std::string hsmWord(ToolType type);
 

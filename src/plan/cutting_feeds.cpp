@@ -24,7 +24,8 @@ class SetupFeeds {
 
     void set() {
         for (Operation& operation : setup_.operations) {
-            if (operation.role == Role::Form || operation.role == Role::Tap) continue;
+            if (operation.role == Role::Form || operation.role == Role::Tap || operation.role == Role::Spot)
+                continue;
             CutGround& ground = groundOf(operation.feature_id);
             if (isClearing(operation.role)) feed(operation, ground);
             ground.add(operation.path.start, operation.path.moves,

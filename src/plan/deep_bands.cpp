@@ -22,7 +22,7 @@ double bandMm(const ToolLibrary& library, const std::string& material) {
     double widest_mm = 0;
     double reach_mm = 0;
     for (const ToolAssembly& tool : library.tools) {
-        if (tool.isDrill() || tool.isTap() || tool.type == ToolType::Face || tool.type == ToolType::Chamfer ||
+        if (tool.isForHoles() || tool.type == ToolType::Face || tool.type == ToolType::Chamfer ||
             tool.cuttingFor(material) == nullptr)
             continue;
         if (tool.diameter_mm < widest_mm) continue;

@@ -11,6 +11,7 @@
 #include "plan/propose_ground.h"
 #include "plan/retract.h"
 #include "plan/share_tools.h"
+#include "plan/sized_holes.h"
 #include "stepmill/core/error.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/common_ground.h"
@@ -51,6 +52,8 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
 /// Together is taken where it weighs no more than this share: beside other features, which call tools anyway,
 /// less would be no gain.
 constexpr double kGroundPays = 0.995;
+/// What the turns of a mill take off the walls of a bore at last, where there is no boring head [mm].
+constexpr double kTurnedMm = 0.2;
 /// So often ground is sought anew beside the ground that was found.
 constexpr int kMostGroundRounds = 2;
 
@@ -348,14 +351,17 @@ class FeaturePlanner {
                 wholeAsResidual(free, {Reason::NotProven, {}}, "a report of this part"));
             return sequence;
         }
-        const std::optional<HoleMaking> making = shop_.wishes.makingOf(feature, setup_);
-        if (making == HoleMaking::Leave) {
+        const HoleEntry* entry = shop_.wishes.entryOf(feature, setup_);
+        if (entry != nullptr && entry->make == HoleMaking::Leave) {
             sequence.residual.push_back(wholeAsResidual(free, {Reason::AsAsked, {}}, "another hole table"));
             return sequence;
         }
-        const ToolLibrary& library = making == HoleMaking::Drill ? shop_.drills : shop_.libraryOf(feature.id);
+        const bool drills = entry != nullptr && entry->make == HoleMaking::Drill;
+        const ToolLibrary& library = drills ? shop_.drills : shop_.libraryOf(feature.id);
         const Feature grown = onGrownStock(free, growth_, shop_.tol);
-        std::optional<ToolSequence> in_time = sequenceInTime(grown, library, feature, hasty);
+        std::optional<ToolSequence> in_time = entry != nullptr && entry->fit
+                                                  ? fittedInTime(grown, *entry, feature, hasty)
+                                                  : sequenceInTime(grown, library, feature, hasty);
         if (!in_time) {
             sequence.residual.push_back(
                 wholeAsResidual(free, {Reason::TimeLimit, {}}, "more time (--timeout), or fewer tools"));
@@ -367,10 +373,36 @@ class FeaturePlanner {
         return sequence;
     }
 
+    /// Brought to its fit where some tool can; as without the hole table where none can.
+    std::optional<ToolSequence> fittedInTime(const Feature& grown, const HoleEntry& entry,
+                                             const Feature& feature, char& hasty) const {
+        const ToolLibrary& library = shop_.libraryOf(feature.id);
+        const double retract_mm = retractMm(setup_, shop_.request.sequence.retract_mm, shop_.machine);
+        SizedSequence sized;
+        if (feature.band)
+            sized.trouble = "the hole is cut in several bands";
+        else if (isHole(grown.feature_class))
+            sized = sizedSequence(grown, entry, shop_, library, retract_mm,
+                                  [&](const Feature& holes, const ToolLibrary& tools) {
+                                      return sequenceInTime(holes, tools, feature, hasty);
+                                  });
+        if (sized.sequence) return sized.sequence;
+        FinishAllowance turned = shop_.request.sequence.finish;
+        if (entry.make == HoleMaking::Bore) turned.walls_mm = std::max(turned.walls_mm, kTurnedMm);
+        std::optional<ToolSequence> made = sequenceInTime(grown, library, feature, hasty, turned);
+        if (!made) return made;
+        const bool by_mill = std::any_of(made->steps.begin(), made->steps.end(),
+                                         [](const SequenceStep& step) { return step.role == Role::Finish; });
+        if (entry.make != HoleMaking::Bore || !by_mill) made->not_sized = std::move(sized.trouble);
+        return made;
+    }
+
     /// Of all tools, of a few where these take too long, or nothing where the few do too.
     std::optional<ToolSequence> sequenceInTime(const Feature& grown, const ToolLibrary& library,
-                                               const Feature& feature, char& hasty) const {
+                                               const Feature& feature, char& hasty,
+                                               std::optional<FinishAllowance> finish = std::nullopt) const {
         SequenceOptions options = sequenceOptions(feature);
+        if (finish) options.finish = *finish;
         options.deadline = shop_.request.patience.allToolsOfOne();
         if (auto sequence = sequenceBefore(grown, library, options)) return sequence;
         hasty = 1;

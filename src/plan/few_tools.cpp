@@ -7,17 +7,13 @@
 namespace stepmill {
 namespace {
 
-bool isForHoles(const ToolAssembly& tool) {
-    return tool.isDrill() || tool.isTap();
-}
-
 /// By falling diameter.
 using MillByDiameter = std::map<double, const ToolAssembly*, std::greater<>>;
 
 MillByDiameter farthestSetOut(const ToolLibrary& library, const std::string& material) {
     MillByDiameter mills;
     for (const ToolAssembly& tool : library.tools) {
-        if (isForHoles(tool) || tool.isForm() || tool.cuttingFor(material) == nullptr) continue;
+        if (tool.isForHoles() || tool.isForm() || tool.cuttingFor(material) == nullptr) continue;
         const ToolAssembly*& mill = mills[tool.diameter_mm];
         if (mill == nullptr || tool.stick_out_mm > mill->stick_out_mm) mill = &tool;
     }
@@ -39,7 +35,7 @@ ToolLibrary fewTools(ToolLibrary library, const std::string& material) {
         ++i;
     }
     std::erase_if(library.tools,
-                  [&](const ToolAssembly& tool) { return !isForHoles(tool) && kept.count(tool.id) == 0; });
+                  [&](const ToolAssembly& tool) { return !tool.isForHoles() && kept.count(tool.id) == 0; });
     return library;
 }
 

@@ -75,10 +75,9 @@ std::vector<HoleWish> HoleWishes::of(const Feature& feature, const Setup& setup)
     return wishes;
 }
 
-std::optional<HoleMaking> HoleWishes::makingOf(const Feature& feature, const Setup& setup) const {
+const HoleEntry* HoleWishes::entryOf(const Feature& feature, const Setup& setup) const {
     const std::vector<HoleWish> wishes = of(feature, setup);
-    if (wishes.size() != 1 || !wishes.front().whole) return std::nullopt;
-    return wishes.front().entry->make;
+    return wishes.size() == 1 && wishes.front().whole ? wishes.front().entry : nullptr;
 }
 
 std::vector<Warning> HoleWishes::unused(const std::vector<PlannedSetup>& setups) const {

@@ -18,7 +18,7 @@ void takeShopData(Operation& operation, const ToolLibrary& library, const std::s
     const CuttingData* cutting = library.tool(operation.tool_id).cuttingFor(material);
     if (cutting == nullptr) return;
     operation.coolant = cutting->coolant;
-    if (operation.role == Role::Drill)
+    if (isForHoles(operation.role) && operation.role != Role::Tap)
         operation.dwell_s = cutting->dwell_s;
     else if (operation.role != Role::Tap)
         operation.ramp_angle_deg = toolpath::rampAngleDeg(*cutting);
@@ -39,9 +39,8 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_
     operation.tool_id = step.tool_id;
     operation.role = step.role;
     operation.path = std::move(step.path);
-    // Drills and taps come with cycles, whose rapids stay over or in the hole.
-    const bool cycle = operation.role == Role::Drill || operation.role == Role::Tap;
-    if (!cycle && takesPlainWays(operation.feature_id, settings.cautions))
+    // Tools for holes come with cycles, whose rapids stay over or in the hole.
+    if (!isForHoles(operation.role) && takesPlainWays(operation.feature_id, settings.cautions))
         operation.path = withPlainRapids(operation.path, stock_top_mm, settings.machine);
     operation.proof = step.proof;
     operation.leaves = step.leaves;
@@ -53,6 +52,7 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_
     operation.speed_rpm = step.speed_rpm;
     operation.holes = step.holes;
     operation.thread = step.thread;
+    operation.fit = step.fit;
     operation.takes = step.takes;
     takeShopData(operation, settings.library, settings.material);
     if (operation.path.step_over_mm > 0)

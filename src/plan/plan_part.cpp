@@ -279,7 +279,7 @@ void nameWhatStays(std::vector<PlannedSetup>& setups, const StayingResiduals& st
 }
 
 ToolLibrary drillsOf(ToolLibrary library) {
-    std::erase_if(library.tools, [](const ToolAssembly& tool) { return !tool.isDrill(); });
+    std::erase_if(library.tools, [](const ToolAssembly& tool) { return !tool.isDrill() && !tool.isSpot(); });
     return library;
 }
 

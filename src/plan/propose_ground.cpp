@@ -62,7 +62,7 @@ class GroundSearch {
         std::optional<Proposal> best;
         for (const ToolAssembly& tool : library_.tools) {
             const CuttingData* cutting = tool.cuttingFor(material_);
-            if (tool.isDrill() || tool.isTap() || cutting == nullptr) continue;
+            if (tool.isForHoles() || cutting == nullptr) continue;
             for (std::size_t to = 1; to < levels_.size(); ++to)
                 consider(tool, *cutting, to, best);
         }

@@ -1,11 +1,13 @@
 #include "plan/threads.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "plan/retract.h"
 #include "stepmill/plan/grown_feature.h"
+#include "stepmill/sequence/sizing.h"
 #include "stepmill/sequence/tapping.h"
 
 namespace stepmill {
@@ -28,8 +30,12 @@ class SetupThreads {
     }
 
     void cut() {
-        for (PlannedFeature& planned : setup_.features)
+        for (PlannedFeature& planned : setup_.features) {
+            for (SequenceStep& step : planned.sequence.sizing)
+                add(std::move(step), planned.sequence);
+            planned.sequence.sizing.clear();
             for (const HoleWish& wish : wishes_.of(planned.feature, setup_.setup)) {
+                if (wish.entry->fit) tellOfFit(planned, wish);
                 if (wish.entry->make != HoleMaking::Tap) continue;
                 const std::string trouble = tap(planned, wish);
                 if (trouble.empty()) continue;
@@ -39,9 +45,34 @@ class SetupThreads {
                      fmt::format("no thread {} is cut in {} hole{}: {}", wish.entry->thread->name,
                                  wish.places.size(), wish.places.size() == 1 ? "" : "s", trouble)});
             }
+        }
     }
 
   private:
+    void tellOfFit(const PlannedFeature& planned, const HoleWish& wish) {
+        const std::vector<SequenceStep>& steps = planned.sequence.steps;
+        const bool sized = std::any_of(steps.begin(), steps.end(), [&](const SequenceStep& step) {
+            return isSizedBy(step.role, step.fit, *wish.entry);
+        });
+        if (wish.whole && sized) return;
+        into_.missing += static_cast<int>(wish.places.size());
+        if (!wish.whole) return;  // told with the table's entries
+        const std::string& trouble = planned.sequence.not_sized;
+        into_.warnings.push_back(
+            {"fit", planned.feature.id,
+             fmt::format("{} hole{} not brought to {}: {}", wish.places.size(),
+                         wish.places.size() == 1 ? " is" : "s are", wish.entry->fit->name,
+                         trouble.empty() ? "not all of it is made" : trouble)});
+    }
+
+    void add(SequenceStep step, ToolSequence& sequence) const {
+        const EdgeCost cost = edgeCost(step.path.totals, shop_.library.tool(step.tool_id), shop_.machine);
+        sequence.time_s += cost.time_s;
+        sequence.cost += cost.cost;
+        sequence.motion_s += cost.motion_s;
+        sequence.steps.push_back(std::move(step));
+    }
+
     /// \return  why there is no step; empty where there is one
     std::string tap(PlannedFeature& planned, const HoleWish& wish) const {
         if (shop_.machine.dialect == kWithoutTapping)
@@ -83,11 +114,7 @@ class SetupThreads {
             if (quicker) best = std::move(made.step);
         }
         if (!best) return trouble;
-        const EdgeCost cost = edgeCost(best->path.totals, library.tool(best->tool_id), shop_.machine);
-        sequence.time_s += cost.time_s;
-        sequence.cost += cost.cost;
-        sequence.motion_s += cost.motion_s;
-        sequence.steps.push_back(std::move(*best));
+        add(std::move(*best), sequence);
         return {};
     }
 

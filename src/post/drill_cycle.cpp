@@ -44,8 +44,11 @@ std::optional<DrillCycle> cycleOf(const JobOperation& operation, const HoleMoves
         const Move& move = moves[i].move;
         if (!above(move.to, initial) || move.arc) return std::nullopt;
         if (move.kind == MoveKind::Rapid) continue;
-        if (moves[i].feed_mm_per_min != cycle.feed_mm_per_min || move.to.z() >= cycle.bottom_z_mm)
-            return std::nullopt;
+        if (moves[i].feed_mm_per_min != cycle.feed_mm_per_min) return std::nullopt;
+        const bool out = i + 2 == hole.end && i > hole.first + 1 && sameHeight(move.to.z(), cycle.r_z_mm);
+        cycle.feeds_out = cycle.feeds_out || out;
+        if (out) continue;
+        if (move.to.z() >= cycle.bottom_z_mm) return std::nullopt;
         cycle.bottom_z_mm = move.to.z();
     }
     const Move& out = moves[hole.end - 1].move;
@@ -54,7 +57,8 @@ std::optional<DrillCycle> cycleOf(const JobOperation& operation, const HoleMoves
 }
 
 bool sameHole(const DrillCycle& one, const DrillCycle& other) {
-    return one.hasHeightsOf(other) && one.feed_mm_per_min == other.feed_mm_per_min;
+    return one.hasHeightsOf(other) && one.feeds_out == other.feeds_out &&
+           one.feed_mm_per_min == other.feed_mm_per_min;
 }
 
 /// The move that comes down to the first hole's R plane: the last rapid before the first feed.
@@ -68,7 +72,7 @@ std::optional<std::size_t> firstDown(const std::vector<FedMove>& moves) {
 }  // namespace
 
 std::optional<FoundCycle> findCycle(const JobOperation& operation) {
-    if (operation.pattern != "drill") return std::nullopt;
+    if (!isForHoles(operation.role) || operation.thread) return std::nullopt;
     const std::optional<std::size_t> down = firstDown(operation.moves);
     if (!down) return std::nullopt;
     FoundCycle found;
@@ -83,6 +87,7 @@ std::optional<FoundCycle> findCycle(const JobOperation& operation) {
             found.cycle.places.push_back(cycle->places.front());
     }
     if (operation.depths > 1) found.cycle.peck_mm = operation.step_down_mm;
+    found.cycle.breaks_chips = operation.depths > 1 && operation.pattern == kChipBreakPattern;
     return found;
 }
 

@@ -9,7 +9,9 @@ namespace stepmill {
 
 /// Holes that are drilled: fed down in pecks.
 struct DrillCycle : HoleCycle {
-    double peck_mm = 0;  ///< deepest peck; 0: in one go
+    double peck_mm = 0;         ///< deepest peck; 0: in one go
+    bool breaks_chips = false;  ///< after each peck it stays in the hole
+    bool feeds_out = false;     ///< up to the R plane
     double feed_mm_per_min = 0;
 };
 

@@ -43,6 +43,13 @@ std::string tapFeedWord(const TapCycle& cycle, bool inch) {
     return fmt::format(" F{:.{}f}", inch ? mmToInch(feed) : feed, inch ? 3 : 2);
 }
 
+/// G word of the holes [RS274/NGC, 3.5.16].
+int cycleCode(const DrillCycle& cycle, bool dwells) {
+    if (cycle.peck_mm > 0) return cycle.breaks_chips ? 73 : 83;
+    if (cycle.feeds_out) return dwells ? 89 : 85;
+    return dwells ? 82 : 81;
+}
+
 /// How far the arc bulges from its chord.
 double sagitta(double radius_mm, double sweep_rad) {
     return radius_mm * (1 - std::cos(std::abs(sweep_rad) / 2));
@@ -184,10 +191,7 @@ void MotionWriter::drill(const DrillCycle& cycle, std::string_view dwell_word) {
     const Point at = over(cycle.places.front());
     if (at != at_) straight(0, at, 0);
     // Back to the height it starts from, so that the next way over is as high as this one.
-    out_ += fmt::format("N{} G98 G{} X{} Y{} Z{} R{}", ++block_,
-                        cycle.peck_mm > 0    ? 83
-                        : dwell_word.empty() ? 81
-                                             : 82,
+    out_ += fmt::format("N{} G98 G{} X{} Y{} Z{} R{}", ++block_, cycleCode(cycle, !dwell_word.empty()),
                         number(at.x), number(at.y), number(gridOf(cycle.bottom_z_mm)),
                         number(gridOf(cycle.r_z_mm)));
     // Rounded down: a peck is never deeper than asked.

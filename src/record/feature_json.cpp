@@ -96,7 +96,7 @@ Json surrogatesJson(const std::vector<DagEdge>& edges) {
 Json pathJson(const ToolSequence& sequence) {
     Json path = Json::array();
     for (const SequenceStep& step : sequence.steps) {
-        if (step.role == Role::Surrogate || step.role == Role::Tap) continue;
+        if (step.role == Role::Surrogate || step.role == Role::Tap || isSizing(step.role)) continue;
         if (path.empty() || path.back() != step.tool_id) path.push_back(step.tool_id);
     }
     return path;

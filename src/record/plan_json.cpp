@@ -151,11 +151,10 @@ Json toolJson(const ToolAssembly& tool) {
         json["tip_diameter_mm"] = number(tool.tip_diameter_mm);
         json["included_angle_deg"] = number(tool.included_angle_deg);
     }
-    if (tool.isDrill()) json["point_angle_deg"] = number(tool.point_angle_deg);
-    if (tool.isTap()) {
-        json["thread"] = tool.thread->name;
-        json["lead_mm"] = number(tool.lead_mm);
-    }
+    if (tool.isDrill() || tool.isSpot()) json["point_angle_deg"] = number(tool.point_angle_deg);
+    if (tool.self_centring) json["self_centring"] = true;
+    if (tool.isTap()) json["thread"] = tool.thread->name;
+    if (tool.isTap() || tool.isSizer()) json["lead_mm"] = number(tool.lead_mm);
     return json;
 }
 
@@ -242,6 +241,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
               {"motion_time_s", number(path.totals.motion_time_s + operation.dwellOfAll_s())}};
     if (operation.holes > 0) json["holes"] = operation.holes;
     if (operation.thread) json["thread"] = threadJson(*operation.thread);
+    if (operation.fit) json["fit"] = operation.fit->name;
     if (operation.ramp_angle_deg > 0) json["ramp_angle_deg"] = number(operation.ramp_angle_deg);
     if (operation.leaves.any()) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);

@@ -39,6 +39,7 @@ ToolAssembly tool(const Json& json) {
     tool.point_angle_deg = json.value("point_angle_deg", tool.point_angle_deg);
     if (json.contains("thread")) tool.thread = threadFrom(json["thread"].get<std::string>());
     tool.lead_mm = json.value("lead_mm", 0.0);
+    tool.self_centring = json.value("self_centring", false);
     tool.flute_length_mm = json["flute_length_mm"];
     tool.flutes = json.value("flutes", 0);
     tool.cutter_material = *cutterMaterialFrom(json.value("cutter_material", "carbide"));
@@ -96,6 +97,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.dwell_s = json["dwell_s"];
     operation.holes = json.value("holes", operation.role == Role::Drill ? 1 : 0);
     if (json.contains("thread")) operation.thread = threadCut(json);
+    if (json.contains("fit")) operation.fit = fitFrom(json["fit"].get<std::string>());
     if (json.contains("rating")) operation.rating = rating(json["rating"]);
     if (json.contains("takes"))
         for (const Json& entry : json["takes"])

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/catalog/fit.h"
 #include "stepmill/catalog/thread.h"
 #include "stepmill/core/error.h"
 #include "stepmill/post/post.h"
@@ -191,8 +192,10 @@ void checkBands(const Json& feature, const std::string& pointer) {
 /// A tap's name tells its thread, and that its diameter.
 void checkTap(const Json& tool, const std::string& pointer) {
     const bool tap = tool["type"] == "tap";
-    if (tap != tool.contains("thread") || tap != tool.contains("lead_mm"))
-        failAt(pointer, "expected thread and lead of a tap, and of nothing else");
+    const bool leads = tap || tool["type"] == "reamer" || tool["type"] == "boring";
+    if (tap != tool.contains("thread") || leads != tool.contains("lead_mm"))
+        failAt(pointer,
+               "expected thread and lead of a tap, a lead of a reamer or boring head, and of nothing else");
     if (!tap) return;
     const std::optional<Thread> thread = threadFrom(tool["thread"].get<std::string>());
     if (!thread)
@@ -209,9 +212,8 @@ void checkTool(const Json& tool, const std::string& pointer) {
     const double radius_mm = tool["diameter_mm"].get<double>() / 2;
     const bool fits = type == "ball"   ? std::abs(corner_mm - radius_mm) <= kSameRadiusMm
                       : type == "bull" ? corner_mm > 0 && corner_mm <= radius_mm + kSameRadiusMm
-                      : type == "flat" || type == "drill" || type == "chamfer" || type == "tap"
-                          ? corner_mm == 0
-                          : corner_mm <= radius_mm + kSameRadiusMm;
+                      : type == "face" ? corner_mm <= radius_mm + kSameRadiusMm
+                                       : corner_mm == 0;
     if (!fits)
         failAt(pointer + "/corner_radius_mm",
                fmt::format("{} mm is no corner of a {} cutter of {} mm", corner_mm, type, 2 * radius_mm));
@@ -248,17 +250,35 @@ void checkThread(const Json& operation, const Json& tool, const std::string& poi
         failAt(pointer + "/holes", fmt::format("expected as many as places, {}", thread["places"].size()));
 }
 
+/// Tools for holes have each a role of their own, which no other tool has.
+void checkHoleRole(const Json& operation, const Json& tool, const std::string& pointer) {
+    static const std::map<std::string, std::string> kRoles{
+        {"drill", "drill"}, {"spot", "spot"}, {"reamer", "ream"}, {"boring", "bore"}};
+    for (const auto& [type, role] : kRoles)
+        if ((tool["type"] == type) != (operation["role"] == role))
+            failAt(pointer + "/role",
+                   fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
+                               tool["type"].get<std::string>()));
+}
+
+/// What brings a bore to its fit says which.
+void checkFit(const Json& operation, const std::string& pointer) {
+    const bool sizes = operation["role"] == "ream" || operation["role"] == "bore";
+    if (sizes != operation.contains("fit"))
+        failAt(pointer, "expected a fit of an operation of role ream or bore, and of no other");
+    if (sizes && !fitFrom(operation["fit"].get<std::string>()))
+        failAt(pointer + "/fit", fmt::format("expected a fit such as H7, found {}", operation["fit"].dump()));
+}
+
 void checkOperation(const Json& operation, const std::map<std::string, Json>& tools,
                     const std::map<BandName, std::string>& setups_of_work, const std::string& pointer) {
     const auto tool = tools.find(operation["tool"]);
     if (tool == tools.end())
         failAt(pointer + "/tool",
                fmt::format("expected a tool of this plan, found '{}'", operation["tool"].get<std::string>()));
-    const bool drills = tool->second["type"] == "drill";
-    if (drills != (operation["role"] == "drill"))
-        failAt(pointer + "/role", fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
-                                              tool->second["type"].get<std::string>()));
+    checkHoleRole(operation, tool->second, pointer);
     checkThread(operation, tool->second, pointer);
+    checkFit(operation, pointer);
     const bool form = operation["role"] == "form";
     const std::string type = tool->second["type"];
     if (form && type != "ball" && type != "bull" && type != "chamfer")

@@ -39,7 +39,7 @@ std::optional<FeedLimit> feedLimitFrom(std::string_view word) {
 std::optional<CuttingFacts> cuttingFacts(const ToolAssembly& tool, const CuttingData& cutting,
                                          const Material& material, const Machine& machine) {
     const std::optional<SpindlePower> spindle = spindlePower(machine, cutting.speed_rpm);
-    if (!spindle || tool.isDrill()) return std::nullopt;
+    if (!spindle || tool.isForHoles()) return std::nullopt;
     CuttingFacts facts;
     facts.diameter_mm = tool.diameter_mm;
     facts.flutes = tool.flutes;

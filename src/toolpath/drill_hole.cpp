@@ -11,8 +11,6 @@ namespace stepmill {
 
 namespace {
 
-/// Rapids stop this far over the hole's top [mm].
-constexpr double kOverTopMm = 1.0;
 /// Going back into the hole, rapids stop this far over the last peck's bottom [mm].
 constexpr double kOverLastPeckMm = 0.5;
 /// Pecks, where the cutting data name no step-down, in diameters.
@@ -43,11 +41,14 @@ class HoleWriter {
         double drilled_z = heights_.top_z_mm;
         for (int i = 1; i <= path_.depths; ++i) {
             const bool last = i == path_.depths;
-            goTo(MoveKind::Rapid,
-                 i == 1 ? heights_.over_z_mm : std::min(heights_.over_z_mm, drilled_z + kOverLastPeckMm));
+            if (i == 1 || !breaksChips())
+                goTo(MoveKind::Rapid,
+                     i == 1 ? heights_.over_z_mm : std::min(heights_.over_z_mm, drilled_z + kOverLastPeckMm));
             drilled_z = last ? heights_.tip_z_mm : heights_.top_z_mm - i * path_.step_down_mm;
             goTo(MoveKind::Plunge, drilled_z);
-            goTo(MoveKind::Rapid, last ? heights_.retract_z_mm : heights_.over_z_mm);
+            goTo(MoveKind::Rapid, last            ? heights_.retract_z_mm
+                                  : breaksChips() ? drilled_z + kChipBreakLiftMm
+                                                  : heights_.over_z_mm);
         }
     }
 
@@ -58,6 +59,7 @@ class HoleWriter {
     }
 
   private:
+    bool breaksChips() const { return path_.pattern == kChipBreakPattern; }
     void goTo(MoveKind kind, double z_mm) {
         if (z_mm != z_mm_) move(kind, at_, z_mm);
     }
@@ -77,7 +79,8 @@ class HoleWriter {
 
 Toolpath drillHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                     const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine) {
-    STEPMILL_CHECK(tool.isDrill() && !centres.empty(), "only drills drill, and they drill holes");
+    STEPMILL_CHECK((tool.isDrill() || tool.isSpot()) && !centres.empty(),
+                   "only drills drill, and they drill holes");
     STEPMILL_CHECK(retract_z_mm >= top_z_mm && top_z_mm > tip_z_mm, "heights of a hole are out of order");
     const double plunge_feed =
         cutting.plunge_feed_mm_per_min > 0 ? cutting.plunge_feed_mm_per_min : cutting.feed_mm_per_min;
@@ -88,11 +91,12 @@ Toolpath drillHoles(const std::vector<Vec2>& centres, double top_z_mm, double ti
     const double depth = top_z_mm - tip_z_mm;
     path.depths = pecksFor(depth, tool, cutting);
     path.step_down_mm = depth / path.depths;
+    if (path.depths > 1 && depth <= kChipBreakDiameters * tool.diameter_mm) path.pattern = kChipBreakPattern;
     path.feed_mm_per_min = std::min(cutting.feed_mm_per_min, limit);
     path.plunge_feed_mm_per_min = std::min(plunge_feed, limit);
 
     const double over_top_mm = toolpath::isRawTop(top_z_mm) ? machine.top_clearance_mm : 0;
-    const double over_z = std::min(top_z_mm + std::max(kOverTopMm, over_top_mm), retract_z_mm);
+    const double over_z = std::min(top_z_mm + std::max(toolpath::kOverHoleMm, over_top_mm), retract_z_mm);
     const HoleHeights heights{top_z_mm, tip_z_mm, over_z, retract_z_mm};
     HoleWriter writer(heights, path);
     writer.startAt(centres.front());

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "stepmill/feature/heights.h"
+#include "stepmill/sequence/sizing.h"
 #include "stepmill/sequence/tapping.h"
 #include "verify/hole_places.h"
 
@@ -32,11 +33,15 @@ class HoleComparison {
                     operations_.push_back(&record.operations.at(id));
     }
 
-    /// \return  how many holes want a tap
+    /// \return  how many holes want a tap or a fit
     int compare(const std::vector<HoleWish>& wishes) {
         int missing = 0;
         std::vector<Vec2> to_tap;
         for (const HoleWish& wish : wishes) {
+            if (wish.entry->fit) {
+                if (!wish.whole || !isSized(*wish.entry)) missing += static_cast<int>(wish.places.size());
+                continue;
+            }
             if (wish.entry->make != HoleMaking::Tap) {
                 if (wish.whole) compareMaking(wish);
                 continue;
@@ -45,12 +50,17 @@ class HoleComparison {
                 if (!isTapped(place, *wish.entry)) ++missing;
             to_tap.insert(to_tap.end(), wish.places.begin(), wish.places.end());
         }
-        for (const RecordedOperation* operation : operations_)
+        for (const RecordedOperation* operation : operations_) {
+            if (operation->fit && !asksFor(*operation->fit, wishes))
+                fail(operation->id,
+                     fmt::format("brings the hole to {}, which the hole table does not ask for",
+                                 operation->fit->name));
             if (operation->thread)
                 for (const Vec2& place : operation->thread->places)
                     if (!isAmong(place, to_tap))
                         fail(operation->id, fmt::format("taps {}, which the hole table does not ask for",
                                                         placeWords(place)));
+        }
         return missing;
     }
 
@@ -65,9 +75,21 @@ class HoleComparison {
         for (const RecordedOperation* operation : operations_)
             if (wish.entry->make == HoleMaking::Leave)
                 fail(operation->id, "cuts a hole that the hole table leaves: " + wish.entry->pointer);
-            else if (operation->role != Role::Drill)
+            else if (operation->role != Role::Drill && operation->role != Role::Spot)
                 fail(operation->id,
                      "makes a hole that the hole table wants drilled alone: " + wish.entry->pointer);
+    }
+
+    static bool asksFor(const Fit& fit, const std::vector<HoleWish>& wishes) {
+        return std::any_of(wishes.begin(), wishes.end(), [&](const HoleWish& wish) {
+            return wish.whole && wish.entry->fit && wish.entry->fit->name == fit.name;
+        });
+    }
+
+    bool isSized(const HoleEntry& entry) const {
+        return std::any_of(operations_.begin(), operations_.end(), [&](const RecordedOperation* operation) {
+            return isSizedBy(operation->role, operation->fit, entry);
+        });
     }
 
     bool isTapped(const Vec2& place, const HoleEntry& entry) {

@@ -75,11 +75,12 @@ void compareTool(const ToolAssembly& recorded, const ToolAssembly& in_library, c
     compare.same("the tip diameter", recorded.tip_diameter_mm, in_library.tip_diameter_mm);
     compare.same("the included angle", recorded.included_angle_deg, in_library.included_angle_deg);
     compare.same("the point angle", recorded.point_angle_deg, in_library.point_angle_deg);
-    if (in_library.isTap()) {
+    compare.same("whether it centres itself", recorded.self_centring ? 1 : 0,
+                 in_library.self_centring ? 1 : 0);
+    compare.same("the lead", recorded.lead_mm, in_library.lead_mm);
+    if (in_library.isTap())
         compare.sameWord("the thread", recorded.thread ? recorded.thread->name : "none",
                          in_library.thread->name);
-        compare.same("the lead", recorded.lead_mm, in_library.lead_mm);
-    }
     compare.same("the number of teeth", recorded.flutes, in_library.flutes);
     compare.sameWord("the cutter's material", toString(recorded.cutter_material),
                      toString(in_library.cutter_material));
@@ -104,7 +105,8 @@ void compareRampAngle(const RecordedOperation& operation, const CuttingData& dat
 
 /// A hole that is not deep is drilled in one go.
 double largestStepDownMm(const RecordedOperation& operation, const CuttingData& data) {
-    const bool one_go = operation.tool.isDrill() && operation.depths == 1;
+    if (operation.tool.isSizer()) return 0;  // it goes as deep as the bore
+    const bool one_go = operation.tool.isForHoles() && operation.depths == 1;
     return one_go ? std::max(data.step_down_mm, kOneGoDiameters * operation.tool.diameter_mm)
                   : data.step_down_mm;
 }
@@ -140,7 +142,7 @@ void compareCutting(const RecordedOperation& operation, const ToolAssembly& in_l
     // A finishing pass takes little off a wall and goes deeper for it.
     if (operation.role != Role::Finish)
         compare.atMost("the step-down", operation.step_down_mm, largestStepDownMm(operation, data));
-    if (!operation.tool.isDrill() && !operation.tool.isTap()) compareRampAngle(operation, data, compare);
+    if (!operation.tool.isForHoles()) compareRampAngle(operation, data, compare);
     compare.sameWord("the coolant", toString(operation.coolant), toString(data.coolant));
 }
 

@@ -267,7 +267,7 @@ class DepthProver {
 
 void proveDepths(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                  const Tolerances& tol, const Findings& findings) {
-    if (planned.tool.isDrill() || planned.tool.isTap()) return;
+    if (planned.tool.isForHoles()) return;
     DepthProver(planned, state, tol, findings).prove(operation);
 }
 

@@ -31,23 +31,33 @@ void checkDepth(const ReadOperation& operation, const Vec2& axis, double tip_z_m
                                                lowest->fed.move.to.z(), placeWords(axis), tip_z_mm));
 }
 
-/// Chips come out when the drill is lifted out of the hole: between two such lifts it may sink a peck.
+/// A lift that breaks a chip, less what the last decimals of two heights leave of it [mm].
+constexpr double kLeastLiftMm = kChipBreakLiftMm - 2 * kSamePostedHeightMm;
+
+/// Chips come out when the drill is lifted out of the hole, and break when it is lifted at all: between two
+/// such lifts it may sink a peck.
 void checkPecks(const ReadOperation& operation, const RecordedOperation& planned, double top_z_mm,
-                const Findings& findings) {
+                double tip_z_mm, const Findings& findings) {
+    const bool breaks = planned.pattern == kChipBreakPattern;
+    if (breaks && top_z_mm - tip_z_mm > kChipBreakDiameters * planned.tool.diameter_mm + kSamePostedHeightMm)
+        findings.add(operation.line,
+                     fmt::format("is too deep for its chips to be broken alone: over {:g} diameters",
+                                 kChipBreakDiameters));
     double drilled_mm = top_z_mm;
     double emptied_at_mm = top_z_mm;
     Vec3 from = operation.start;
     for (const ReadMove& read : operation.moves) {
         const Vec3& to = read.fed.move.to;
         if (!isOver(to, from.head<2>())) drilled_mm = emptied_at_mm = top_z_mm;
-        if (to.z() >= top_z_mm) emptied_at_mm = drilled_mm;
+        const bool lifted = breaks && to.z() - from.z() >= kLeastLiftMm;
+        if (to.z() >= top_z_mm || lifted) emptied_at_mm = drilled_mm;
         drilled_mm = std::min(drilled_mm, to.z());
         from = to;
         const double sunk_mm = emptied_at_mm - drilled_mm;
         if (sunk_mm <= planned.step_down_mm + 2 * kSamePostedHeightMm) continue;
         findings.add(read.line,
-                     fmt::format("drills {:.4f} mm without coming out, planned are pecks of {:.4f} mm",
-                                 sunk_mm, planned.step_down_mm));
+                     fmt::format("drills {:.4f} mm without {}, planned are pecks of {:.4f} mm", sunk_mm,
+                                 breaks ? "breaking the chip" : "coming out", planned.step_down_mm));
         return;
     }
 }
@@ -73,12 +83,14 @@ void checkDwell(const ReadOperation& operation, const RecordedOperation& planned
 
 void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
                    const FeatureState& state, const Findings& findings) {
-    if (!planned.tool.isDrill()) return;
+    if (!planned.tool.isForHoles() || planned.tool.isTap()) return;
+    if (!isHole(state.feature.feature_class) || state.feature.target.empty())
+        return findings.add(operation.line, fmt::format("{}s what is no hole", toString(planned.role)));
     const double tip_z_mm = lowestZ(planned, state.feature);
     const std::vector<Vec2> axes = holeCentres(state.feature);
     for (const Vec2& axis : axes)
         checkDepth(operation, axis, tip_z_mm, findings);
-    checkPecks(operation, planned, state.feature.top_z_mm, findings);
+    checkPecks(operation, planned, state.feature.top_z_mm, tip_z_mm, findings);
     checkDwell(operation, planned, tip_z_mm, axes.size(), findings);
 }
 

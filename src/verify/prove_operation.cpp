@@ -13,6 +13,8 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge_index.h"
 #include "stepmill/sequence/drilling.h"
+#include "stepmill/sequence/sizing.h"
+#include "stepmill/sequence/spotting.h"
 #include "stepmill/toolpath/swept_region.h"
 #include "verify/read_path.h"
 
@@ -191,6 +193,7 @@ bool endsAtFloor(const RecordedOperation& planned, const Feature& feature) {
 }  // namespace
 
 double lowestZ(const RecordedOperation& planned, const Feature& feature) {
+    if (planned.tool.isSizer()) return sizerTipZ(feature, planned.tool, planned.z_floor_mm);
     if (!planned.tool.isDrill()) return planned.z_floor_mm;
     // Over a floor that a mill makes, its point lies below what it clears.
     if (planned.leaves.floors_mm > 0) return planned.z_floor_mm - pointLengthMm(planned.tool);
@@ -210,13 +213,23 @@ const Region& FeatureState::standingAt(double z_mm) const {
     return *found;
 }
 
+namespace {
+
+/// How wide the tool is where it goes into the feature. What a tap cuts of the hole's wall is the thread,
+/// what sizes a bore makes its fit; both are proven beside.
+double provenRadiusMm(const RecordedOperation& planned, const Feature& feature) {
+    const ToolAssembly& tool = planned.tool;
+    if (!tool.isForHoles() || !isHole(feature.feature_class)) return tool.radius_mm();
+    if (tool.isSpot()) return spotRadiusMm(feature, tool, planned.z_floor_mm);
+    return tool.isDrill() ? tool.radius_mm() : std::min(tool.radius_mm(), holeRadiusMm(feature));
+}
+
+}  // namespace
+
 void proveMoves(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
                 const Tolerances& tol, const Findings& findings) {
     const Feature& feature = state.feature;
-    // What a tap cuts of the hole's wall is the thread; the rest of it is proven beside: proveTapping().
-    const bool taps = planned.tool.isTap() && isHole(feature.feature_class);
-    const double radius_mm =
-        taps ? std::min(planned.tool.radius_mm(), holeRadiusMm(feature)) : planned.tool.radius_mm();
+    const double radius_mm = provenRadiusMm(planned, feature);
     checkFloor(operation, lowestZ(planned, feature), tol, findings);
     checkArcs(operation, findings);
 
@@ -291,7 +304,7 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
     // Cutting data without a feed down mean the cutting feed.
     const double sink_limit =
         planned.plunge_feed_mm_per_min > 0 ? planned.plunge_feed_mm_per_min : planned.feed_mm_per_min;
-    double feed_limit = std::max(planned.feed_mm_per_min, planned.tool.isDrill() ? sink_limit : 0.0);
+    double feed_limit = std::max(planned.feed_mm_per_min, planned.tool.isForHoles() ? sink_limit : 0.0);
     if (planned.rating) feed_limit *= kMostChipThinning;
     if (max_feed_mm_per_min > 0) feed_limit = std::min(feed_limit, max_feed_mm_per_min);
     Vec3 from = operation.start;
@@ -322,12 +335,12 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
 
 Region cleared(const ReadOperation& operation, const RecordedOperation& planned, const Feature& feature,
                const Tolerances& tol) {
-    if (planned.tool.isTap()) return {};
+    if (planned.tool.isTap() || planned.tool.isSpot()) return {};
     const ToolAssembly& tool = planned.tool;
     double radius_mm = tool.radius_mm() + tol.sliver_mm;
-    const bool fits = tool.isDrill() && tool.radius_mm() >= holeRadiusMm(feature) - kDrillUndersizeMm / 2;
+    const bool fits = tool.isForHoles() && tool.radius_mm() >= holeRadiusMm(feature) - kDrillUndersizeMm / 2;
     if (fits) radius_mm += kDrillUndersizeMm / 2;
-    const double down_to_mm = tool.isDrill() ? lowestZ(planned, feature) : planned.z_floor_mm;
+    const double down_to_mm = tool.isForHoles() ? lowestZ(planned, feature) : planned.z_floor_mm;
     return sweptRegion(
         waysBelow(operation, 0, operation.moves.size(), down_to_mm + kSamePostedHeightMm, operation.start),
         radius_mm, tol);

@@ -40,10 +40,19 @@ class TravelProver {
     std::array<bool, 3> told_{};
 };
 
-/// A drill goes as deep as planned, in pecks no deeper than planned, and stays at the bottom as long as
-/// planned.
+/// A tool for holes but a tap goes in every hole as deep as planned, in pecks no deeper than planned, and
+/// stays at the bottom as long as planned.
 void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
                    const FeatureState& state, const Findings& findings);
+
+/// A spot drill starts holes of the feature, its whole width clear of what stands over them.
+void proveStarting(const ReadOperation& operation, const RecordedOperation& planned,
+                   const FeatureState& state, const Findings& findings);
+
+/// A reamer or boring head is as wide as the fit of the bore asks for, comes into bores that leave it what it
+/// may take, stays over the end of a blind one, and goes down and up by feed alone.
+void proveSizing(const ReadOperation& operation, const RecordedOperation& planned, const FeatureState& state,
+                 const Tolerances& tol, const Findings& findings);
 
 /// A tap cuts its thread in holes that were made for it, with the spindle's turns: at every planned place and
 /// no other, down to the planned height and up again at the planned pitch, in a hole of the thread's core

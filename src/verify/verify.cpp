@@ -120,7 +120,7 @@ class SetupProver {
         if (planned.rating)
             verify::proveCuts(*program_, operation, planned, *state.ground, *record_.cut_material,
                               record_.machine, findings);
-        if (planned.tool.isTap()) return;
+        if (planned.tool.isTap() || planned.tool.isSpot()) return;
         std::vector<Move> moves;
         for (const ReadMove& read : operation.moves)
             moves.push_back(read.fed.move);
@@ -187,6 +187,8 @@ class SetupProver {
         const std::size_t failures = into_.failures.size();
         verify::proveMoves(operation, planned, now, tol_, findings);
         verify::proveDrilling(operation, planned, now, findings);
+        verify::proveStarting(operation, planned, now, findings);
+        verify::proveSizing(operation, planned, now, tol_, findings);
         verify::proveTapping(*program_, operation, planned, now, setup_.fixtures, tol_, findings);
         verify::proveHolder(operation, planned, now, tol_, findings);
         verify::proveDepths(operation, planned, now, tol_, findings);

@@ -66,7 +66,7 @@ std::string verificationText(const Verification& verification) {
         text += fmt::format("stays as the plan says: {:.2f} mm3 ({})\n", entry.volume_mm3,
                             toString(entry.reason));
     if (verification.threads_missing > 0)
-        text += fmt::format("no thread, as the plan says: {} holes\n", verification.threads_missing);
+        text += fmt::format("no thread or fit, as the plan says: {} holes\n", verification.threads_missing);
     text += verification.proven()
                 ? fmt::format("All {} operations are proven.\n", verification.operations.size())
                 : fmt::format("{} proofs fail.\n", verification.failures.size());

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stepmill/catalog/fit.h"
 #include "stepmill/catalog/thread.h"
 #include "stepmill/core/file.h"
 
@@ -14,6 +15,8 @@ namespace stepmill {
 /// What a hole table may say of a hole.
 enum class HoleMaking {
     Tap,    ///< made as without the table, then tapped
+    Ream,   ///< made nearly as wide, then reamed to a fit
+    Bore,   ///< made nearly as wide, then bored to a fit, by a boring head or the turns of a mill
     Drill,  ///< by drills alone: what they leave stays
     Leave   ///< nothing of it is cut
 };
@@ -34,6 +37,7 @@ struct HoleEntry {
     HoleMaking make = HoleMaking::Drill;
     std::optional<Thread> thread;  ///< to be tapped
     double thread_depth_mm = 0;    ///< of full thread; 0: as deep as the hole lets the tap go
+    std::optional<Fit> fit;        ///< to be reamed or bored to
     std::string pointer;           ///< "#/holes/0", for messages
 };
 

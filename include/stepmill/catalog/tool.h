@@ -9,7 +9,7 @@
 
 namespace stepmill {
 
-enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer, Tap };
+enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer, Tap, Spot, Reamer, Boring };
 
 /// A cylinder of shank or holder over the cutter: anything as wide as `diameter_mm` between two heights
 /// over the tool tip.
@@ -50,6 +50,14 @@ std::optional<CutterMaterial> cutterMaterialFrom(std::string_view word);
 /// Of a tap whose library does not say: so many threads its lead is long, as of a plug tap.
 inline constexpr double kUsualLeadThreads = 4;
 
+/// Points as blunt as this centre themselves; drills with sharper ones wander where nothing was spotted
+/// [deg].
+inline constexpr double kSelfCentringPointDeg = 130;
+/// Of spot drills whose library does not say [deg].
+inline constexpr double kUsualSpotPointDeg = 90;
+/// How long the tapered start of a reamer is whose library does not say, as a share of its diameter.
+inline constexpr double kUsualLeadShare = 0.1;
+
 /// How far a cutter may be set out of its holder.
 struct StickOutRange {
     double shortest_mm = 0;
@@ -65,9 +73,10 @@ struct ToolAssembly {
     double corner_radius_mm = 0;    ///< diameter / 2 for a ball, 0 for a flat end mill
     double tip_diameter_mm = 0;     ///< of a chamfer mill: where its cone ends below
     double included_angle_deg = 0;  ///< of a chamfer mill: between its flanks, 90 for chamfers of 45 degrees
-    double point_angle_deg = 118;   ///< of a drill: between the flanks of its point
+    double point_angle_deg = 118;   ///< of a drill or a spot drill: between the flanks of its point
+    bool self_centring = false;     ///< of a drill: it starts true where nothing was spotted
     std::optional<Thread> thread;   ///< of a tap: what it cuts, right-hand
-    double lead_mm = 0;             ///< of a tap: from its tip to its first full tooth
+    double lead_mm = 0;  ///< of a tap: from its tip to its first full tooth; of what sizes: to its full width
     double flute_length_mm = 0;
     int flutes = 0;
     CutterMaterial cutter_material = CutterMaterial::Carbide;
@@ -89,6 +98,11 @@ struct ToolAssembly {
     double radius_mm() const { return diameter_mm / 2; }
     bool isDrill() const { return type == ToolType::Drill; }
     bool isTap() const { return type == ToolType::Tap; }
+    bool isSpot() const { return type == ToolType::Spot; }
+    /// Does it bring a bore that is nearly as wide to its fit?
+    bool isSizer() const { return type == ToolType::Reamer || type == ToolType::Boring; }
+    /// Does it go straight down into holes, and nowhere else?
+    bool isForHoles() const { return isDrill() || isTap() || isSpot() || isSizer(); }
     /// Does it cut forms that flat layers leave: walls that lean, fillets, chamfers?
     bool isForm() const {
         return type == ToolType::Ball || type == ToolType::Bull || type == ToolType::Chamfer;

@@ -58,6 +58,14 @@ struct Band {
     bool isUpper() const { return number < count; }
 };
 
+/// Diameters from one to another, both among them [mm].
+struct DiameterRange {
+    double least_mm = 0;
+    double most_mm = 0;
+
+    bool holds(double diameter_mm) const { return diameter_mm >= least_mm && diameter_mm <= most_mm; }
+};
+
 /// A removal volume f(p, h) with the floor region p and the depth h [DSouza2006], in setup coordinates. Outer
 /// loops of its regions run counter-clockwise, holes clockwise.
 struct Feature {
@@ -75,6 +83,9 @@ struct Feature {
     /// Of a blind hole: so deep below the floor the part leaves a drill's point free, a cone on the whole
     /// floor; 0: the floor is flat. No volume of the feature [mm].
     double point_mm = 0;
+    /// Of holes that are brought to their fit afterwards: drills so wide make them; nothing: drills of their
+    /// own width. Set while they are planned alone.
+    std::optional<DiameterRange> drilled;
     Region target;       ///< T: the ground to clear down to the floor
     Region obstruction;  ///< O: what the cutter must not touch while it clears T
     /// What the stock may have too much of beside the obstruction: cutters may cut it, rapids and holders

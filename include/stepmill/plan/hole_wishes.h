@@ -27,8 +27,8 @@ class HoleWishes {
 
     /// By the entries' order; none for what is no hole, and for holes that no entry chooses.
     std::vector<HoleWish> of(const Feature& feature, const Setup& setup) const;
-    /// What the tools may do in it: all of its places are to be made so; nothing: as without a table.
-    std::optional<HoleMaking> makingOf(const Feature& feature, const Setup& setup) const;
+    /// How all of its places are to be made; null: as without a table.
+    const HoleEntry* entryOf(const Feature& feature, const Setup& setup) const;
 
     /// Entries that choose no hole of the setups, and those that would have some holes of a group of equal
     /// ones made in another way than the rest: a group is made as one.

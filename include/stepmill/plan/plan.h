@@ -144,7 +144,7 @@ struct Plan {
     ToolSharing sharing;
     PlanTotals totals;
     VolumeBalance balance;
-    int threads_missing = 0;  ///< holes that the hole table wants tapped and no operation taps
+    int threads_missing = 0;  ///< holes without the thread or the fit that the hole table asks for
     std::vector<Warning> warnings;
 
     /// Is every thread cut that was asked for, and all of stock - part machined, nothing left over but

@@ -73,7 +73,7 @@ struct PostedProgram {
 /// The programs of one setup: header comments (part, setup, stock, work offset, tools), a safe start line,
 /// operations in order with their tool changes, an end. Each operation says all that its moves hang on, so
 /// that the program can be run from its first block on. Arcs are G2 and G3 with I and J, helices with Z;
-/// holes are G81, G82 or G83 where the dialect has cycles.
+/// holes are G81, G82, G83, G73, G85 or G89 where the dialect has cycles.
 ///
 /// Every arc's centre agrees with both its ends within 1 um, so that no controller refuses it; coordinates
 /// have 4 decimals in mm, 5 in inches.

@@ -16,6 +16,10 @@ inline constexpr double kDrillUndersizeMm = 0.02;
 /// still makes it: points of 118 and 120 degrees are one.
 inline constexpr double kPointFitShare = 0.03;
 
+/// Is the drill as wide as the hole: as much as the gouge budget wider, kDrillUndersizeMm narrower at most?
+/// \pre isHole(feature.feature_class)
+bool isOfSize(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol);
+
 /// Can this drill make this hole, and if not, why not?
 struct DrillCheck {
     bool fits = false;
@@ -49,8 +53,8 @@ double leftByPointMm3(const Feature& feature, const ToolAssembly& drill);
 SequenceStep drillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,
                        double retract_z_mm, const Machine& machine);
 
-/// Does the drill make room for a mill that then makes the flat floor? It is as wide as the hole, and stays
-/// over the floor.
+/// Does the drill make room for a mill that then makes the hole? It is narrower than the hole, or as wide
+/// where the floor is flat; over a floor it stays.
 bool preDrills(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol);
 
 /// What such a drill clears for sure, in plan view, down to preDrilledToZ().

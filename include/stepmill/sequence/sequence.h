@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stepmill/access/access.h"
+#include "stepmill/catalog/fit.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/deadline.h"
@@ -94,13 +95,17 @@ struct Residual {
     std::string taken_by;  ///< id of the later setup that takes the rest; empty: none does
 };
 
-enum class Role { Face, Rough, Rest, Surrogate, Drill, Tap, Finish, Form };
+enum class Role { Face, Rough, Rest, Surrogate, Spot, Drill, Ream, Bore, Tap, Finish, Form };
 std::string toString(Role role);
 /// The reverse; nothing for another word.
 std::optional<Role> roleFrom(std::string_view word);
 
-/// Does it clear ground in depths of cut: no drilling, no tapping, no finishing pass, no form?
+/// Does it clear ground in depths of cut: nothing that only holes have, no finishing pass, no form?
 bool isClearing(Role role);
+/// Does it bring bores to their fit?
+bool isSizing(Role role);
+/// Does it go straight down into holes?
+bool isForHoles(Role role);
 
 /// A thread that a step cuts into holes made before: with the spindle's turns, no volume of the part.
 struct ThreadCut {
@@ -121,7 +126,8 @@ struct SequenceStep {
     /// How far the tool must be set out at least for this step; its only stick-out where it has no range.
     double least_stick_out_mm = 0;
     FinishAllowance leaves;           ///< what a finishing step after it takes off
-    int holes = 0;                    ///< that a drilling step makes, or a tapping one taps
+    int holes = 0;                    ///< that a step of a tool for holes works on
+    std::optional<Fit> fit;           ///< of a step that reams or bores
     std::optional<ThreadCut> thread;  ///< of a tapping step
     /// Of a drilling step: what its point takes below the floor, of volumes that belong to no feature.
     std::vector<ReasonVolume> takes;
@@ -145,7 +151,11 @@ struct ToolSequence {
     std::vector<ToolReach> tools;     ///< every tool of the library, falling diameter, with exclusions
     std::vector<DagEdge> edges;       ///< evaluated edges, by from then to
     std::vector<SequenceStep> steps;  ///< empty when no tool can machine anything
-    double time_s = 0;                ///< with a tool change wherever the tool is another
+    /// What comes after the steps whichever way is chosen: bores brought to their fit. They become steps when
+    /// tools are shared out.
+    std::vector<SequenceStep> sizing;
+    std::string not_sized;  ///< why holes do not get the fit they were to get; empty when they do
+    double time_s = 0;      ///< with a tool change wherever the tool is another
     double cost = 0;
     double motion_s = 0;         ///< `time_s` with the machine's acceleration where that is given
     double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]

@@ -24,6 +24,9 @@ int depthsFor(double depth_mm, double step_down_mm);
 Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const CuttingData& cutting,
                    const Machine& machine);
 
+/// Rapids that come down to a hole stop so far over its top [mm].
+inline constexpr double kOverHoleMm = 1.0;
+
 /// Is a top the stock's own? z = 0 is its height by the plan; a stock that may be larger goes higher.
 bool isRawTop(double z_mm);
 

@@ -158,7 +158,7 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
 /// Drills equal holes, one after another in this order: rapid over the hole, down to the clearance height,
 /// feed, rapid out to the retract height. Down to kOneGoDiameters in one go, deeper in pecks of the cutting
 /// data's step-down (or twice the diameter when it has none), coming out after each; `depths` are pecks a
-/// hole. \pre tool.isDrill(), at least one hole
+/// hole. \pre tool.isDrill() or tool.isSpot(), at least one hole
 Toolpath drillHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                     const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
 /// One hole.
@@ -171,8 +171,21 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double tip_z_mm, double retr
 Toolpath tapHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                   const ToolAssembly& tool, double speed_rpm, const Machine& machine);
 
+/// Brings holes to their width, one after another in this order: rapid over the hole, down to the clearance
+/// height, feed down and up again there, so that no mark of a rapid stays on the wall, rapid out to the
+/// retract height. \pre tool.isSizer(), at least one hole
+Toolpath sizeHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
+                   const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
+
 /// Holes no deeper than so many diameters clear their chips by themselves.
 inline constexpr double kOneGoDiameters = 3;
+/// Deeper ones up to so many have their chips broken by a short lift after each peck; out of still deeper
+/// ones they are brought.
+inline constexpr double kChipBreakDiameters = 5;
+/// The pattern of holes whose chips are broken.
+inline constexpr const char* kChipBreakPattern = "drill, chips broken";
+/// How far the drill is lifted to break a chip: a hundredth of an inch, as G73 of controllers does [mm].
+inline constexpr double kChipBreakLiftMm = 0.254;
 
 /// The places in an order that is short to visit: from the one farthest left and down the nearest next, then
 /// with stretches turned round as long as that makes the way shorter. O(n2) a round, a few rounds.

@@ -18,9 +18,9 @@ struct ClaimSources {
 
 /// The claim of a plan.json, derived anew from the files: setups and stock from axes, margins and part;
 /// layers, features with targets, obstructions and obstacles by slicing the stock as each setup's
-/// predecessors leave it; fixtures from the vise or the file; threads, and holes that are left or drilled
-/// alone, from the hole table. What the record has otherwise, beyond rounding,
-/// is a failure with its place: a removed feature, a smaller obstruction, a larger target, a lower fixture.
+/// predecessors leave it; fixtures from the vise or the file; threads, fits, and holes that are left
+/// or drilled alone, from the hole table. What the record has otherwise, beyond rounding, is a failure with
+/// its place: a removed feature, a smaller obstruction, a larger target, a lower fixture.
 ///
 /// What tools leave is taken from the record: programs are proven to leave no more, and the stock of later
 /// setups follows from it. After the first setup that differs no later one is compared.

@@ -59,7 +59,7 @@ struct Verification {
     std::vector<ProofFailure> failures;      ///< empty: all is proven
     std::vector<Leftover> leftovers;         ///< each is among the failures
     std::vector<ReasonVolume> left;          ///< what the plan says stays, beyond rounding
-    int threads_missing = 0;                 ///< that the plan says it does not cut
+    int threads_missing = 0;                 ///< holes without thread or fit, as the plan says
     std::vector<FileRemark> remarks;         ///< about the folder; no failures
 
     bool proven() const { return failures.empty(); }

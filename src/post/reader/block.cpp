@@ -28,9 +28,12 @@ constexpr KnownCode kKnownCodes[] = {
     {'G', code(2), ModalGroup::Motion},
     {'G', code(3), ModalGroup::Motion},
     {'G', code(80), ModalGroup::Motion},
+    {'G', code(73), ModalGroup::Motion, Having::AllButGrbl},
     {'G', code(81), ModalGroup::Motion, Having::AllButGrbl},
     {'G', code(82), ModalGroup::Motion, Having::AllButGrbl},
     {'G', code(83), ModalGroup::Motion, Having::AllButGrbl},
+    {'G', code(85), ModalGroup::Motion, Having::AllButGrbl},
+    {'G', code(89), ModalGroup::Motion, Having::AllButGrbl},
     // On LinuxCNC it is for taps in a chuck that gives way: the feed is not coupled to the spindle.
     {'G', code(84), ModalGroup::Motion, Having::FanucAlone},
     {'G', code(33, 1), ModalGroup::Motion, Having::LinuxCncAlone},

@@ -34,7 +34,7 @@ constexpr int code(int whole, int tenths = 0) {
 }
 
 constexpr bool isCycle(int motion) {
-    return motion >= code(81) && motion <= code(84);
+    return motion == code(73) || (motion >= code(81) && motion <= code(85)) || motion == code(89);
 }
 constexpr bool isArc(int motion) {
     return motion == code(2) || motion == code(3);

@@ -26,9 +26,10 @@ void checkWords(const Control& control, const Block& block, std::optional<int> m
     need('J', arc, "G2 or G3");
     need('K', motion == code(33, 1), "G33.1");
     need('R', arc || cycle, "G2, G3 or a cycle");
-    need('P', dwells || blends || (arc && control.rules.own_words) || motion == code(82),
-         "G4, G64, G82 or an arc");
-    need('Q', blends || motion == code(83), "G83");
+    need('P',
+         dwells || blends || (arc && control.rules.own_words) || motion == code(82) || motion == code(89),
+         "G4, G64, G82, G89 or an arc");
+    need('Q', blends || motion == code(73) || motion == code(83), "G73 or G83");
     need('H', block.has(ModalGroup::LengthOffset, code(43)), "G43");
     for (const char letter : {'P', 'Q', 'F', 'S'})
         if (block.number(letter).value_or(0) < 0) control.refuse(fmt::format("{} is negative", letter));

@@ -15,6 +15,19 @@ constexpr double kOverPeckMm = 0.01 * kMillimetresPerInch;
 /// More pecks in a hole are a slip in Q.
 constexpr double kMostPecks = 10000;
 
+bool pecks(int cycle) {
+    return cycle == code(73) || cycle == code(83);
+}
+
+bool dwells(int cycle) {
+    return cycle == code(82) || cycle == code(89);
+}
+
+/// The drill goes up with the feed too.
+bool feedsOut(int cycle) {
+    return cycle == code(85) || cycle == code(89);
+}
+
 CycleWords cycleWords(const Control& control, const Block& block, int cycle) {
     const bool goes_on = control.motion_in_force == cycle;
     const auto take = [&](char letter, double& kept) {
@@ -26,9 +39,9 @@ CycleWords cycleWords(const Control& control, const Block& block, int cycle) {
     CycleWords words = control.cycle;
     take('Z', words.z);
     take('R', words.r);
-    if (cycle == code(83)) take('Q', words.q);
-    if (cycle != code(82)) return words;
-    if (!goes_on && !block.has('P')) control.refuse("G82 without P");
+    if (pecks(cycle)) take('Q', words.q);
+    if (!dwells(cycle)) return words;
+    if (!goes_on && !block.has('P')) control.refuse(codeName('G', cycle) + " without P");
     if (block.has('P')) words.dwell_s = control.dwellSeconds(block.words().at('P'));
     return words;
 }
@@ -56,18 +69,19 @@ void tapDown(Control& control, double r, double bottom, double clear_mm) {
 
 void feedDown(Control& control, int cycle, const CycleWords& words, double r, double bottom,
               double clear_mm) {
-    if (cycle == code(83)) {
+    if (pecks(cycle)) {
         if (words.q <= 0) control.refuse("Q is not over zero");
         if ((r - bottom) / words.q > kMostPecks)
             control.refuse(fmt::format("a hole of over {} pecks", kMostPecks));
         for (double depth = r - words.q; depth > bottom; depth -= words.q) {
             control.goToHeight(MotionKind::Feed, depth * control.unit());
-            control.goToHeight(MotionKind::Rapid, r * control.unit());
+            if (cycle == code(83)) control.goToHeight(MotionKind::Rapid, r * control.unit());
             control.goToHeight(MotionKind::Rapid, depth * control.unit() + kOverPeckMm);
         }
     }
     control.goToHeight(MotionKind::Feed, bottom * control.unit());
-    if (cycle == code(82)) control.act(Dwell{words.dwell_s, *control.at.z});
+    if (dwells(cycle)) control.act(Dwell{words.dwell_s, *control.at.z});
+    if (feedsOut(cycle)) control.goToHeight(MotionKind::Feed, r * control.unit());
     control.goToHeight(MotionKind::Rapid, clear_mm);
 }
 

@@ -27,6 +27,9 @@ struct HoleWork {
 
 /// "drilled", "tapped M8x1.25 17.5 deep".
 std::string workWords(const Operation& operation, const Measures& in) {
+    if (operation.fit)
+        return fmt::format("{} {}", operation.role == Role::Bore ? "bored" : "reamed", operation.fit->name);
+    if (operation.role == Role::Spot) return "spotted";
     if (!operation.thread) return operation.role == Role::Drill ? "drilled" : "milled";
     const double depth_mm = operation.z_top_mm - operation.thread->full_to_z_mm;
     return fmt::format("tapped {} {} deep", operation.thread->thread.name, in.length(depth_mm));

@@ -23,6 +23,7 @@ std::string featureWords(const PlannedSetup& setup, const Operation& operation) 
 std::string whatWords(const Operation& operation) {
     const std::string role = toString(operation.role);
     if (operation.thread) return role + " " + operation.thread->thread.name;
+    if (operation.fit) return role + " " + operation.fit->name;
     return role == operation.path.pattern ? role : role + ", " + operation.path.pattern;
 }
 

@@ -25,11 +25,12 @@ constexpr double kLeastGap = 1.35 * kWords;
 std::string cutterPath(const ToolAssembly& tool, const std::function<std::string(double, double)>& at) {
     const double r = tool.radius_mm();
     const double top = tool.flute_length_mm;
-    const bool is_cone = tool.isDrill() || tool.type == ToolType::Chamfer;
+    const bool has_point = tool.isDrill() || tool.isSpot();
+    const bool is_cone = has_point || tool.type == ToolType::Chamfer;
     double tip_r = r - tool.corner_radius_mm;
     double corner_z = tool.corner_radius_mm;
     if (is_cone) {
-        const double angle_deg = tool.isDrill() ? tool.point_angle_deg : tool.included_angle_deg;
+        const double angle_deg = has_point ? tool.point_angle_deg : tool.included_angle_deg;
         tip_r = tool.tip_diameter_mm / 2;
         corner_z = std::min((r - tip_r) / std::tan(degToRad(angle_deg / 2)), top);
     }

@@ -23,7 +23,10 @@ class Lines {
 };
 
 std::string typeWords(const ToolAssembly& tool) {
-    if (tool.isDrill()) return fmt::format("drill, point {:g} degrees", tool.point_angle_deg);
+    if (tool.isDrill() || tool.isSpot())
+        return fmt::format("{}, point {:g} degrees", tool.isSpot() ? "spot drill" : "drill",
+                           tool.point_angle_deg);
+    if (tool.isSizer()) return fmt::format("{}, lead {:g} mm", toString(tool.type), tool.lead_mm);
     if (tool.type == ToolType::Chamfer)
         return fmt::format("chamfer, {:g} degrees, tip {:g} mm", tool.included_angle_deg,
                            tool.tip_diameter_mm);

@@ -45,7 +45,7 @@ Json partJson(const Part& part) {
 /// The cutter's outline from its tip up, as [radius, height].
 Json formJson(const ToolAssembly& tool) {
     const double radius_mm = tool.radius_mm();
-    if (tool.isDrill())
+    if (tool.isDrill() || tool.isSpot())
         return Json::array(
             {Json::array({0, 0}), Json::array({json::number(radius_mm), json::number(pointLengthMm(tool))})});
     const CutterForm form(tool);

@@ -253,7 +253,7 @@ std::vector<TrialTool> longerTools(const FeatureGround& ground, const ToolLibrar
     std::vector<TrialTool> trials;
     for (const ToolReach& reach : reaches) {
         const ToolAssembly& tool = library.tool(reach.tool_id);
-        if (tool.isDrill()) continue;
+        if (tool.isForHoles()) continue;
         const Exclusion* excluded = reach.exclusion();
         const bool kept_off = excluded != nullptr && (excluded->reason == ExclusionReason::TooShort ||
                                                       excluded->reason == ExclusionReason::HolderCollision);

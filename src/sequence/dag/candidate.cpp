@@ -4,6 +4,7 @@
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/machine_limits.h"
+#include "stepmill/sequence/spotting.h"
 #include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
@@ -23,7 +24,8 @@ FastestSurrogates fastestSurrogates(const Feature& feature, const std::vector<To
     for (const ToolReach& reach : reaches) {
         const ToolAssembly& tool = library.tool(reach.tool_id);
         const CuttingData* cutting = tool.cuttingFor(options.material);
-        if (cutting == nullptr || tool.isDrill() || reach.collision_free_area_mm2 <= tol.area_mm2) continue;
+        if (cutting == nullptr || tool.isForHoles() || reach.collision_free_area_mm2 <= tol.area_mm2)
+            continue;
         const double rate = volumeRate(feature, tool, limitedBy(machine, *cutting));
         const bool listed = std::any_of(candidates.begin(), candidates.end(),
                                         [&](const Candidate& other) { return other.tool == &tool; });
@@ -33,6 +35,13 @@ FastestSurrogates fastestSurrogates(const Feature& feature, const std::vector<To
     return fastest;
 }
 
+/// Milled walls get their finishing pass; a drill before the mill would keep it from them.
+bool mayPreDrill(const Feature& feature, const ToolAssembly& drill, const SequenceOptions& options,
+                 const Tolerances& tol) {
+    if (options.cost_model != CostModel::Path || !preDrills(feature, drill, tol)) return false;
+    return !options.finish.any() || isOfSize(feature, drill, tol);
+}
+
 /// What a tool takes part with: nothing for a drill that neither makes the hole nor makes room for a mill.
 std::optional<Candidate> candidateOf(const Feature& feature, const ToolAssembly& tool, const ToolReach& reach,
                                      const CuttingData& cutting, const SequenceOptions& options,
@@ -40,8 +49,12 @@ std::optional<Candidate> candidateOf(const Feature& feature, const ToolAssembly&
     Candidate candidate{&tool, &reach, &reach.cleared(), &reach.own(), cutting};
     candidate.coverable_mm2 = reach.cleared().coverable_area_mm2;
     candidate.volume_rate_mm3_per_s = candidate.joint_rate_mm3_per_s = volumeRate(feature, tool, cutting);
+    if (tool.isSpot()) {
+        candidate.spots = options.cost_model == CostModel::Path && spotFits(feature, tool);
+        return candidate.spots ? std::optional(candidate) : std::nullopt;
+    }
     if (tool.isDrill()) {
-        candidate.predrills = options.cost_model == CostModel::Path && preDrills(feature, tool, tol);
+        candidate.predrills = mayPreDrill(feature, tool, options, tol);
         const bool makes = drillCheck(feature, tool, tol).fits;
         if (!makes && !candidate.predrills) return std::nullopt;
         if (makes) candidate.coverable_mm2 = feature.area_mm2;
@@ -53,7 +66,7 @@ std::optional<Candidate> candidateOf(const Feature& feature, const ToolAssembly&
 /// Of the drills that make room the widest stays, as the first tool; none where no mill can end the feature.
 void keepOnePreDrill(const Feature& feature, const Tolerances& tol, std::vector<Candidate>& tools) {
     const bool milled_whole = std::any_of(tools.begin(), tools.end(), [&](const Candidate& tool) {
-        return !tool.drill() && tool.coverable_mm2 >= feature.area_mm2 - sameArea(feature, tol);
+        return tool.mills() && tool.coverable_mm2 >= feature.area_mm2 - sameArea(feature, tol);
     });
     const bool plain =
         std::none_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
@@ -70,10 +83,19 @@ void keepOnePreDrill(const Feature& feature, const Tolerances& tol, std::vector<
     if (widest) tools.insert(tools.begin(), *widest);
 }
 
+/// Spot drills come before all others; none where no drill wants one.
+void putSpotsFirst(std::vector<Candidate>& tools) {
+    const bool wanted =
+        std::any_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.wantsSpot(); });
+    if (!wanted) std::erase_if(tools, [](const Candidate& tool) { return tool.spots; });
+    std::stable_partition(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.spots; });
+}
+
 }  // namespace
 
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
     const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
+    if (tool.isSpot()) return 0;  // it clears no ground
     if (tool.isDrill()) {
         const double feed = std::max(cutting.plunge_feed_mm_per_min, cutting.feed_mm_per_min);
         return std::max(disc_mm2, feature.area_mm2) * feed / kSecondsPerMinute;
@@ -125,7 +147,10 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Too
         if (auto candidate = candidateOf(feature, tool, reach, limitedBy(machine, *cutting), options, tol))
             usable.push_back(std::move(*candidate));
     }
-    if (isHole(feature.feature_class)) keepOnePreDrill(feature, tol, usable);
+    if (isHole(feature.feature_class)) {
+        keepOnePreDrill(feature, tol, usable);
+        putSpotsFirst(usable);
+    }
     const bool any_with_surrogates =
         std::any_of(usable.begin(), usable.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     if (!any_with_surrogates) return usable;
@@ -147,17 +172,19 @@ std::vector<bool> endTools(const Feature& feature, const std::vector<Candidate>&
                            const Tolerances& tol) {
     double best = 0;
     for (const Candidate& tool : tools) {
-        if (!tool.drill()) best = std::max(best, tool.coverable_mm2);
+        if (tool.mills()) best = std::max(best, tool.coverable_mm2);
     }
     const bool milled_whole = best >= feature.area_mm2 - sameArea(feature, tol);
     // A hole that ends in a point is drilled if a drill fits: no mill makes the point.
-    const bool pointed = feature.point_mm > 0 && std::any_of(tools.begin(), tools.end(),
-                                                             [](const auto& tool) { return tool.drill(); });
+    const bool pointed = feature.point_mm > 0 &&
+                         std::any_of(tools.begin(), tools.end(),
+                                     [](const Candidate& tool) { return tool.drill() && !tool.predrills; });
     std::vector<bool> ends;
     for (const Candidate& tool : tools) {
         // A drill's point leaves a cone on a flat floor, so there it ends only what no cutter can finish.
         const bool drill_ends = !tool.predrills && (feature.through || pointed || !milled_whole);
-        const bool mill_ends = !pointed && tool.coverable_mm2 >= best - sameArea(feature, tol);
+        const bool mill_ends =
+            tool.mills() && !pointed && tool.coverable_mm2 >= best - sameArea(feature, tol);
         ends.push_back(tool.drill() ? drill_ends : mill_ends);
     }
     return ends;

@@ -24,10 +24,16 @@ struct Candidate {
     double joint_rate_mm3_per_s = 0;
     /// The same of its surrogates that are no candidates themselves; 0 without surrogates.
     double outsider_rate_mm3_per_s = 0;
-    /// A drill that makes room for the mill after it: it comes first and ends nothing.
+    /// A drill that makes room for the mill after it: it comes before all mills and ends nothing.
     bool predrills = false;
+    /// A spot drill that starts the hole for the drill after it: it comes first and clears nothing.
+    bool spots = false;
 
     bool drill() const { return tool->isDrill(); }
+    /// Does it start true only where a spot is?
+    bool wantsSpot() const { return drill() && !tool->self_centring; }
+    /// Does it clear ground, as drills and spot drills do not?
+    bool mills() const { return !drill() && !spots; }
     bool hasSurrogates() const { return reach->surrogates() != nullptr; }
 };
 
@@ -48,9 +54,9 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
 /// 'Nodes and edges'].
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 
-/// The tools of `reaches` that can machine something of the feature, in their order, but the drill that makes
-/// room for mills first. They point into `reaches` and `library`. \pre `reaches` are in the order of
-/// byFallingDiameter()
+/// The tools of `reaches` that can machine something of the feature, in their order, but spot drills first
+/// and after them the drill that makes room for mills. They point into `reaches` and `library`. \pre
+/// `reaches` are in the order of byFallingDiameter()
 std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,
                                    const Machine& machine, const Tolerances& tol);

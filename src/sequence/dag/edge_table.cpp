@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/dag/edge_work.h"
+#include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
@@ -39,13 +40,33 @@ bool mayFollow(const Candidate& drill, const Candidate& mill) {
            mill.tool->diameter_mm <= drill.tool->diameter_mm;
 }
 
+/// Least weight of the mill after the drill that has made room for it: all that the drill leaves, at the
+/// mill's best rate.
+double leastAfterDrill(const Candidate& drill, const Candidate& mill, const DagTask& task) {
+    if (!mayFollow(drill, mill)) return kNoEdge;
+    const Feature& feature = task.ground.feature();
+    const double drilled_mm3 = drill.coverable_mm2 * (feature.top_z_mm - preDrilledToZ(feature, *drill.tool));
+    const double left_mm3 = mill.coverable_mm2 * feature.depth_mm() - drilled_mm3;
+    PathTotals least;
+    least.feed_time_s = std::max(0.0, left_mm3) / mill.volume_rate_mm3_per_s;
+    return weigh(edgeCost(least, *mill.tool, task.machine), task);
+}
+
+/// Where a spot is wanted and can be made, the drill comes after it; else drills and spots come first.
+bool mayCome(const Candidate* from, const Candidate& to, const DagTask& task) {
+    if (from != nullptr && from->spots) return to.wantsSpot();
+    if (to.mills()) return true;
+    return from == nullptr && !(to.wantsSpot() && task.tools.front().spots);
+}
+
 /// Lower bound of an edge's weight: the area that the tool covers and the one before it does not, cut at the
 /// best rates, and one tool change. A surrogate saves no more than its own change, which the bound leaves
 /// out.
 double lowerBound(const Candidate* from, const Candidate& to, const DagTask& task) {
-    if (from != nullptr && to.drill()) return kNoEdge;
-    // Over a flat floor the mill may have little more to do than its bottom.
-    if (from != nullptr && from->drill()) return mayFollow(*from, to) ? changeWeight(to, task) : kNoEdge;
+    if (!mayCome(from, to, task)) return kNoEdge;
+    if (to.spots) return changeWeight(to, task);
+    if (from != nullptr && from->spots) from = nullptr;
+    if (from != nullptr && from->drill()) return leastAfterDrill(*from, to, task);
     const Feature& feature = task.ground.feature();
     const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
     const double new_mm2 = to.coverable_mm2 - from_mm2;
@@ -83,7 +104,7 @@ int EdgeTable::evaluate(const EdgeList& edges, double known) {
 void EdgeTable::makeMissingRings(const EdgeList& edges) {
     std::set<int> missing;
     for (const auto& [m, n] : edges) {
-        if (!rings_[n] && !task_.tools[n].drill() && needsPaths(task_)) missing.insert(n);
+        if (!rings_[n] && task_.tools[n].mills() && needsPaths(task_)) missing.insert(n);
     }
     const std::vector<int> tools(missing.begin(), missing.end());
     tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {

@@ -14,7 +14,7 @@ AreaModelTool modelOf(const DagTask& task, const Candidate& tool) {
 YaoConstants yaoConstants(const DagTask& task) {
     std::vector<AreaModelTool> models;
     for (const Candidate& tool : task.tools)
-        if (!tool.drill()) models.push_back(modelOf(task, tool));
+        if (tool.mills()) models.push_back(modelOf(task, tool));
     return {0, yaoFactorSPerMm(models)};
 }
 
@@ -35,7 +35,7 @@ bool needsPaths(const DagTask& task) {
 
 std::optional<EdgeWork> edgeWork(const DagTask& task, const Candidate* m, const Candidate& n,
                                  const SharedRings& rings) {
-    if (needsPaths(task) || n.drill()) {
+    if (needsPaths(task) || !n.mills()) {
         const std::vector<SequenceStep> steps = makePaths(task, m, n, rings);
         if (steps.empty()) return std::nullopt;
         EdgeWork work{{}, area(steps.back().area.area), steps.back().area.new_area_mm2};

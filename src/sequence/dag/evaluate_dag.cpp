@@ -9,6 +9,7 @@
 #include "sequence/holder/tool_areas.h"
 #include "stepmill/core/error.h"
 #include "stepmill/sequence/drilling.h"
+#include "stepmill/sequence/spotting.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
@@ -69,7 +70,7 @@ class DagSearch {
     void evaluateToolsAlone() {
         EdgeList edges;
         for (int n = 0; n <= last_; ++n) {
-            if (!task_.ends[n] || hasSurrogates(n)) continue;
+            if (!task_.ends[n] || hasSurrogates(n) || !table_.exists(kSource, n)) continue;
             if (aloneIsKnown())
                 table_.leaveOut(kSource, n);
             else
@@ -223,6 +224,7 @@ Toolpath pathBy(Pattern pattern, const DagTask& task, const Candidate& n, const 
 
 SequenceStep drilledBy(const DagTask& task, const Candidate& n) {
     const Feature& feature = task.ground.feature();
+    if (n.spots) return spotStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
     return n.predrills ? preDrillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine,
                                       task.ground.tolerances())
                        : drillStep(feature, *n.tool, n.cutting, task.retract_z_mm, task.machine);
@@ -270,13 +272,13 @@ SequenceStep milledBy(const DagTask& task, const Candidate* m, const Candidate& 
 }  // namespace
 
 SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
-    if (tool.drill()) return nullptr;
+    if (!tool.mills()) return nullptr;
     return ringsBy(kWeighedPattern, task, tool, stretchesOf(task, nullptr).front());
 }
 
 std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, const Candidate& n,
                                     const SharedRings& rings) {
-    if (n.drill()) return {drilledBy(task, n)};
+    if (!n.mills()) return {drilledBy(task, n)};
     std::vector<SequenceStep> steps;
     for (const Stretch& stretch : stretchesOf(task, m)) {
         SequenceStep step = stepOf(task, stretch, n);
@@ -287,7 +289,7 @@ std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, con
 }
 
 std::vector<SequenceStep> makeSteps(const DagTask& task, const Candidate* m, const Candidate& n) {
-    if (n.drill()) return {drilledBy(task, n)};
+    if (!n.mills()) return {drilledBy(task, n)};
     std::vector<SequenceStep> steps;
     const std::vector<Stretch> stretches = stretchesOf(task, m);
     for (const Stretch& stretch : stretches) {

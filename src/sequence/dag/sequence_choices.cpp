@@ -8,16 +8,18 @@
 #include "sequence/steps/finishing.h"
 #include "sequence/steps/residuals.h"
 #include "stepmill/sequence/drilling.h"
+#include "stepmill/sequence/spotting.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill {
 namespace {
 
 double leastStickOut(const DagTask& task, const Candidate& tool) {
-    if (!tool.drill()) return leastStickOutMm(task.ground, *tool.tool, *tool.own);
+    if (tool.mills()) return leastStickOutMm(task.ground, *tool.tool, *tool.own);
     return leastStickOutMm(*tool.tool, [&](const ToolAssembly& shorter) {
         const Feature& feature = task.ground.feature();
         const Tolerances& tol = task.ground.tolerances();
+        if (tool.spots) return spotFits(feature, shorter);
         return tool.predrills ? preDrills(feature, shorter, tol) : drillCheck(feature, shorter, tol).fits;
     });
 }

@@ -50,10 +50,8 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
 /// The tip of a drill that makes room stays so far over the floor [mm].
 constexpr double kOverFloorMm = 0.1;
 
-bool isOfSize(const Feature& hole, const ToolAssembly& drill, const Tolerances& tol) {
-    const double hole_mm = 2 * holeRadiusMm(hole);
-    return drill.diameter_mm <= hole_mm + 2 * tol.gouge_mm &&
-           drill.diameter_mm >= hole_mm - kDrillUndersizeMm;
+bool goesIn(const Feature& hole, const ToolAssembly& drill, const Tolerances& tol) {
+    return drill.diameter_mm <= 2 * holeRadiusMm(hole) + 2 * tol.gouge_mm;
 }
 
 bool isFlat(const Feature& hole) {
@@ -69,6 +67,11 @@ std::optional<Exclusion> keptFrom(const Feature& feature, const ToolAssembly& dr
         return Exclusion{ExclusionReason::TooShort,
                          fmt::format("reaches {:.4g} mm, the hole needs {:.4g} mm", reach, needed)};
     return shankOrHolderCollision(feature, drill);
+}
+
+double preDrilledTipZ(const Feature& feature, const ToolAssembly& drill) {
+    if (feature.through) return drillTipZ(feature, drill);
+    return preDrilledToZ(feature, drill) - pointLengthMm(drill);
 }
 
 /// Every hole of the feature drilled to that depth.
@@ -96,6 +99,11 @@ double takenBelowMm3(const Feature& hole, const ToolAssembly& drill) {
 }
 
 }  // namespace
+
+bool isOfSize(const Feature& hole, const ToolAssembly& drill, const Tolerances& tol) {
+    if (hole.drilled) return hole.drilled->holds(drill.diameter_mm);
+    return goesIn(hole, drill, tol) && drill.diameter_mm >= 2 * holeRadiusMm(hole) - kDrillUndersizeMm;
+}
 
 bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm, double radius_mm) {
     for (const Obstacle& obstacle : feature.obstacles) {
@@ -156,10 +164,10 @@ SequenceStep drillStep(const Feature& feature, const ToolAssembly& drill, const 
 }
 
 bool preDrills(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
-    if (!drill.isDrill() || !isHole(feature.feature_class) || !isFlat(feature)) return false;
-    const double to_z_mm = preDrilledToZ(feature, drill);
-    return isOfSize(feature, drill, tol) && to_z_mm < feature.top_z_mm &&
-           !keptFrom(feature, drill, std::min(to_z_mm, drillTipZ(feature, drill)));
+    if (!drill.isDrill() || !isHole(feature.feature_class) || !goesIn(feature, drill, tol)) return false;
+    if (isOfSize(feature, drill, tol) && !isFlat(feature)) return false;
+    return preDrilledToZ(feature, drill) < feature.top_z_mm &&
+           !keptFrom(feature, drill, preDrilledTipZ(feature, drill));
 }
 
 CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
@@ -184,8 +192,8 @@ double preDrilledToZ(const Feature& feature, const ToolAssembly& drill) {
 SequenceStep preDrillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,
                           double retract_z_mm, const Machine& machine, const Tolerances& tol) {
     const double to_z_mm = preDrilledToZ(feature, drill);
-    const double tip_z_mm = feature.through ? drillTipZ(feature, drill) : to_z_mm - pointLengthMm(drill);
-    SequenceStep step = stepTo(tip_z_mm, feature, drill, cutting, retract_z_mm, machine);
+    SequenceStep step =
+        stepTo(preDrilledTipZ(feature, drill), feature, drill, cutting, retract_z_mm, machine);
     step.area.area = preDrilledArea(feature, drill, tol).coverable;
     step.area.new_area_mm2 = area(step.area.area);
     step.leaves.floors_mm = to_z_mm - feature.floor_z_mm;

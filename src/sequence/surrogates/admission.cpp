@@ -9,6 +9,7 @@
 #include "sequence/surrogates/held_off.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
+#include "stepmill/sequence/spotting.h"
 
 namespace stepmill {
 namespace {
@@ -16,12 +17,15 @@ namespace {
 /// How often ground that no few tools can clear together is given up before tools are turned down for it.
 constexpr int kMostGivenUp = 3;
 
-/// What the area calculus does not know about a drill: whether it fits the hole, or makes room for a mill.
-void checkDrill(const SequenceJob& job, const ToolAssembly& drill, ToolReach& reach) {
-    if (!drill.isDrill() || drill.cuttingFor(job.options.material) == nullptr) return;
-    DrillCheck check = drillCheck(job.feature(), drill, job.tolerances());
-    if (preDrills(job.feature(), drill, job.tolerances()))
-        reach.cutter = preDrilledArea(job.feature(), drill, job.tolerances());
+/// What the area calculus does not know of tools for holes: whether a drill fits the hole or makes room for a
+/// mill, whether a spot drill starts it.
+void checkHoleTool(const SequenceJob& job, const ToolAssembly& tool, ToolReach& reach) {
+    if (tool.cuttingFor(job.options.material) == nullptr) return;
+    if (tool.isSpot() && spotFits(job.feature(), tool)) reach.use = Unhindered{};
+    if (!tool.isDrill()) return;
+    DrillCheck check = drillCheck(job.feature(), tool, job.tolerances());
+    if (preDrills(job.feature(), tool, job.tolerances()))
+        reach.cutter = preDrilledArea(job.feature(), tool, job.tolerances());
     if (check.fits || !reach.cutter.coverable.empty()) {
         reach.use = Unhindered{};
     } else if (check.excluded) {
@@ -97,7 +101,7 @@ std::vector<ToolReach> reachesOfAllTools(const SequenceJob& job) {
     tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
         job.checkTime();
         reaches[i] = reachFor(job.ground, *tools[i], job.options);
-        checkDrill(job, *tools[i], reaches[i]);
+        checkHoleTool(job, *tools[i], reaches[i]);
     });
     return reaches;
 }

@@ -9,7 +9,8 @@ SurrogateTools::SurrogateTools(std::shared_ptr<const SequenceJob> job, const std
     for (const ToolReach& reach : reaches) {
         const ToolAssembly& tool = job_->library.tool(reach.tool_id);
         const bool has_data = tool.cuttingFor(job_->options.material) != nullptr;
-        if (reach.exclusion() == nullptr && !tool.isDrill() && has_data) all_.push_back({&tool, reach.own()});
+        if (reach.exclusion() == nullptr && !tool.isForHoles() && has_data)
+            all_.push_back({&tool, reach.own()});
     }
 }
 

@@ -134,7 +134,7 @@ TEST_F(HoleClaim, CountsTheThreadsThatThePlanSaysItLacks) {
     const std::vector<std::string> table{"--holes", file("wanted.json").string()};
     const ProgramRun run = verify(table);
     EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
-    EXPECT_NE(run.out.find("no thread, as the plan says: 6 holes"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("no thread or fit, as the plan says: 6 holes"), std::string::npos) << run.out;
     plan["threads_missing"] = 5;
     replacePlan(plan);
     EXPECT_EQ(verify(table).exit_code, 2);

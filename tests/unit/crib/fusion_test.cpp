@@ -51,7 +51,7 @@ TEST(Fusion, ReadsInchesAndFeedsPerTurn) {
 
 TEST(Fusion, HasNoToolOfATypeThatStepmillLacks) {
     json library = goodFusion();
-    for (const char* type : {"thread mill", "tapered mill", "spot drill", "holder", "turning general"}) {
+    for (const char* type : {"thread mill", "tapered mill", "center drill", "holder", "turning general"}) {
         library["data"][0]["type"] = type;
         EXPECT_FALSE(fusion(library).tools[0].unfit.empty()) << type;
     }
@@ -98,8 +98,9 @@ TEST(Fusion, CallsMaterialsAsItIsTold) {
 }
 
 TEST(FusionExport, ReadsBackAsItWas) {
-    for (const char* sample : {"shop_metric_tools.json", "shop_with_forms_tools.json",
-                               "shop_with_taps_tools.json", "dsouza2006_tools.json"}) {
+    for (const char* sample :
+         {"shop_metric_tools.json", "shop_with_forms_tools.json", "shop_with_taps_tools.json",
+          "shop_for_holes_tools.json", "dsouza2006_tools.json"}) {
         const ToolLibrary library = readToolLibrary(test::sample(sample));
         const ImportedLibrary again = importTools(fusionFromText(fusionJson(library), sample, {}), nullptr);
         EXPECT_TRUE(again.complete()) << importText(again);

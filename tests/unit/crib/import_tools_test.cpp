@@ -154,7 +154,7 @@ TEST(UsualValues, TakeTheFirstEntryThatFits) {
 TEST(WriteCatalog, ReadsBackAsItWas) {
     for (const char* sample :
          {"shop_metric_tools.json", "shop_with_forms_tools.json", "shop_with_taps_tools.json",
-          "dsouza2006_tools.json", "common_pocket_tools.json"}) {
+          "shop_for_holes_tools.json", "dsouza2006_tools.json", "common_pocket_tools.json"}) {
         const ToolLibrary library = readToolLibrary(test::sample(sample));
         const std::string text = toolLibraryJson(library, "");
         const ToolLibrary again = toolLibraryFromText(text, library.file);
@@ -163,6 +163,8 @@ TEST(WriteCatalog, ReadsBackAsItWas) {
         for (std::size_t i = 0; i < library.tools.size(); ++i) {
             test::expectSameForFusion(library.tools[i], again.tools[i]);
             EXPECT_EQ(again.tools[i].life_min, library.tools[i].life_min);
+            EXPECT_EQ(again.tools[i].self_centring, library.tools[i].self_centring);
+            EXPECT_NEAR(again.tools[i].lead_mm, library.tools[i].lead_mm, 1e-6);
             EXPECT_NEAR(again.tools[i].max_plunge_mm, library.tools[i].max_plunge_mm, 1e-6);
             EXPECT_EQ(again.tools[i].stick_out_range.has_value(),
                       library.tools[i].stick_out_range.has_value());

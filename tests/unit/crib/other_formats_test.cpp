@@ -253,8 +253,13 @@ TEST(ToolTable, NamesPlaceAndExpectationOfWhatIsWrong) {
               std::string::npos);
 }
 
-TEST(ToolTable, ReadsBackWhatWasWritten) {
-    const ToolLibrary library = readToolLibrary(test::sample("shop_with_forms_tools.json"));
+class ToolTableOf : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Samples, ToolTableOf,
+                         testing::Values("shop_with_forms_tools.json", "shop_for_holes_tools.json"));
+
+TEST_P(ToolTableOf, ReadsBackWhatWasWritten) {
+    const ToolLibrary library = readToolLibrary(test::sample(GetParam()));
     const ForeignLibrary again = table(linuxCncTable(library), "mm");
     ASSERT_EQ(again.tools.size(), library.tools.size());
     for (const ForeignTool& tool : again.tools) {

@@ -22,7 +22,7 @@ ToolAssembly drill(double diameter_mm) {
 
 TEST(DrillHole, PecksDownAndOut) {
     CuttingData cutting = cuttingData(0, 5);
-    const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(3), cutting, kMachine);
+    const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(2), cutting, kMachine);
     EXPECT_EQ(path.depths, 3);
     double lowest_rapid = 10;
     double deepest = 0;
@@ -45,6 +45,43 @@ TEST(DrillHole, PecksDownAndOut) {
     EXPECT_EQ(z, 10);
     EXPECT_NEAR(lowest_rapid, -7.5, 1e-12);
     EXPECT_NEAR(path.totals.cut_length_mm, 5 + 4.5 + 4.5, 1e-12);
+}
+
+TEST(DrillHole, BreaksTheChipsOfAHoleOfFourDiameters) {
+    const Toolpath path = drillHole({3, 4}, 0, -12, 10, drill(3), cuttingData(0, 5), kMachine);
+    EXPECT_EQ(path.depths, 3);
+    EXPECT_EQ(path.pattern, kChipBreakPattern);
+    double z = path.start.z();
+    int lifts = 0;
+    for (const Move& move : path.moves) {
+        if (z < 0 && move.to.z() > z && move.to.z() < 0) {
+            EXPECT_NEAR(move.to.z() - z, kChipBreakLiftMm, 1e-12);
+            EXPECT_EQ(move.kind, MoveKind::Rapid);
+            ++lifts;
+        }
+        z = move.to.z();
+    }
+    EXPECT_EQ(lifts, 2);
+    EXPECT_NEAR(path.totals.cut_length_mm, 13 + 2 * kChipBreakLiftMm, 1e-12);
+}
+
+TEST(SizeHoles, FeedDownAndUp) {
+    ToolAssembly reamer = flatEndMill(8);
+    reamer.type = ToolType::Reamer;
+    const Toolpath path = sizeHoles({{0, 0}, {10, 0}}, 0, -12, 10, reamer, cuttingData(0, 0), kMachine);
+    EXPECT_EQ(path.pattern, "ream");
+    double z = path.start.z();
+    double fed_mm = 0;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Rapid) {
+            EXPECT_GE(std::min(z, move.to.z()), 0) << "no rapid in the bore";
+        } else {
+            fed_mm += std::abs(move.to.z() - z);
+        }
+        z = move.to.z();
+    }
+    EXPECT_NEAR(fed_mm, 4 * 13, 1e-12);
+    EXPECT_EQ(z, 10);
 }
 
 TEST(DrillHole, PecksTwoDiametersWithoutAStepDown) {
