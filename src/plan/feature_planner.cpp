@@ -387,14 +387,27 @@ class FeaturePlanner {
                                       return sequenceInTime(holes, tools, feature, hasty);
                                   });
         if (sized.sequence) return sized.sequence;
-        FinishAllowance turned = shop_.request.sequence.finish;
-        if (entry.make == HoleMaking::Bore) turned.walls_mm = std::max(turned.walls_mm, kTurnedMm);
-        std::optional<ToolSequence> made = sequenceInTime(grown, library, feature, hasty, turned);
+        std::optional<ToolSequence> made = sequenceInTime(grown, library, feature, hasty);
         if (!made) return made;
-        const bool by_mill = std::any_of(made->steps.begin(), made->steps.end(),
-                                         [](const SequenceStep& step) { return step.role == Role::Finish; });
-        if (entry.make != HoleMaking::Bore || !by_mill) made->not_sized = std::move(sized.trouble);
+        if (entry.make == HoleMaking::Bore) {
+            std::optional<ToolSequence> turned = turnedInTime(grown, library, feature, hasty);
+            if (turned && residualVolumeMm3(*turned) <= residualVolumeMm3(*made) + kVolumeRoundingMm3)
+                return turned;
+        }
+        made->not_sized = std::move(sized.trouble);
         return made;
+    }
+
+    /// With a mill's turns along the walls at last; nothing where none takes them.
+    std::optional<ToolSequence> turnedInTime(Feature bores, const ToolLibrary& library,
+                                             const Feature& feature, char& hasty) const {
+        bores.drilled = DiameterRange{};  // a drill of their size would leave no wall to turn
+        FinishAllowance finish = shop_.request.sequence.finish;
+        finish.walls_mm = std::max(finish.walls_mm, kTurnedMm);
+        std::optional<ToolSequence> made = sequenceInTime(bores, library, feature, hasty, finish);
+        const auto turns = [](const SequenceStep& step) { return step.role == Role::Finish; };
+        const bool turned = made && std::any_of(made->steps.begin(), made->steps.end(), turns);
+        return turned ? std::move(made) : std::nullopt;
     }
 
     /// Of all tools, of a few where these take too long, or nothing where the few do too.

@@ -304,7 +304,8 @@ void proveFeeds(const ReadProgram& program, const ReadOperation& operation, cons
     // Cutting data without a feed down mean the cutting feed.
     const double sink_limit =
         planned.plunge_feed_mm_per_min > 0 ? planned.plunge_feed_mm_per_min : planned.feed_mm_per_min;
-    double feed_limit = std::max(planned.feed_mm_per_min, planned.tool.isForHoles() ? sink_limit : 0.0);
+    const bool only_sinks = planned.tool.isForHoles() && !planned.tool.isTap();
+    double feed_limit = std::max(planned.feed_mm_per_min, only_sinks ? sink_limit : 0.0);
     if (planned.rating) feed_limit *= kMostChipThinning;
     if (max_feed_mm_per_min > 0) feed_limit = std::min(feed_limit, max_feed_mm_per_min);
     Vec3 from = operation.start;
