@@ -23,6 +23,10 @@ using Json = nlohmann::json;
 /// What is planned, what stays and what is out of reach add up to the stock less the part [features.md].
 constexpr double kBooksShare = 1e-3;
 
+/// Processor time on top of every budget [s]: starting a process, with all its libraries, takes from a tenth of
+/// a second to most of one, as fast as the machine is and as busy with other tests. It says nothing of the part.
+constexpr double kStartS = 1.0;
+
 /// What a plan.json of a real part stays below, in bytes.
 constexpr std::uintmax_t kLargestPlan = 2'000'000;
 
@@ -96,7 +100,7 @@ TEST_P(PlanParts, EndsAsExpectedWithinItsBudget) {
                planned.run.exit_code, planned.run.cpu_s, expected.cpu_s, planned.run.seconds,
                planned.run.err);
     ASSERT_EQ(planned.run.exit_code, exitCodeOf(expected.outcome)) << planned.run.err;
-    EXPECT_LE(planned.run.cpu_s, expected.cpu_s);
+    EXPECT_LE(planned.run.cpu_s, expected.cpu_s + kStartS);
     if (expected.hasPlan()) return checkPlan(planned.folder);
     EXPECT_FALSE(planned.run.err.empty()) << "refused without a reason";
     EXPECT_FALSE(fs::exists(planned.folder)) << "a half-written plan";
