@@ -164,7 +164,7 @@ TEST(PlanSchema, RefusesAnUnknownRole) {
         errorsWith("/operations/0/role", "polish"),
         Lines{
             "#/operations/0/role: expected one of \"face\", \"rough\", \"rest\", \"surrogate\", \"cleanup\", "
-            "\"drill\", \"bore\", \"tap\", \"finish\", \"form\", found \"polish\""});
+            "\"drill\", \"bore\", \"tap\", \"spot\", \"ream\", \"finish\", \"form\", found \"polish\""});
 }
 
 TEST(PlanSchema, RefusesATransformOfTwelveNumbers) {

@@ -65,7 +65,7 @@ TEST(ReadTaps, WhatContradictsTheThreadIsRefused) {
     EXPECT_EQ(messageWith("cutting", {{{"material", "steel"}, {"feed", 480}, {"speed_rpm", 400}}}),
               "tools.json#/tools/0/cutting/0/feed: expected pitch x speed, 500, found 480");
     EXPECT_EQ(messageWith("point_angle_deg", 120),
-              "tools.json#/tools/0/point_angle_deg: expected on a drill alone");
+              "tools.json#/tools/0/point_angle_deg: expected on a drill or spot drill alone");
 }
 
 TEST(ReadTaps, OtherToolsHaveNoThread) {

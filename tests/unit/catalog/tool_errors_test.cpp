@@ -67,10 +67,9 @@ TEST(ToolErrors, TellAWrongType) {
 TEST(ToolErrors, TellTheAllowedWords) {
     EXPECT_EQ(messageWith("/unit", "cm"), "tools.json#/unit: expected one of \"mm\", \"inch\", found \"cm\"");
     EXPECT_EQ(messageWith("/format", 2), "tools.json#/format: expected 1, found 2");
-    EXPECT_EQ(messageWith("/tools/1/type", "reamer"),
+    EXPECT_EQ(messageWith("/tools/1/type", "broach"),
               "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", "
-              "\"chamfer\", \"tap\", found "
-              "\"reamer\"");
+              "\"chamfer\", \"tap\", \"spot\", \"reamer\", \"boring\", found \"broach\"");
 }
 
 TEST(ToolErrors, TellWhatAChamferMillMustSay) {
