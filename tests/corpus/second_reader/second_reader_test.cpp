@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "stepmill/record/plan_files.h"
+#include "stepmill/toolpath/toolpath.h"
 #include "support/expected_outcomes.h"
 #include "support/planned_parts.h"
 #include "support/second_reader.h"
@@ -23,14 +24,16 @@ constexpr double kPrintedMm = 1.01e-4;
 /// What rounding to the program's decimals does to a move's length.
 constexpr double kRoundedMoveMm = 2e-4;
 /// Cycles count pecks from the R plane: one peck more than planned, there and back, and rapids that stop
-/// elsewhere over the last peck.
+/// elsewhere over the last peck. Where chips are broken that peck is one more lift.
 double cycleMargin(const Json& planned) {
     const double pecks = planned.at("layers");
+    const double holes = planned.value("holes", 1);
+    if (planned.at("pattern") == kChipBreakPattern) return holes * (kChipBreakLiftMm + kPrintedMm);
     if (planned.at("pattern") != "drill" || pecks <= 1) return 0;
     constexpr double kOverHoleMm = 1;
     constexpr double kBeyondFloorMm = 6;  // a drill's point and a little, where it goes through
     const double depth = planned.at("z_top_mm").get<double>() - planned.at("z_floor_mm").get<double>();
-    return planned.value("holes", 1) * (2 * (depth + kOverHoleMm + kBeyondFloorMm) + pecks);
+    return holes * (2 * (depth + kOverHoleMm + kBeyondFloorMm) + pecks);
 }
 
 double lengthOf(const Vec3& from, const CanonMotion& motion) {
