@@ -29,7 +29,7 @@ Region withoutCrumbs(const Region& region, const Tolerances& tol) {
     if (wide.empty()) return {};
     // Two areas that should share a wall may leave a strip along it that hangs on to a true piece.
     Region kept;
-    for (const Region& piece : components(ClearanceDiagram(wide, tol).opening(tol.sliver_mm / 2)))
+    for (const Region& piece : components(ClearanceDiagram(wide, tol).withoutStrips(tol.sliver_mm)))
         if (area(piece) > tol.area_mm2) append(kept, piece);
     return kept;
 }

@@ -75,6 +75,11 @@ class ClearanceDiagram {
     /// the region.
     Region opening(double radius_mm) const;
 
+    /// The region without stretches narrower than `width_mm`, as two areas leave them that should share a
+    /// wall: cut off straight where they begin. Unlike in an opening corners of 12 degrees and more stay
+    /// sharp, so that nothing gets arcs no wider than a strip. Never outside the region.
+    Region withoutStrips(double width_mm) const;
+
     /// Centres a disc of radius `small` has left to visit after one of radius `large` has swept what it can:
     /// offset(-small) without the opening(large) shrunk by `small` [DSouza2006, Alg. 2, C = B_nn - B_mn].
     /// Exactly empty where the two openings are equal. \pre small <= large

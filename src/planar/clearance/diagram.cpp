@@ -1,5 +1,6 @@
 #include "stepmill/planar/clearance_diagram.h"
 
+#include <array>
 #include <map>
 #include <mutex>
 
@@ -131,25 +132,31 @@ struct ClearanceDiagram::Impl {
         return *offset;
     }
     std::optional<Region> shrink(double distance) const {
-        if (const auto level = clearance::levelAt(inside(), distance, Tie::Blocked)) {
-            Region rings = clearance::ringsOf(inside(), *level);
-            if (keepsDistance(inside(), rings, distance)) return rings;
-        }
+        if (auto rings = byLevels(inside(), distance)) return rings;
         return byBooleans(inside(), distance,
                           [&](const Region& band) { return subtract(region, band, tol); });
     }
     std::optional<Region> grow(double distance) const {
-        if (const auto level = clearance::levelAt(outside(), distance, Tie::Blocked)) {
-            const Region rings = clearance::ringsOf(outside(), *level);
-            if (keepsDistance(outside(), rings, distance)) return reversedLoops(rings);
-        }
+        if (const auto rings = byLevels(outside(), distance)) return reversedLoops(*rings);
         return byBooleans(outside(), distance, [&](const Region& band) { return unite(region, band, tol); });
     }
+    /// Lines that bridge what rounding has parted lie a little nearer than the rings between them; then a
+    /// ring a little farther off will do.
+    std::optional<Region> byLevels(const Profile& profile, double distance) const {
+        for (const double more : aside()) {
+            const auto level = clearance::levelAt(profile, distance + more, Tie::Blocked);
+            if (!level) continue;
+            Region rings = clearance::ringsOf(profile, *level);
+            if (keepsDistance(profile, rings, distance)) return rings;
+        }
+        return std::nullopt;
+    }
+    std::array<double, 3> aside() const { return {0.0, tol.linear_mm, 3 * tol.linear_mm}; }
     /// Booleans move curves that nearly coincide by their snapping distance, once or twice; then that is
     /// added.
     template <typename Combine>
     std::optional<Region> byBooleans(const Profile& profile, double distance, const Combine& combine) const {
-        for (const double more : {0.0, tol.linear_mm, 3 * tol.linear_mm}) {
+        for (const double more : aside()) {
             const Region rings = combine(bandOf(distance + more));
             if (keepsDistance(profile, rings, distance)) return rings;
         }
@@ -196,6 +203,15 @@ std::vector<Region> ClearanceDiagram::rings(double first_mm, double step_mm) con
 Region ClearanceDiagram::opening(double radius_mm) const {
     const double radius = snapToGrid(radius_mm);
     if (impl_->region.empty() || radius <= 0) return impl_->region;
+    return impl_->opened(radius).diagram.region();
+}
+
+Region ClearanceDiagram::withoutStrips(double width_mm) const {
+    const double radius = snapToGrid(width_mm / 2);
+    if (impl_->region.empty() || radius <= 0) return impl_->region;
+    if (const std::optional<Level>& level = impl_->passableBy(radius))
+        if (std::optional<Region> kept = clearance::withoutStrips(impl_->inside(), *level))
+            return *std::move(kept);
     return impl_->opened(radius).diagram.region();
 }
 

@@ -17,8 +17,10 @@ constexpr int kMostSteps = 1000;
 /// larger is tried: ten of them, up to 0.1 um [mm].
 constexpr double kFirstAsideMm = 5e-9;
 constexpr int kAttempts = 10;
-/// Ends and beginnings this far apart do not belong together [mm].
+/// Ends and beginnings farther apart than both do not belong together: a length [mm], and the angle by which
+/// rounding turns the ends of short edges, over the clearance [rad].
 constexpr double kPairMm = 0.1;
+constexpr double kPairRad = 3e-3;
 
 /// Has a vertex of the diagram this clearance?
 bool onVertex(const Profile& profile, double distance) {
@@ -118,7 +120,8 @@ void appendRuns(const Profile& profile, int loop, int first_site, int last_site,
 /// Pairs the end of each run with the beginning at the same disc.
 class Pairing {
   public:
-    explicit Pairing(Level& level) : runs_(level.runs), taken_(level.runs.size(), false) {
+    explicit Pairing(Level& level)
+        : runs_(level.runs), distance_(level.distance), taken_(level.runs.size(), false) {
         for (std::size_t i = 0; i < runs_.size(); ++i) {
             if (runs_[i].whole) continue;
             by_x_.push_back(i);
@@ -131,7 +134,7 @@ class Pairing {
     void pair() {
         // Those that name each other come first, then whatever lies nearest.
         for (const bool mutual : {true, false})
-            for (const double reach : {10 * kGridMm, 2e-4, 2e-3, kPairMm})
+            for (const double reach : {10 * kGridMm, 2e-4, 2e-3, kPairMm, kPairRad * distance_})
                 for (Run& run : runs_)
                     if (!run.whole && run.next == kNone) pairEnd(run, reach, mutual);
     }
@@ -161,6 +164,7 @@ class Pairing {
     }
 
     std::vector<Run>& runs_;
+    double distance_;
     std::vector<bool> taken_;
     std::vector<std::size_t> by_x_;
 };

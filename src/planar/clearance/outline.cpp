@@ -84,6 +84,31 @@ bool isOneDisc(const Profile& profile, const Level& level, const Run& run) {
     return profile.tree().distance(centre, level.distance) > level.distance - kNearerMm;
 }
 
+/// Corners that a disc does not reach into are no longer than this along both walls, in radii: those of 12
+/// degrees and more.
+constexpr double kCornerRadii = 20;
+/// Where the walls of a strip are nearly parallel, rounding moves the place at which a disc just fits by
+/// several of its radii; this many at most.
+constexpr double kStripEndRadii = 10;
+
+/// Length of the boundary from one place on to the other [mm]; no more than needed to tell that it is over
+/// `limit`.
+double lengthAlong(const std::vector<Site>& sites, const Place& from, const Place& to, double limit) {
+    if (sites[from.site].loop != sites[to.site].loop) return kNever;
+    const auto stretch = [&](int site, double u, double to_u) {
+        return (to_u - u) * (sites[site].round() ? sites[site].radius : 1);
+    };
+    double sum = 0, u = from.u;
+    int site = from.site;
+    while (site != to.site || to.u < u) {
+        sum += stretch(site, u, sites[site].extent);
+        if (sum > limit) return sum;
+        site = sites[site].next;
+        u = 0;
+    }
+    return sum + stretch(site, u, to.u);
+}
+
 /// Visits the runs ring by ring: calls back with the runs of one ring, in order.
 template <typename Callback>
 void forEachRing(const Level& level, const Callback& callback) {
@@ -156,6 +181,43 @@ Level withoutEmptyRings(const Profile& profile, const Level& level) {
     for (Run& run : kept.runs)
         run.next = number[run.next];
     return kept;
+}
+
+std::optional<Region> withoutStrips(const Profile& profile, const Level& level) {
+    const bool paired = std::all_of(level.runs.begin(), level.runs.end(), [&](const Run& run) {
+        const double apart_mm = run.whole ? 0 : (run.end.centre - level.runs[run.next].begin.centre).norm();
+        return apart_mm <= kStripEndRadii * level.distance;
+    });
+    if (!paired) return std::nullopt;
+    const BoundaryDrawer drawer(profile, 0);
+    const std::vector<int> first_sites = firstSites(profile);
+    const double corner_mm = kCornerRadii * level.distance;
+    Region region;
+    forEachRing(level, [&](const std::vector<int>& ring) {
+        LoopDrawer loop;
+        const Run& first = level.runs[ring.front()];
+        if (first.whole) {
+            drawer.drawAll(first_sites[first.loop], loop);
+            loop.closeInto(region);
+        } else {
+            loop.start(footOf(profile, first.begin));
+            for (const int i : ring) {
+                const Run& run = level.runs[i];
+                const Place& next = level.runs[run.next].begin;
+                drawer.draw(run.begin, run.end, loop);
+                if (lengthAlong(profile.sites(), run.end, next, corner_mm) <= corner_mm)
+                    drawer.draw(run.end, next, loop);
+                else
+                    loop.lineTo(footOf(profile, next), kNone);
+            }
+            // Of a piece no larger than a corner straight ends leave no shape.
+            Region piece;
+            loop.closeInto(piece);
+            if (!piece.empty() && boundingBox(piece).sizes().maxCoeff() > corner_mm)
+                region.loops.push_back(std::move(piece.loops.front()));
+        }
+    });
+    return region;
 }
 
 std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {

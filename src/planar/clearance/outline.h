@@ -10,6 +10,10 @@ Region ringsOf(const Profile& profile, const Level& level);
 /// The level without rings around nothing: rooms in which the disc just fits.
 Level withoutEmptyRings(const Profile& profile, const Level& level);
 
+/// The region without what is narrower than the level's discs: cut off straight, from wall to wall, where it
+/// begins. Corners stay as they are. Nothing where its walls see different discs.
+std::optional<Region> withoutStrips(const Profile& profile, const Level& level);
+
 /// The ground that discs of the level's radius sweep when they roll along the boundary: its loops are the
 /// runs and, between them, arcs of the discs.
 struct Swept {

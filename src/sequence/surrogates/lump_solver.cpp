@@ -10,6 +10,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/sequence/machine_limits.h"
 
 namespace stepmill {
@@ -78,7 +79,8 @@ std::vector<int> LumpSolver::partialSurrogates() const {
 }
 
 /// Mostly not even all tools together reach all, and no set has to be looked at.
-bool LumpSolver::anySetReachesAll() const {
+bool LumpSolver::anySetReachesAll() {
+    findWitnesses();
     std::vector<int> all(tools_.nodes().size());
     std::iota(all.begin(), all.end(), 0);
     bool found = false;
@@ -126,7 +128,38 @@ void LumpSolver::visitSets(const Visit& visit) const {
         extend(extend, size, 0);
 }
 
+/// Takes the middles of what each tool leaves. A set of tools that all leave a disc around such a place,
+/// wider than a strip, does not reach all, and its areas need not be united to know it.
+void LumpSolver::findWitnesses() {
+    witnesses_.clear();
+    std::vector<Region> left(tools_.nodes().size());
+    std::vector<std::vector<Vec2>> middles(left.size());
+    tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
+        left[i] = subtract(tools_.lump(), tools_.nodes()[i].cleared->coverable, tol());
+        for (const Region& part : components(left[i]))
+            if (const auto disc = ClearanceDiagram(part, tol()).largestInscribedDisc())
+                middles[i].push_back(disc->centre);
+    });
+    const auto reaches = [&](std::size_t node, const Vec2& at) {
+        return !contains(left[node], at) || distanceToBoundary(left[node], at) <= tol().sliver_mm;
+    };
+    for (const std::vector<Vec2>& places : middles)
+        for (const Vec2& at : places) {
+            std::vector<bool> reached(left.size());
+            for (std::size_t node = 0; node < left.size(); ++node)
+                reached[node] = reaches(node, at);
+            witnesses_.push_back(std::move(reached));
+        }
+}
+
+bool LumpSolver::reachAllWitnesses(const std::vector<int>& nodes) const {
+    return std::all_of(witnesses_.begin(), witnesses_.end(), [&](const std::vector<bool>& reached) {
+        return std::any_of(nodes.begin(), nodes.end(), [&](int node) { return reached[node]; });
+    });
+}
+
 bool LumpSolver::reachAllTogether(const std::vector<int>& nodes) const {
+    if (!reachAllWitnesses(nodes)) return false;
     std::vector<Region> areas;
     areas.reserve(nodes.size());
     for (const int node : nodes)

@@ -41,7 +41,9 @@ class LumpSolver {
     Region residualOfTheBest() const;
     template <typename Visit>
     void visitSets(const Visit& visit) const;
-    bool anySetReachesAll() const;
+    bool anySetReachesAll();
+    void findWitnesses();
+    bool reachAllWitnesses(const std::vector<int>& nodes) const;
     bool reachAllTogether(const std::vector<int>& nodes) const;
 
     double weight(const EdgeCost& cost) const;
@@ -59,6 +61,8 @@ class LumpSolver {
     std::vector<int> whole_;    ///< surrogates that reach all of the lump in the whole feature
     std::vector<int> partial_;  ///< the others
     std::size_t offered_ = 0;   ///< how many of whole_ were offered to the lump
+    /// Of some places in the lump: which nodes reach it. Filled before sets of tools are looked at.
+    std::vector<std::vector<bool>> witnesses_;
     bool servable_ = false;
     Region unserved_;
     std::vector<LumpWay> ways_;

@@ -20,6 +20,13 @@ double slackOf(const RandomRegion& which) {
     return 2 * kRoundingMm * perimeter(which.region);
 }
 
+std::size_t edges(const Region& region) {
+    std::size_t count = 0;
+    for (const Loop& loop : region.loops)
+        count += loop.segments.size();
+    return count;
+}
+
 TEST_P(OpeningLaws, LiesInsideAndShrinksAsTheCutterGrows) {
     forSeeds(150, [](const RandomRegion& which, Random& random) {
         const ClearanceDiagram diagram(which.region, kTol);
@@ -41,6 +48,21 @@ TEST_P(OpeningLaws, LiesInsideAndShrinksAsTheCutterGrows) {
                     EXPECT_GT(signedClearance(which.region, p), -kRoundingMm) << p.transpose();
                 }
             }
+        }
+    });
+}
+
+TEST_P(OpeningLaws, WithoutStripsIsARegionBetweenTheOpeningAndTheWhole) {
+    forSeeds(150, [](const RandomRegion& which, Random&) {
+        const ClearanceDiagram diagram(which.region, kTol);
+        for (const double width : {kTol.sliver_mm, 10 * kTol.sliver_mm}) {
+            SCOPED_TRACE(fmt::format("strips of {}", width));
+            const Region kept = diagram.withoutStrips(width);
+            EXPECT_EQ(diagnose(kept), std::nullopt);
+            EXPECT_LE(area(kept), area(which.region) + slackOf(which));
+            // Straight ends take what the discs there would keep, half of one each at most.
+            const double ends_mm2 = static_cast<double>(edges(kept)) * width * width;
+            EXPECT_GE(area(kept), diagram.accessibleArea(width / 2) - slackOf(which) - ends_mm2);
         }
     });
 }

@@ -44,6 +44,43 @@ TEST(ClearanceOpening, OpeningWithSmallerOrEqualCutterGivesTheRegionBack) {
     expectArea(diagram.opening(8), area(region) - left_in_corners);
 }
 
+constexpr double kStripMm = 2e-3;
+
+TEST(ClearanceStrips, ARegionWithoutAnyIsTheSameToTheVertex) {
+    const Region region = pocketWithIsland();
+    EXPECT_EQ(toText(ClearanceDiagram(region, kTol).withoutStrips(kStripMm)), toText(region));
+}
+
+TEST(ClearanceStrips, AreCutStraightAtTheWallTheyHangOn) {
+    const double thin = 0.7 * kStripMm;
+    const Region flag =
+        makePolygon({{0, 0}, {10, 0}, {10, 5 - thin}, {30, 5 - thin}, {30, 5}, {10, 5}, {0, 5}});
+    const Region kept = ClearanceDiagram(flag, kTol).withoutStrips(kStripMm);
+    EXPECT_EQ(arcCount(kept), 0) << "an opening would round the corners";
+    EXPECT_NEAR(boundingBox(kept).max().x(), 10, kStripMm);
+    EXPECT_NEAR(area(kept), 50, 10 * kStripMm);
+    EXPECT_LE(area(subtract(kept, flag, kTol)), 1e-6);
+}
+
+TEST(ClearanceStrips, BetweenTwoPiecesPartThem) {
+    const double thin = 0.7 * kStripMm;
+    const Region dumbbell = makePolygon({{0, 0},
+                                         {10, 0},
+                                         {10, 5},
+                                         {20, 5},
+                                         {20, 0},
+                                         {30, 0},
+                                         {30, 10},
+                                         {20, 10},
+                                         {20, 5 + thin},
+                                         {10, 5 + thin},
+                                         {10, 10},
+                                         {0, 10}});
+    const Region kept = ClearanceDiagram(dumbbell, kTol).withoutStrips(kStripMm);
+    EXPECT_EQ(components(kept).size(), 2u);
+    EXPECT_NEAR(area(kept), 200, 10 * kStripMm);
+}
+
 TEST(ClearanceOpening, DiscsOnBothSidesOfANeckUnite) {
     const std::vector<Vec2> hourglass{{-10, -10}, {0, -1}, {10, -10}, {10, 10}, {0, 1}, {-10, 10}};
     const ClearanceDiagram diagram(makePolygon(hourglass), kTol);
