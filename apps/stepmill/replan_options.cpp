@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 /// Looks for the files that a job was made from: it names them without their folders.
 class JobFiles {
   public:
-    JobFiles(const ReplanOptions& options)
+    explicit JobFiles(const ReplanOptions& options)
         : job_(options.job), max_bytes_(options.plan.limits.maxFileBytes()) {
         const fs::path job = fs::absolute(job_).lexically_normal();
         folders_ = {fs::path("."), job, (job / "..").lexically_normal()};

@@ -1,6 +1,7 @@
 // Two plans side by side, by what plan.json and programs say.
 
 #include <algorithm>
+#include <set>
 
 #include "replan/compare_inputs.h"
 #include "replan/operation_lines.h"
@@ -131,10 +132,10 @@ std::vector<ChangeCause> causesOf(const NamedBands& before, const NamedBands& af
     const auto add = [&](bool same, ChangeCause cause) {
         if (!same) causes.push_back(cause);
     };
-    add(sameBands(
-            before, after,
-            [&](const Feature& a, const Feature& b) { return feature::sameRegion(a.target, b.target, tol); }),
-        ChangeCause::Ground);
+    const bool same_ground = sameBands(before, after, [&](const Feature& a, const Feature& b) {
+        return feature::sameRegion(a.target, b.target, tol);
+    });
+    add(same_ground, ChangeCause::Ground);
     add(change.before->top_z_mm == change.after->top_z_mm &&
             change.before->floor_z_mm == change.after->floor_z_mm,
         ChangeCause::Depth);
@@ -145,8 +146,9 @@ std::vector<ChangeCause> causesOf(const NamedBands& before, const NamedBands& af
         std::all_of(operations.begin(), operations.end(), [&](const OperationChange& operation) {
             return operation.feature_id != change.id || operation.change == Change::Kept;
         });
-    // What stands around a feature matters where its operations are others for it.
-    if (!same_tools || !same_lines)
+    // What stands around a feature matters where its operations are others for it; around other ground
+    // always something else does.
+    if (same_ground && (!same_tools || !same_lines))
         add(sameBands(before, after,
                       [&](const Feature& a, const Feature& b) {
                           return feature::sameRegion(a.obstruction, b.obstruction, tol) &&
@@ -216,23 +218,42 @@ class PlanComparison {
     Tolerances tol_;
 };
 
+/// Programs that are not written since the machine does not travel so far have no lines to compare: their
+/// operations are others where their features or times are.
+void compareWithoutLines(PlanChange& change) {
+    std::set<std::string> changed;
+    for (const FeatureChange& feature : change.features)
+        if (feature.change == Change::Changed) changed.insert(feature.id);
+    for (OperationChange& operation : change.operations) {
+        if (operation.change != Change::Kept || !operation.after->lines.empty()) continue;
+        if (changed.count(operation.feature_id) > 0 || operation.before->time_s != operation.after->time_s)
+            operation.change = Change::Changed;
+    }
+}
+
 int countLines(const std::string& text) {
     return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
-ProgramChange programChange(const std::string& setup_id, const PlanFiles& before, const PlanFiles& after,
-                            const std::vector<OperationChange>& operations) {
+/// The programs of a setup that are written; empty for none.
+std::vector<PostedProgram> programsOf(const RecordedPlan& plan, const std::string& setup_id) {
+    for (const RecordedSetup& setup : plan.record.setups)
+        if (setup.id == setup_id && setup.within_travel) return plan.files.programs.at(setup_id);
+    return {};
+}
+
+ProgramChange programChange(const std::string& setup_id, const RecordedPlan& before,
+                            const RecordedPlan& after, const std::vector<OperationChange>& operations) {
     ProgramChange change;
     change.setup_id = setup_id;
     std::string texts[2];
     bool there[2]{};
     int lines[2]{};
-    const PlanFiles* plans[] = {&before, &after};
+    const RecordedPlan* plans[] = {&before, &after};
     for (int side = 0; side < 2; ++side) {
-        const auto found = plans[side]->programs.find(setup_id);
-        if (found == plans[side]->programs.end()) continue;
-        there[side] = !found->second.empty();
-        for (const PostedProgram& program : found->second) {
+        const std::vector<PostedProgram> programs = programsOf(*plans[side], setup_id);
+        there[side] = !programs.empty();
+        for (const PostedProgram& program : programs) {
             texts[side] += program.file + "\n" + program.text;
             lines[side] += countLines(program.text);
         }
@@ -291,8 +312,9 @@ PlanChange comparePlans(const RecordedPlan& before, const RecordedPlan& after, c
         comparison.compare(&setup, nullptr);
         ids.push_back(setup.setup->id);
     }
+    compareWithoutLines(change);
     for (const std::string& id : ids)
-        change.programs.push_back(programChange(id, before.files, after.files, change.operations));
+        change.programs.push_back(programChange(id, before, after, change.operations));
     return change;
 }
 

@@ -22,6 +22,16 @@ std::vector<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
+/// After a tool change a program names the place where the machine stands: that is where the operation before
+/// ended, and no way of this one.
+void leaveOutPlaceOfChange(std::vector<std::string>& operation) {
+    const auto change = std::find_if(operation.begin(), operation.end(),
+                                     [](const std::string& line) { return line.ends_with(" M6"); });
+    const auto rapid = std::find_if(change, operation.end(),
+                                    [](const std::string& line) { return line.starts_with("G0 "); });
+    if (rapid != operation.end() && rapid->starts_with("G0 X")) operation.erase(rapid);
+}
+
 /// From each operation's comment to the next one's.
 void addOperations(const std::string& text, const ReadProgram& program, LinesById& operations) {
     const std::vector<std::string> lines = linesOf(text);
@@ -29,8 +39,10 @@ void addOperations(const std::string& text, const ReadProgram& program, LinesByI
         const bool last = i + 1 == program.operations.size();
         const auto begin = lines.begin() + (program.operations[i].line - 1);
         const auto end = last ? lines.end() : lines.begin() + (program.operations[i + 1].line - 1);
-        std::vector<std::string>& own = operations[program.operations[i].id];
-        own.insert(own.end(), begin, end);
+        std::vector<std::string> own(begin, end);
+        if (i > 0) leaveOutPlaceOfChange(own);
+        std::vector<std::string>& all = operations[program.operations[i].id];
+        all.insert(all.end(), own.begin(), own.end());
     }
 }
 

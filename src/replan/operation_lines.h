@@ -8,7 +8,8 @@
 
 namespace stepmill::replan {
 
-/// The lines of each operation by its id, without block numbers: those count on over the whole program.
+/// The lines of each operation by its id, without block numbers, which count on over the whole program, and
+/// without where it stands when its tool is changed, which the operation before tells.
 using LinesById = std::map<std::string, std::vector<std::string>>;
 
 /// \throws what readPrograms does

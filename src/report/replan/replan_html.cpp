@@ -27,18 +27,15 @@ Element changeTotals(const PlanChange& change) {
               report::differenceWords(change.before.cost, change.after.cost, 2, ""));
     table.row("tool changes", std::to_string(change.before.tool_changes),
               std::to_string(change.after.tool_changes),
-              fmt::format("{:+}", change.after.tool_changes - change.before.tool_changes));
+              report::differenceWords(change.before.tool_changes, change.after.tool_changes, 0, ""));
     return std::move(table).element();
 }
 
 Element programsTable(const PlanChange& change) {
     Table table({"setup", "program", numbers("lines before"), numbers("lines after"), numbers("lines kept")});
     for (const ProgramChange& program : change.programs)
-        table.row(
-            program.setup_id,
-            program.same_bytes ? toString(program.change) + ", the same bytes" : toString(program.change),
-            std::to_string(program.lines_before), std::to_string(program.lines_after),
-            std::to_string(program.lines_kept));
+        table.row(program.setup_id, report::programWords(program), std::to_string(program.lines_before),
+                  std::to_string(program.lines_after), std::to_string(program.lines_kept));
     return std::move(table).element();
 }
 

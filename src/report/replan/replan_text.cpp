@@ -41,15 +41,15 @@ std::string operationText(const OperationChange& change) {
         fmt::format("{:<10} {:<8} {} {} T{} {}, {}", change.id, toString(change.change), change.feature_id,
                     toString(change.role), then.number, then.tool, clockTime(then.time_s));
     if (change.before && change.after && change.change == Change::Changed)
-        words += fmt::format(", was {}; {} of {} lines kept", clockTime(change.before->time_s),
-                             change.lines_kept, change.before->lines.size());
+        words += fmt::format(", was {}", clockTime(change.before->time_s));
+    if (change.lines_kept > 0 && change.change == Change::Changed)
+        words += fmt::format("; {} of {} lines kept", change.lines_kept, change.before->lines.size());
     return words + "\n";
 }
 
 std::string programText(const ProgramChange& change) {
-    return fmt::format("{} {}: {} lines, {} kept of {}{}\n", change.setup_id, toString(change.change),
-                       change.lines_after, change.lines_kept, change.lines_before,
-                       change.same_bytes ? ", the same bytes" : "");
+    return fmt::format("{} {}: {} lines, {} kept of {}\n", change.setup_id, report::programWords(change),
+                       change.lines_after, change.lines_kept, change.lines_before);
 }
 
 }  // namespace

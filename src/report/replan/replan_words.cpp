@@ -1,18 +1,24 @@
 #include "report/replan/replan_words.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "report/page/words.h"
 
 namespace stepmill::report {
 namespace {
 
+/// Less ground is not told: from above it may be the same.
+constexpr double kShownMm2 = 0.005;
+
 std::string causeWords(ChangeCause cause, const FeatureChange& change) {
     const FeatureThen& before = *change.before;
     const FeatureThen& after = *change.after;
     switch (cause) {
         case ChangeCause::Ground:
+            if (std::max(change.more_mm2, change.less_mm2) < kShownMm2) return "other ground at some depth";
             return fmt::format("{:.2f} mm2 more and {:.2f} mm2 less ground", change.more_mm2,
                                change.less_mm2);
         case ChangeCause::Depth:
@@ -59,8 +65,16 @@ std::string featureWords(const std::optional<FeatureThen>& feature) {
                        feature->tools.empty() ? "none" : listed(feature->tools));
 }
 
+std::string programWords(const ProgramChange& change) {
+    const std::string word = toString(change.change);
+    if (change.lines_before + change.lines_after == 0) return word + ", no program is written";
+    return change.same_bytes ? word + ", the same bytes" : word;
+}
+
 std::string differenceWords(double before, double after, int decimals, const std::string& unit) {
-    return fmt::format("{:+.{}f} {}", after - before, decimals, unit);
+    const double least = 0.5 * std::pow(10, -decimals);
+    if (std::abs(after - before) < least) return "the same";
+    return fmt::format("{:+.{}f}{}{}", after - before, decimals, unit.empty() ? "" : " ", unit);
 }
 
 }  // namespace stepmill::report

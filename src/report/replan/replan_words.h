@@ -31,7 +31,10 @@ std::string changeWords(const FeatureChange& change);
 /// "through hole by DR5, EM4L"; "-" for nothing.
 std::string featureWords(const std::optional<FeatureThen>& feature);
 
-/// "+12.0 s" or "-0.40".
+/// "kept, the same bytes".
+std::string programWords(const ProgramChange& change);
+
+/// "+12.0 s", "-0.40" or "the same".
 std::string differenceWords(double before, double after, int decimals, const std::string& unit);
 
 }  // namespace stepmill::report
