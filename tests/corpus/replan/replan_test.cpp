@@ -16,6 +16,7 @@
 #include "sample_parts.h"
 #include "solids.h"
 #include "stepmill/core/file.h"
+#include "support/page_check.h"
 #include "support/run_program.h"
 
 namespace stepmill::test {
@@ -324,6 +325,32 @@ TEST_F(Replan, FindsThePartBesideTheJobAndTakesAnotherMaterial) {
     EXPECT_FALSE(fs::exists(path("job-replan")));
 }
 
+TEST_F(Replan, TellsOperationsByFeaturesAndTimesWhereNoProgramIsWritten) {
+    std::string machine = readFile(fs::path(STEPMILL_SOURCE_DIR) / "samples/machine_vmc.json");
+    const std::string travel = "[760, 410, 510]";
+    const auto place = machine.find(travel);
+    ASSERT_NE(place, std::string::npos);
+    machine.replace(place, travel.size(), "[40, 40, 510]");
+    writeFile(path("short.json"), machine);
+    plan({}, {"--machine", path("short.json")});
+    ASSERT_FALSE(fs::exists(path("job") + "/S1.ngc"));
+    const std::string revised = part("b", {.hole_x_mm = 60});
+    const ProgramRun run = stepmill({"replan", path("job"), "--part", revised, "--diff", "--json"});
+    ASSERT_LE(run.exit_code, 1) << run.err;
+    const Json change = Json::parse(run.out);
+    const std::map<std::string, Json> features = byId(change["features"]);
+    for (const Json& operation : change["operations"]) {
+        const bool same = features.at(operation["feature"])["change"] == "kept" &&
+                          operation["before"]["time_s"] == operation["after"]["time_s"];
+        EXPECT_EQ(operation["change"], same ? "kept" : "changed") << operation["id"];
+    }
+    EXPECT_GE(idsOf(change["operations"], "changed").size(), 1U);
+    EXPECT_GE(idsOf(change["operations"], "kept").size(), 1U);
+    ASSERT_EQ(change["programs"].size(), 1U);
+    EXPECT_EQ(change["programs"][0]["change"], "changed");
+    EXPECT_EQ(change["programs"][0]["lines_after"], 0);
+}
+
 TEST_F(Replan, PrintsTheDifferenceAndWritesNothing) {
     plan();
     const ProgramRun run =
@@ -340,7 +367,9 @@ TEST_F(Replan, ReplacesTheJobItselfWhereAsked) {
     const ProgramRun run = stepmill(
         {"replan", path("job"), "--part", part("b", {.hole_x_mm = 60}), "-o", path("job"), "--no-viewer"});
     ASSERT_LE(run.exit_code, 1) << run.err;
-    EXPECT_TRUE(fs::exists(path("job") + "/replan.html"));
+    const std::string page = readFile(path("job") + "/replan.html");
+    expectSoundPage(page, "replan.html");
+    EXPECT_NE(page.find("Planned again: plate.step"), std::string::npos);
     EXPECT_LE(stepmill({"verify", path("job")}).exit_code, 1);
 }
 
