@@ -19,6 +19,7 @@ inline constexpr ExitCode kUnproven = kBadInput;
 /// Each adds one subcommand; what it does runs from CLI11's callback and sets `exit_code`.
 void addPlanCommand(CLI::App& app, int& exit_code);
 void addRoughCommand(CLI::App& app, int& exit_code);
+void addReplanCommand(CLI::App& app, int& exit_code);
 void addInspectCommand(CLI::App& app, int& exit_code);
 void addBatchCommand(CLI::App& app, int& exit_code);
 void addQuoteCommand(CLI::App& app, int& exit_code);

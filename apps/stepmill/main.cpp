@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
     int exit_code = stepmill::kComplete;
     stepmill::addPlanCommand(app, exit_code);
     stepmill::addRoughCommand(app, exit_code);
+    stepmill::addReplanCommand(app, exit_code);
     stepmill::addBatchCommand(app, exit_code);
     stepmill::addQuoteCommand(app, exit_code);
     stepmill::addInspectCommand(app, exit_code);

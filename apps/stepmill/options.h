@@ -40,7 +40,7 @@ struct PlanOptions {
     bool rough = false;                        ///< roughing alone
     double allowance_mm = 0.5;                 ///< of roughing
     std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
-    double scallop_mm = 0.02;
+    double scallop_mm = kUsualScallopMm;
     std::string solid;     ///< empty: the only one; a number; "all"
     std::string unit;      ///< empty: as the file says
     DrawingWords drawing;  ///< of a part that is drawn

@@ -24,11 +24,22 @@ bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol
     return !plan.complete(tol) || doubtful || (options.strict && !plan.warnings.empty());
 }
 
-/// Books that do not close and proofs that fail are bugs of ours: warnings and proofs say where.
+}  // namespace
+
 int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Tolerances& tol) {
     if (!proven.mayRun()) return kBug;
     return hasGaps(proven.plan, options, tol) ? kGaps : kComplete;
 }
+
+void tellFailures(const Verification& verification) {
+    for (const ProofFailure& failure : verification.failures) {
+        const std::string operation = failure.operation.empty() ? "" : failure.operation + " of ";
+        const std::string line = failure.line > 0 ? fmt::format(", line {}", failure.line) : "";
+        tell("no program is written: {}{}{}: {}", operation, failure.file, line, failure.text);
+    }
+}
+
+namespace {
 
 /// A job's folder as a path from where the user is: below --output, not below where a link there leads.
 fs::path asGiven(const JobFolder& folder, const PlanOptions& options) {
@@ -45,14 +56,6 @@ SheetOptions sheetOptions(const PlanOptions& options) {
         sheets.job = readJobDetails(options.job_file, options.limits.maxFileBytes());
     sheets.inch = options.display == "inch";
     return sheets;
-}
-
-void tellFailures(const Verification& verification) {
-    for (const ProofFailure& failure : verification.failures) {
-        const std::string operation = failure.operation.empty() ? "" : failure.operation + " of ";
-        const std::string line = failure.line > 0 ? fmt::format(", line {}", failure.line) : "";
-        tell("no program is written: {}{}{}: {}", operation, failure.file, line, failure.text);
-    }
 }
 
 /// What the tools of --buy are worth to a plan; empty without them.

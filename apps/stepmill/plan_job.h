@@ -34,6 +34,13 @@ struct PlanListener {
         planned;
 };
 
+/// The exit code that a plan asks for. Books that do not close and proofs that fail are bugs of ours:
+/// warnings and proofs say where.
+int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Tolerances& tol);
+
+/// Says which proofs failed, so that no program is written.
+void tellFailures(const Verification& verification);
+
 /// Plans, proves and writes the parts of the file that were asked for into the workplace's folder; prints
 /// what came of it. Returns the exit code. \throws Error as the stages do
 int planFile(const PlanOptions& options, Workplace& place, const PlanListener& listener = {});

@@ -19,6 +19,7 @@ extern const std::string_view kQuoteSchema;
 extern const std::string_view kJobSchema;
 extern const std::string_view kMaterialsSchema;
 extern const std::string_view kCuttingDataSchema;
+extern const std::string_view kReplanSchema;
 extern const std::string_view kDefaultTools;
 extern const std::string_view kDefaultMachine;
 extern const std::string_view kDefaultMaterials;

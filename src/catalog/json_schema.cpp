@@ -84,7 +84,8 @@ constexpr NamedSchema kSchemas[] = {
     {SchemaName::Quote, "quote", 1, embedded::kQuoteSchema},
     {SchemaName::Job, "job", 1, embedded::kJobSchema},
     {SchemaName::Materials, "materials", 1, embedded::kMaterialsSchema},
-    {SchemaName::CuttingData, "cutting-data", 1, embedded::kCuttingDataSchema}};
+    {SchemaName::CuttingData, "cutting-data", 1, embedded::kCuttingDataSchema},
+    {SchemaName::Replan, "replan", 1, embedded::kReplanSchema}};
 
 const NamedSchema& schemaOf(SchemaName name) {
     for (const NamedSchema& schema : kSchemas)

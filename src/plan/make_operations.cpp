@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/earlier_operations.h"
 #include "plan/early_starts.h"
 #include "plan/order_operations.h"
 #include "stepmill/plan/grown_feature.h"
@@ -107,6 +108,20 @@ void letStartEarly(const PlannedSetup& setup, std::size_t first, const Operation
     }
 }
 
+/// Where the operations stood in the plan before; empty without one.
+EarlierPlaces placesBefore(const std::vector<Operation>& operations, const std::vector<std::size_t>& setup_of,
+                           const std::vector<PlannedSetup>& setups,
+                           const std::vector<EarlierSetup>& earlier) {
+    if (earlier.empty()) return {};
+    std::vector<EarlierOperations> before;
+    for (const PlannedSetup& setup : setups)
+        before.emplace_back(setup, earlier);
+    EarlierPlaces places;
+    for (std::size_t i = 0; i < operations.size(); ++i)
+        places.push_back(before[setup_of[i]].find(operations[i]));
+    return places;
+}
+
 }  // namespace
 
 std::string operationId(const std::string& setup_id, std::size_t number) {
@@ -131,13 +146,17 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
     }
     for (std::size_t s = 0; s < setups.size(); ++s)
         letStartEarly(setups[s], first_of_setup[s], settings, operations);
-    const ShortestOrder shortest = shortestOrder(operations, inSetupOrder(setups));
+    const ShortestOrder shortest = shortestOrder(
+        operations, inSetupOrder(setups), placesBefore(operations, setup_of, setups, settings.earlier));
+    std::vector<EarlierOperations> before;
+    for (const PlannedSetup& setup : setups)
+        before.emplace_back(setup, settings.earlier);
     for (std::size_t s = 0; s < setups.size(); ++s)
         if (s < shortest.weighed.size()) setups[s].orders = shortest.weighed[s];
     for (const int index : shortest.order) {
         PlannedSetup& setup = setups[setup_of[index]];
         setup.operations.push_back(std::move(operations[index]));
-        setup.operations.back().id = operationId(setup.setup.id, setup.operations.size());
+        setup.operations.back().id = before[setup_of[index]].idOf(setup.operations.back());
     }
     for (PlannedSetup& setup : setups)
         linkOperations(setup.operations, settings.machine);

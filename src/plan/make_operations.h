@@ -12,12 +12,13 @@ struct OperationSettings {
     const ToolLibrary& library;
     const Machine& machine;
     const std::string& material;
+    const std::vector<EarlierSetup>& earlier;  ///< PlanRequest::earlier
     const Cautions& cautions;  ///< features whose mills get plain rapids, and whose bands wait for each other
     const Tolerances& tol;
 };
 
-/// The setups with the steps of all features as operations, in machining order and numbered in it. The steps'
-/// paths move there.
+/// The setups with the steps of all features as operations, in machining order and numbered in it; those of
+/// an earlier plan keep their ids. The steps' paths move there.
 std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups, const OperationSettings& settings);
 
 /// "S1.O3": numbered in machining order from 1 on.

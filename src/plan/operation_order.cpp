@@ -7,7 +7,8 @@ namespace {
 
 constexpr EnumWord<OrderRule> kOrderRules[] = {{OrderRule::Nearest, "nearest next"},
                                                {OrderRule::Branches, "branch by branch"},
-                                               {OrderRule::Levels, "level by level"}};
+                                               {OrderRule::Levels, "level by level"},
+                                               {OrderRule::Earlier, "as before"}};
 
 }  // namespace
 

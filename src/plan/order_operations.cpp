@@ -302,6 +302,94 @@ std::vector<int> inOrderOf(const std::vector<int>& tools, const Problem& problem
     return order;
 }
 
+/// The order of an earlier plan for what is still there, with what is new put in.
+class OrderAsBefore {
+  public:
+    /// \param otherwise  the order of a plan made anew
+    OrderAsBefore(const Problem& problem, const EarlierPlaces& places, const std::vector<int>& otherwise)
+        : problem_(problem), places_(places), position_(otherwise.size()) {
+        for (std::size_t i = 0; i < otherwise.size(); ++i)
+            position_[otherwise[i]] = static_cast<int>(i);
+    }
+
+    std::vector<int> order() {
+        done_.assign(problem_.queue.size(), 0);
+        std::vector<int> order;
+        while (order.size() < problem_.tool.size()) {
+            const int last_tool = order.empty() ? -1 : problem_.tool[order.back()];
+            order.push_back(next(last_tool));
+            ++done_[problem_.feature[order.back()]];
+        }
+        return order;
+    }
+
+  private:
+    int setupOf(int operation) const { return problem_.setup[problem_.feature[operation]]; }
+
+    bool isEarlier(int one, int than) const {
+        if (setupOf(one) != setupOf(than)) return setupOf(one) < setupOf(than);
+        const auto place = [&](int operation) {
+            return std::pair(places_[operation].value_or(places_.size()), position_[operation]);
+        };
+        return place(one) < place(than);
+    }
+
+    /// The first that the earlier plan did and that is not done yet, may it run or not; -1 for none.
+    int nextOfBefore(int setup) const {
+        int first = -1;
+        for (std::size_t f = 0; f < problem_.queue.size(); ++f)
+            for (std::size_t i = done_[f]; i < problem_.queue[f].size(); ++i) {
+                const int operation = problem_.queue[f][i];
+                if (problem_.setup[f] == setup && places_[operation] &&
+                    (first < 0 || isEarlier(operation, first)))
+                    first = operation;
+            }
+        return first;
+    }
+
+    int next(int last_tool) const {
+        std::vector<int> ready;
+        for (std::size_t f = 0; f < problem_.queue.size(); ++f)
+            if (const int one = nextOperation(problem_, done_, static_cast<int>(f)); one >= 0)
+                ready.push_back(one);
+        STEPMILL_CHECK(!ready.empty(), "features do not wait for each other in a circle");
+        std::sort(ready.begin(), ready.end(), [this](int a, int b) { return isEarlier(a, b); });
+        const int before = nextOfBefore(setupOf(ready.front()));
+        const bool may_run = before >= 0 && ready.front() == before;
+        if (may_run && problem_.tool[before] == last_tool) return before;
+        const auto is_new = [&](int one) { return !places_[one] && setupOf(one) == setupOf(ready.front()); };
+        for (const int one : ready)
+            if (is_new(one) && problem_.tool[one] == last_tool) return one;
+        if (may_run) return before;
+        const auto fresh = std::find_if(ready.begin(), ready.end(), is_new);
+        return fresh != ready.end() ? *fresh : ready.front();
+    }
+
+    const Problem& problem_;
+    const EarlierPlaces& places_;
+    std::vector<int> position_;
+    std::vector<int> done_;  ///< of each feature
+};
+
+/// Puts the earlier plan's order in place of one that was found, in each setup that has operations of it.
+void keepOrder(const std::vector<Operation>& operations, const Problem& problem, const EarlierPlaces& places,
+               std::vector<std::vector<WeighedOrder>>& weighed, std::vector<std::vector<int>>& taken) {
+    std::vector<int> otherwise;
+    for (const std::vector<int>& of_setup : taken)
+        otherwise.insert(otherwise.end(), of_setup.begin(), of_setup.end());
+    std::vector<std::vector<int>> kept(taken.size());
+    for (const int operation : OrderAsBefore(problem, places, otherwise).order())
+        kept[problem.setup[problem.feature[operation]]].push_back(operation);
+    for (std::size_t setup = 0; setup < taken.size(); ++setup) {
+        const bool any = std::any_of(taken[setup].begin(), taken[setup].end(),
+                                     [&](int operation) { return places[operation].has_value(); });
+        if (!any || kept[setup] == taken[setup]) continue;
+        weighed[setup].insert(weighed[setup].begin(),
+                              {OrderRule::Earlier, travelMm(operations, kept[setup])});
+        taken[setup] = kept[setup];
+    }
+}
+
 }  // namespace
 
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
@@ -311,8 +399,8 @@ std::vector<int> orderOperations(const std::vector<Operation>& operations,
                      NextOperation(operations, problem, features, rule));
 }
 
-ShortestOrder shortestOrder(const std::vector<Operation>& operations,
-                            const std::vector<Precedence>& features) {
+ShortestOrder shortestOrder(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
+                            const EarlierPlaces& places) {
     std::map<std::string, int> setup_of;
     int setups = 0;
     for (const Precedence& feature : features) {
@@ -337,6 +425,7 @@ ShortestOrder shortestOrder(const std::vector<Operation>& operations,
             if (better) taken[setup] = std::move(by_setup[setup]);
         }
     }
+    if (!places.empty()) keepOrder(operations, problem, places, shortest.weighed, taken);
     for (const std::vector<int>& of_setup : taken)
         shortest.order.insert(shortest.order.end(), of_setup.begin(), of_setup.end());
     return shortest;

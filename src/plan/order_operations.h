@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,14 @@ struct ShortestOrder {
     std::vector<std::vector<WeighedOrder>> weighed;  ///< by setup; the one taken first
 };
 
+/// Of each operation its place in an earlier plan's order of its setup; nothing for new ones.
+using EarlierPlaces = std::vector<std::optional<std::size_t>>;
+
 /// The same by every rule, each setup by the one with the least travel; of equals the first in OrderRule.
-ShortestOrder shortestOrder(const std::vector<Operation>& operations,
-                            const std::vector<Precedence>& features);
+/// Setups with operations of an earlier plan keep its order instead: what is new comes where its tool is
+/// called anyway, else where others wait for it, else last.
+/// \param places  of all operations; empty: there is no earlier plan
+ShortestOrder shortestOrder(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
+                            const EarlierPlaces& places = {});
 
 }  // namespace stepmill

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "plan/cutting_feeds.h"
+#include "plan/earlier_operations.h"
 #include "plan/feature_planner.h"
 #include "plan/form_finishing.h"
 #include "plan/make_operations.h"
@@ -159,9 +160,14 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
         if (const auto& leaves = shop.request.roughing)
             stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
                                          shop.request.sequence.material, shop.tol);
+        FeatureNames names;
+        if (const EarlierSetup* before = earlierOf(stage->setup, shop.request.earlier))
+            names = namesFrom(*before, stage->found, shop.tol);
+        stage->found = renamed(std::move(stage->found), names);
         PlannedStage planned = planStage(*stage, shop, SetupProgress(progress, stages.size(), setups.size()));
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
+        planned.setup.names = std::move(names);
         planned.stock = walk.cut(*stage, planned.removed);
         planned.left = walk.left();
         planned.layers = std::move(stage->layers);
@@ -218,8 +224,9 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
         if (!finishing) continue;
         setup.form = std::move(finishing->ground);
         at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
+        EarlierOperations before(setup, request.earlier);
         for (Operation& operation : finishing->operations) {
-            operation.id = operationId(setup.setup.id, setup.operations.size() + 1);
+            operation.id = before.idOf(operation);
             setup.operations.push_back(std::move(operation));
         }
         linkOperations(setup.operations, shop.machine);
@@ -316,9 +323,9 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     SharedSetups shared =
         withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
     ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, wishes);
-    std::vector<PlannedSetup> operating =
-        withOperations(std::move(threaded.setups),
-                       {usable.library, machine, request.sequence.material, request.cautions, tol});
+    std::vector<PlannedSetup> operating = withOperations(
+        std::move(threaded.setups),
+        {usable.library, machine, request.sequence.material, request.earlier, request.cautions, tol});
     Warnings form_warnings;
     const double stock_minus_part_mm3 = setups.front().stock.volume_mm3 - part.volume_mm3;
     operating = withForms(std::move(operating), stages, shop, progress, form_warnings);

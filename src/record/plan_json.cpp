@@ -21,6 +21,14 @@ Json box(const Box3& b) {
     return Json::array({point(Vec3(b.min())), point(Vec3(b.max()))});
 }
 
+/// All digits: a direction rounded to six decimals is another plane.
+Json directionJson(const Vec3& direction) {
+    Json numbers = Json::array();
+    for (const double value : direction)
+        numbers.push_back(value == 0 ? 0.0 : value);
+    return numbers;
+}
+
 Json transformJson(const Eigen::Isometry3d& transform) {
     const Eigen::Matrix4d& matrix = transform.matrix();
     Json rows = Json::array();
@@ -66,6 +74,15 @@ Json requestJson(const Plan& plan) {
             {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
 }
 
+/// What differs from what a plan does by itself.
+void addWishes(const PlanRequest& request, Json& json) {
+    if (!request.setup.axes.empty()) json["setups"] = listOf(request.setup.axes, directionJson);
+    if (!request.setup.forbidden.empty()) json["no_setups"] = listOf(request.setup.forbidden, directionJson);
+    if (request.sequence.objective == Objective::Cost) json["objective"] = "cost";
+    if (request.sequence.surrogates == SurrogateRule::Single) json["surrogates"] = "single";
+    if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
+}
+
 /// Of roughing what stays on the part too, and the hole table where there is one.
 Json requestAndRoughingJson(const Plan& plan) {
     Json json = requestJson(plan);
@@ -74,6 +91,7 @@ Json requestAndRoughingJson(const Plan& plan) {
     if (const std::optional<FinishAllowance>& leaves = plan.request.roughing)
         json["roughing"] = {{"leaves_on_walls_mm", number(leaves->walls_mm)},
                             {"leaves_on_floors_mm", number(leaves->floors_mm)}};
+    addWishes(plan.request, json);
     return json;
 }
 
@@ -291,35 +309,30 @@ Json fixtureJson(const Fixture& fixture, RegionTables& regions) {
             {"section", regions.add(fixture.section)}};
 }
 
-/// All digits: a direction rounded to six decimals is another plane.
-Json directionJson(const Vec3& direction) {
-    Json numbers = Json::array();
-    for (const double value : direction)
-        numbers.push_back(value == 0 ? 0.0 : value);
-    return numbers;
-}
-
 Json orderJson(const WeighedOrder& order) {
     return {{"rule", toString(order.rule)}, {"travel_mm", number(order.travel_mm)}};
 }
 
 Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions) {
-    return {{"id", setup.setup.id},
-            {"axis", directionJson(setup.setup.axis)},
-            {"transform", transformJson(setup.setup.part_to_setup)},
-            {"program", programName(setup.setup.id, dialect)},
-            {"features", listOf(wholeFeatures(setup.features), [](const auto& f) { return Json(f.id()); })},
-            {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
-            {"orders", listOf(setup.orders, orderJson)},
-            {"time_s", number(setup.time_s)},
-            {"motion_time_s", number(setup.motion_s)},
-            {"axis_name", axisName(setup.setup.axis)},
-            {"indexed", setup.setup.indexed},
-            {"stock", arrivingStockJson(setup.setup)},
-            {"clamping", clampingJson(setup.clamping)},
-            {"fixtures", listOf(setup.setup.fixtures,
-                                [&](const Fixture& fixture) { return fixtureJson(fixture, regions); })},
-            {"volume_balance", balanceJson(setup.balance)}};
+    Json json{{"id", setup.setup.id},
+              {"axis", directionJson(setup.setup.axis)},
+              {"transform", transformJson(setup.setup.part_to_setup)},
+              {"program", programName(setup.setup.id, dialect)},
+              {"features", listOf(wholeFeatures(setup.features), [](const auto& f) { return Json(f.id()); })},
+              {"operations", listOf(setup.operations, [](const Operation& o) { return Json(o.id); })},
+              {"orders", listOf(setup.orders, orderJson)},
+              {"time_s", number(setup.time_s)},
+              {"motion_time_s", number(setup.motion_s)},
+              {"axis_name", axisName(setup.setup.axis)},
+              {"indexed", setup.setup.indexed},
+              {"stock", arrivingStockJson(setup.setup)},
+              {"clamping", clampingJson(setup.clamping)},
+              {"fixtures", listOf(setup.setup.fixtures,
+                                  [&](const Fixture& fixture) { return fixtureJson(fixture, regions); })},
+              {"volume_balance", balanceJson(setup.balance)}};
+    for (const auto& [name, id] : setup.names)
+        json["kept_names"].push_back({{"number", name}, {"id", id}});
+    return json;
 }
 
 Json formsJson(const Plan& plan, record::FeatureTables& tables) {

@@ -12,6 +12,7 @@
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill {
@@ -132,6 +133,9 @@ RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf&
     for (const Json& feature : json["features"])
         for (std::string& id : record::bandIds(feature, bands))
             setup.feature_ids.push_back(std::move(id));
+    if (json.contains("kept_names"))
+        for (const Json& kept : json["kept_names"])
+            setup.names[kept["number"]] = kept["id"];
     setup.operation_ids = json["operations"].get<std::vector<std::string>>();
     return setup;
 }
@@ -155,6 +159,15 @@ Machine machine(const Json& json) {
     if (json.contains("spindle_nose"))
         for (const Json& one : json["spindle_nose"])
             machine.spindle_nose.push_back(cylinder(one));
+    machine.tool_change_s = json["tool_change_s"];
+    machine.hourly_rate = json["hourly_rate"];
+    machine.currency = json.value("currency", "");
+    machine.magazine_size = json.value("magazine_size", 0);
+    machine.acceleration_mm_per_s2 = json.value("acceleration_mm_per_s2", 0.0);
+    machine.safe_height_mm = json.value("safe_height_mm", 0.0);
+    machine.side_clearance_mm = json.value("side_clearance_mm", 0.0);
+    machine.top_clearance_mm = json.value("top_clearance_mm", 0.0);
+    machine.inside_clearance_mm = json.value("inside_clearance_mm", 0.0);
     if (json.contains("gauge_over_table_mm"))
         machine.gauge_over_table_mm = json["gauge_over_table_mm"].get<std::array<double, 2>>();
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
@@ -198,6 +211,15 @@ RecordedFile file(const Json& json) {
     return json.is_null() ? RecordedFile{} : RecordedFile{json["file"], json["sha256"]};
 }
 
+/// A list that a request may leave out.
+std::vector<Vec3> directions(const Json& request, const char* list) {
+    std::vector<Vec3> directions;
+    if (request.contains(list))
+        for (const Json& one : request[list])
+            directions.emplace_back(one[0], one[1], one[2]);
+    return directions;
+}
+
 RecordedRequest request(const Json& json) {
     const Json& margin = json["stock_margin_mm"];
     RecordedRequest request{json["solid"],
@@ -207,7 +229,12 @@ RecordedRequest request(const Json& json) {
                             file(json["fixtures"]),
                             json.contains("holes") ? file(json["holes"]) : RecordedFile{},
                             {json["finish_walls_mm"], json["finish_floors_mm"]},
-                            {}};
+                            {},
+                            directions(json, "setups"),
+                            directions(json, "no_setups"),
+                            json.contains("objective") ? Objective::Cost : Objective::Time,
+                            json.contains("surrogates") ? SurrogateRule::Single : SurrogateRule::Sequence,
+                            json.value("scallop_mm", kUsualScallopMm)};
     if (json.contains("roughing"))
         request.roughing = {json["roughing"]["leaves_on_walls_mm"], json["roughing"]["leaves_on_floors_mm"]};
     return request;
@@ -232,6 +259,18 @@ void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
     record.books.unreachable_mm3 = books["unreachable_mm3"];
     record.books.residual_by_reason = reasonVolumes(books, "residual_by_reason");
     record.books.unreachable_by_reason = reasonVolumes(books, "unreachable_by_reason");
+}
+
+void readTimes(const Json& plan, PlanRecord& record) {
+    for (const Json& one : plan["operations"])
+        record.operation_s[one["id"]] = one["time_s"];
+    const Json& totals = plan["totals"];
+    record.totals.time_s = totals["time_s"];
+    record.totals.cutting_s = totals["cutting_s"];
+    record.totals.air_s = totals["air_s"];
+    record.totals.tool_change_s = totals["tool_change_s"];
+    record.totals.tool_changes = totals["tool_changes"];
+    record.totals.cost = totals["cost"];
 }
 
 /// The format that a text which breaks the schema says it has; 0 where it says none.
@@ -278,6 +317,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.part_sha256 = plan["part"]["sha256"];
     record.part_name = plan["part"]["name"];
     record.material = plan["material"];
+    record.cost_model = costModelFrom(plan.value("cost_model", "paths")).value();
     if (plan.contains("cut_material")) record.cut_material = cutMaterial(plan["cut_material"]);
     record.machine = machine(plan["machine"]);
     if (plan.contains("request")) record.request = request(plan["request"]);
@@ -297,8 +337,49 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     readForms(plan, tables, record);
     noteTravel(plan, record);
     readBalance(plan, tol, record);
+    readTimes(plan, record);
     record.threads_missing = plan.value("threads_missing", 0);
     return record;
+}
+
+namespace {
+
+/// The whole features of a setup, as far as its bands tell; by name alone those that common ground took.
+std::vector<EarlierFeature> earlierFeatures(const PlanRecord& record, const RecordedSetup& setup) {
+    std::map<std::string, EarlierFeature> features;
+    for (const std::string& id : setup.feature_ids) {
+        const Feature& band = record.features.at(id).feature;
+        for (const std::string& level : band.ground_of) {
+            const std::string whole = level.substr(0, level.find('.', level.find('.') + 1));
+            features.emplace(whole, EarlierFeature{whole, band.feature_class, 0, 0, {}});
+        }
+        if (!band.ground_of.empty()) continue;
+        EarlierFeature& whole = features[wholeOf(band)];
+        if (whole.target.empty())
+            whole = {wholeOf(band), band.feature_class, band.top_z_mm, band.floor_z_mm, band.target};
+        whole.floor_z_mm = band.floor_z_mm;
+    }
+    std::vector<EarlierFeature> list;
+    for (auto& [id, feature] : features)
+        list.push_back(std::move(feature));
+    return list;
+}
+
+}  // namespace
+
+std::vector<EarlierSetup> earlierSetups(const PlanRecord& record) {
+    std::vector<EarlierSetup> setups;
+    for (const RecordedSetup& setup : record.setups) {
+        EarlierSetup& earlier = setups.emplace_back();
+        earlier.id = setup.id;
+        earlier.axis = setup.axis;
+        earlier.features = earlierFeatures(record, setup);
+        for (const std::string& id : setup.operation_ids) {
+            const RecordedOperation& operation = record.operations.at(id);
+            earlier.operations.push_back({id, operation.feature_id, operation.tool.id, operation.role});
+        }
+    }
+    return setups;
 }
 
 }  // namespace stepmill

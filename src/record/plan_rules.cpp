@@ -142,6 +142,21 @@ void checkParents(const Json& plan) {
     checkNoCircle(plan);
 }
 
+/// Features that keep names keep different ones.
+void checkKeptNames(const Json& plan) {
+    for (std::size_t i = 0; i < plan["setups"].size(); ++i) {
+        const Json& setup = plan["setups"][i];
+        if (!setup.contains("kept_names")) continue;
+        for (const char* column : {"number", "id"}) {
+            std::set<std::string> seen;
+            for (const Json& kept : setup["kept_names"])
+                if (!seen.insert(kept[column]).second)
+                    failAt(pointerTo("setups", i, "kept_names"),
+                           fmt::format("'{}' stands twice", kept[column].get<std::string>()));
+        }
+    }
+}
+
 /// Every list of a table by column has an entry for each of its rows.
 void checkColumns(const Json& table, const std::string& pointer) {
     const std::size_t rows = table.front().size();
@@ -350,6 +365,7 @@ void checkPlanRules(const Json& plan) {
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
         checkBands(plan["features"][i], pointerTo("features", i));
     checkParents(plan);
+    checkKeptNames(plan);
     checkRatings(plan);
     std::map<std::string, Json> tools;
     for (std::size_t i = 0; i < plan["tools"].size(); ++i) {

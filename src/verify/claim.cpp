@@ -240,6 +240,7 @@ class ClaimWalk {
         if (const auto& leaves = record_.request->roughing)
             stage.found = withAllowance(std::move(stage.found), *leaves, library_, record_.material, tol_);
         const RecordedSetup& recorded = record_.setups[derived_.size()];
+        stage.found = renamed(std::move(stage.found), recorded.names);
         const std::vector<Feature> features =
             besideGrounds(inBands(stage.found.features, library_, record_.material), recorded);
         if (!failures_.empty()) return;

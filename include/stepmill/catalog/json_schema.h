@@ -22,7 +22,8 @@ enum class SchemaName {
     Quote,
     Job,
     Materials,
-    CuttingData
+    CuttingData,
+    Replan
 };
 std::string_view schemaText(SchemaName name);
 /// The version of the files that it describes: their "format".

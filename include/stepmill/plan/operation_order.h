@@ -8,7 +8,8 @@ namespace stepmill {
 enum class OrderRule {
     Nearest,   ///< the one that begins nearest to where the tool is
     Branches,  ///< what lies below the last one, down to the bottom; then the nearest [Li2001, section 3]
-    Levels     ///< the one with the highest floor; of several the nearest
+    Levels,    ///< the one with the highest floor; of several the nearest
+    Earlier    ///< as in the plan that this one is made after
 };
 std::string toString(OrderRule rule);
 

@@ -15,6 +15,7 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/part/part.h"
+#include "stepmill/plan/earlier_plan.h"
 #include "stepmill/plan/operation.h"
 #include "stepmill/plan/operation_order.h"
 #include "stepmill/plan/patience.h"
@@ -87,6 +88,7 @@ struct PlannedSetup {
     Setup setup;
     Clamping clamping;
     std::vector<PlannedFeature> features;  ///< parents before children
+    FeatureNames names;                    ///< that they keep from an earlier plan
     std::vector<Unplanned> unplanned;
     std::vector<Operation> operations;  ///< in machining order
     std::vector<WeighedOrder> orders;   ///< that were weighed for these, the one taken first
@@ -111,6 +113,7 @@ using Cautions = std::map<std::string, FeatureCaution>;
 
 inline constexpr double kLeastScallopMm = 0.002;
 inline constexpr double kMostScallopMm = 0.5;
+inline constexpr double kUsualScallopMm = 0.02;
 
 struct PlanRequest {
     std::string unit;  ///< ReadOptions::unit, by which the part was read
@@ -129,6 +132,8 @@ struct PlanRequest {
     bool common_ground = true;  ///< nested features may be cut down together where that is quicker
     Cautions cautions;          ///< none in the first plan of a part
     Patience patience;
+    /// A plan that this one is made after: what is still there keeps ids and order; empty: none.
+    std::vector<EarlierSetup> earlier;
 };
 
 struct Plan {

@@ -29,6 +29,7 @@ struct RecordedSetup {
     std::vector<Fixture> fixtures;
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
+    FeatureNames names;                      ///< PlannedSetup::names
     std::vector<std::string> operation_ids;  ///< in machining order
     /// The machine travels as far as the programs go: all but those the plan warns of, which it has not got.
     bool within_travel = true;
@@ -50,6 +51,11 @@ struct RecordedRequest {
     RecordedFile holes;  ///< the hole table
     FinishAllowance finish;
     std::optional<FinishAllowance> roughing;  ///< PlanRequest::roughing
+    std::vector<Vec3> axes;                   ///< SetupRequest::axes
+    std::vector<Vec3> forbidden;              ///< SetupRequest::forbidden
+    Objective objective = Objective::Time;
+    SurrogateRule surrogates = SurrogateRule::Sequence;
+    double scallop_mm = kUsualScallopMm;
 };
 
 /// What plan.json says that programs are proven against.
@@ -64,12 +70,15 @@ struct PlanRecord {
     std::string part_sha256;
     std::string part_name;
     std::string material;
+    CostModel cost_model = CostModel::Path;
     std::optional<Material> cut_material;  ///< what its cuts ask for; nothing: not known
     Machine machine;
     std::vector<RecordedSetup> setups;
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
     std::map<std::string, FormGround> forms;          ///< by id, one a setup at most
     std::map<std::string, RecordedOperation> operations;
+    std::map<std::string, double> operation_s;  ///< the time of each, without the change to its tool
+    PlanTotals totals;
     VolumeBalance books;      ///< of the part
     int threads_missing = 0;  ///< Plan::threads_missing
     /// How much of what stays of stock minus part at the end is rounding [mm3].
@@ -79,5 +88,8 @@ struct PlanRecord {
 /// Reads a plan.json. \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject when it breaks
 /// its schema or names an operation, feature or tool it does not have.
 PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol);
+
+/// What a plan that is made after this one keeps of it.
+std::vector<EarlierSetup> earlierSetups(const PlanRecord& record);
 
 }  // namespace stepmill

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "stepmill/job/job_folder.h"
 #include "stepmill/plan/plan.h"
@@ -28,8 +29,9 @@ std::string summaryText(const Plan& plan);
 /// Writes plan.json, report.html, the setup sheets and one program per setup as the job of that folder, in
 /// place of the job that was there. Unless proven.mayRun() no program is written, and none of an earlier plan
 /// stays.
+/// \param beside  files of the same job that say more of the plan
 /// \throws Error(OutputUnwritable): the folder then holds what it held
 void writePlan(const ProvenPlan& proven, const Sheets& sheets, const ReportOptions& report, JobFolder& folder,
-               const Tolerances& tol);
+               const Tolerances& tol, const std::vector<NewFile>& beside = {});
 
 }  // namespace stepmill

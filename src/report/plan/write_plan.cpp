@@ -5,7 +5,7 @@
 namespace stepmill {
 
 void writePlan(const ProvenPlan& proven, const Sheets& sheets, const ReportOptions& report, JobFolder& folder,
-               const Tolerances& tol) {
+               const Tolerances& tol, const std::vector<NewFile>& beside) {
     NewJob job;
     job.by = JobWriter::Plan;
     job.part_file = proven.plan.part.file;
@@ -15,6 +15,7 @@ void writePlan(const ProvenPlan& proven, const Sheets& sheets, const ReportOptio
     job.files.push_back({"report.html", "", reportHtml(proven, report, tol)});
     job.files.push_back({"sheets.html", "", sheets.html});
     if (!sheets.pdf.empty()) job.files.push_back({"sheets.pdf", "", sheets.pdf});
+    job.files.insert(job.files.end(), beside.begin(), beside.end());
     if (proven.mayRun())
         for (const auto& [setup, programs] : proven.files.programs)
             for (const PostedProgram& program : programs)

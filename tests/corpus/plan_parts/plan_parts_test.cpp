@@ -23,8 +23,9 @@ using Json = nlohmann::json;
 /// What is planned, what stays and what is out of reach add up to the stock less the part [features.md].
 constexpr double kBooksShare = 1e-3;
 
-/// Processor time on top of every budget [s]: starting a process, with all its libraries, takes from a tenth of
-/// a second to most of one, as fast as the machine is and as busy with other tests. It says nothing of the part.
+/// Processor time on top of every budget [s]: starting a process, with all its libraries, takes from a tenth
+/// of a second to most of one, as fast as the machine is and as busy with other tests. It says nothing of the
+/// part.
 constexpr double kStartS = 1.0;
 
 /// What a plan.json of a real part stays below, in bytes.
