@@ -210,10 +210,12 @@ std::optional<Region> withoutStrips(const Profile& profile, const Level& level) 
                 else
                     loop.lineTo(footOf(profile, next), kNone);
             }
-            // Of a piece no larger than a corner straight ends leave no shape.
+            // Where a strip is hardly wider than the discs, its ends may pair to loops that are strips
+            // themselves.
             Region piece;
             loop.closeInto(piece);
-            if (!piece.empty() && boundingBox(piece).sizes().maxCoeff() > corner_mm)
+            if (!piece.empty() &&
+                std::abs(signedArea(piece.loops.front())) > level.distance * perimeter(piece))
                 region.loops.push_back(std::move(piece.loops.front()));
         }
     });
