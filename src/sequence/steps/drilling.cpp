@@ -50,8 +50,9 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
 /// The tip of a drill that makes room stays so far over the floor [mm].
 constexpr double kOverFloorMm = 0.1;
 
+/// Not where something stands in the hole.
 bool goesIn(const Feature& hole, const ToolAssembly& drill, const Tolerances& tol) {
-    return drill.diameter_mm <= 2 * holeRadiusMm(hole) + 2 * tol.gouge_mm;
+    return isFullCircles(hole.target) && drill.diameter_mm <= 2 * holeRadiusMm(hole) + 2 * tol.gouge_mm;
 }
 
 bool isFlat(const Feature& hole) {

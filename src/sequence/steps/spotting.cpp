@@ -26,7 +26,7 @@ double spotRadiusMm(const Feature& feature, const ToolAssembly& spot, double tip
 }
 
 bool spotFits(const Feature& feature, const ToolAssembly& spot) {
-    if (!isHole(feature.feature_class) || feature.target.empty()) return false;
+    if (!isHole(feature.feature_class) || !isFullCircles(feature.target)) return false;
     const double tip_z_mm = spotTipZ(feature, spot);
     if (tip_z_mm < feature.floor_z_mm) return false;
     std::vector<HolderCylinder> cylinders{{spot.diameter_mm, 0, spot.stick_out_mm}, spot.shank};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/sizing.h"
 #include "stepmill/sequence/spotting.h"
@@ -41,6 +42,14 @@ TEST(HoleSteps, ABoreWiderThanTheDrillIsDrilledForTheMill) {
     EXPECT_EQ(sequence.steps[0].leaves.floors_mm, 0);
     const ToolSequence milled = sequenceOf(holeOf(20, 30, true), {makeMill(6, 600, 3)});
     EXPECT_LT(sequence.time_s, milled.time_s);
+}
+
+TEST(HoleSteps, AHoleWithSomethingStandingInItIsMilled) {
+    Feature ring = holeOf(20, 30, true);
+    ring.target = subtract(ring.target, makeCircle(Vec2(20, 20), 3), kTol);
+    ring.obstruction = makeCircle(Vec2(20, 20), 3);
+    ring.area_mm2 = area(ring.target);
+    EXPECT_EQ(toolsOf(sequenceOf(ring, {makeSpot(6), quickDrill(12), makeMill(6, 600, 3)})), Ids{"EM6"});
 }
 
 TEST(HoleSteps, OverAFlatFloorTheNarrowerDrillStaysToo) {
