@@ -36,7 +36,7 @@ bool isFullCircles(const Region& target) {
 std::vector<Vec2> holeCentres(const Feature& feature) {
     std::vector<Vec2> centres;
     for (const Loop& loop : feature.target.loops)
-        centres.push_back(centroid(Region{{loop}}));
+        if (signedArea(loop) > 0) centres.push_back(centroid(Region{{loop}}));  // else something stands in it
     return centres;
 }
 

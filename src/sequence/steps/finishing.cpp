@@ -226,8 +226,10 @@ FinishAllowance allowanceFor(const DagTask& task, const std::vector<const Candid
     FinishAllowance allowance = task.options.finish;
     if (feature.closed_length_mm <= task.ground.tolerances().sliver_mm) allowance.walls_mm = 0;
     if (feature.through) allowance.floors_mm = 0;
-    if (allowance.floors_mm > 0 && feature.depth_mm() <= 2 * allowance.floors_mm) {
-        less = fmt::format("none on the floor: the feature is {:.3g} mm deep", feature.depth_mm());
+    // Counted from the blank as drawn (Z0): what it may stand out more is roughed away, but may not be there.
+    const double depth_mm = std::min(feature.top_z_mm, 0.0) - feature.floor_z_mm;
+    if (allowance.floors_mm > 0 && depth_mm <= 2 * allowance.floors_mm) {
+        less = fmt::format("none on the floor: the feature is {:.3g} mm deep", depth_mm);
         allowance.floors_mm = 0;
     }
     for (const Candidate* tool : used) {
