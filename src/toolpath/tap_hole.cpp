@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "stepmill/core/error.h"
-#include "stepmill/toolpath/path_frame.h"
-#include "stepmill/toolpath/toolpath.h"
+#include "toolpath/fed_holes.h"
 
 namespace stepmill {
 namespace {
@@ -19,29 +18,9 @@ constexpr double kLeastRunUpMm = 1.0;
 Toolpath tapHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                   const ToolAssembly& tool, double speed_rpm, const Machine& machine) {
     STEPMILL_CHECK(tool.isTap() && tool.thread && !centres.empty(), "only taps tap, and they tap holes");
-    STEPMILL_CHECK(retract_z_mm >= top_z_mm && top_z_mm > tip_z_mm, "heights of a hole are out of order");
-    Toolpath path;
-    path.pattern = "tap";
-    path.depths = 1;
-    path.step_down_mm = top_z_mm - tip_z_mm;
-    path.feed_mm_per_min = path.plunge_feed_mm_per_min = tool.thread->pitch_mm * speed_rpm;
-
-    const double over_top_mm = toolpath::isRawTop(top_z_mm) ? machine.top_clearance_mm : 0;
-    const double run_up_mm = std::max({kLeastRunUpMm, kRunUpPitches * tool.thread->pitch_mm, over_top_mm});
-    const double over_z_mm = std::min(top_z_mm + run_up_mm, retract_z_mm);
-    const auto move = [&](MoveKind kind, const Vec2& at, double z_mm) {
-        path.moves.push_back({kind, {at.x(), at.y(), z_mm}, std::nullopt, false});
-    };
-    path.start = {centres.front().x(), centres.front().y(), retract_z_mm};
-    for (const Vec2& centre : centres) {
-        if (!path.moves.empty()) move(MoveKind::Rapid, centre, retract_z_mm);
-        if (over_z_mm < retract_z_mm) move(MoveKind::Rapid, centre, over_z_mm);
-        move(MoveKind::Plunge, centre, tip_z_mm);
-        move(MoveKind::Feed, centre, over_z_mm);
-        if (over_z_mm < retract_z_mm) move(MoveKind::Rapid, centre, retract_z_mm);
-    }
-    path.totals = measure(path, machine);
-    return path;
+    const double run_up_mm = std::max(kLeastRunUpMm, kRunUpPitches * tool.thread->pitch_mm);
+    return toolpath::fedInAndOut(centres, {top_z_mm, tip_z_mm, run_up_mm, retract_z_mm}, "tap",
+                                 tool.thread->pitch_mm * speed_rpm, machine);
 }
 
 }  // namespace stepmill
