@@ -102,8 +102,22 @@ double takenBelowMm3(const Feature& hole, const ToolAssembly& drill) {
 }  // namespace
 
 bool isOfSize(const Feature& hole, const ToolAssembly& drill, const Tolerances& tol) {
+    if (!goesIn(hole, drill, tol)) return false;
     if (hole.drilled) return hole.drilled->holds(drill.diameter_mm);
-    return goesIn(hole, drill, tol) && drill.diameter_mm >= 2 * holeRadiusMm(hole) - kDrillUndersizeMm;
+    return drill.diameter_mm >= 2 * holeRadiusMm(hole) - kDrillUndersizeMm;
+}
+
+std::optional<double> widthThatMeets(const Feature& hole, const ToolAssembly& tool,
+                                     const HolderCylinder& cutter, double tip_z_mm) {
+    std::vector<HolderCylinder> cylinders{cutter, tool.shank};
+    cylinders.insert(cylinders.end(), tool.holder.begin(), tool.holder.end());
+    const std::vector<Vec2> axes = holeCentres(hole);
+    for (const HolderCylinder& cylinder : cylinders) {
+        const double bottom_z_mm = std::max(tip_z_mm + cylinder.bottom_mm, hole.top_z_mm);
+        for (const Vec2& axis : axes)
+            if (meetsObstacle(hole, axis, bottom_z_mm, cylinder.diameter_mm / 2)) return cylinder.diameter_mm;
+    }
+    return std::nullopt;
 }
 
 bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm, double radius_mm) {

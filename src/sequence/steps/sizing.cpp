@@ -69,15 +69,9 @@ std::string sizingTrouble(const SizingTask& task, const ToolAssembly& sizer) {
     if (hole.top_z_mm - tip_z_mm > reach_mm)
         return fmt::format("{} reaches {:.4g} mm, its tip must go {:.4g} mm deep", sizer.id, reach_mm,
                            hole.top_z_mm - tip_z_mm);
-    std::vector<HolderCylinder> cylinders{{sizer.diameter_mm, 0, sizer.flute_length_mm}, sizer.shank};
-    cylinders.insert(cylinders.end(), sizer.holder.begin(), sizer.holder.end());
-    for (const HolderCylinder& cylinder : cylinders) {
-        const double bottom_z_mm = std::max(tip_z_mm + cylinder.bottom_mm, hole.top_z_mm);
-        for (const Vec2& axis : holeCentres(hole))
-            if (meetsObstacle(hole, axis, bottom_z_mm, cylinder.diameter_mm / 2))
-                return fmt::format("{} would touch what stands beside the hole, {:g} mm wide", sizer.id,
-                                   cylinder.diameter_mm);
-    }
+    if (const auto width_mm =
+            widthThatMeets(hole, sizer, {sizer.diameter_mm, 0, sizer.flute_length_mm}, tip_z_mm))
+        return fmt::format("{} would touch what stands beside the hole, {:g} mm wide", sizer.id, *width_mm);
     return {};
 }
 

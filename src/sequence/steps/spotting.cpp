@@ -29,15 +29,8 @@ bool spotFits(const Feature& feature, const ToolAssembly& spot) {
     if (!isHole(feature.feature_class) || !isFullCircles(feature.target)) return false;
     const double tip_z_mm = spotTipZ(feature, spot);
     if (tip_z_mm < feature.floor_z_mm) return false;
-    std::vector<HolderCylinder> cylinders{{spot.diameter_mm, 0, spot.stick_out_mm}, spot.shank};
-    cylinders.insert(cylinders.end(), spot.holder.begin(), spot.holder.end());
-    for (const HolderCylinder& cylinder : cylinders) {
-        // In the hole it is a cone; what stands over the hole meets its whole width.
-        const double bottom_z_mm = std::max(tip_z_mm + cylinder.bottom_mm, feature.top_z_mm);
-        for (const Vec2& axis : holeCentres(feature))
-            if (meetsObstacle(feature, axis, bottom_z_mm, cylinder.diameter_mm / 2)) return false;
-    }
-    return true;
+    // In the hole it is a cone; what stands over the hole meets its whole width.
+    return !widthThatMeets(feature, spot, {spot.diameter_mm, 0, spot.stick_out_mm}, tip_z_mm);
 }
 
 SequenceStep spotStep(const Feature& feature, const ToolAssembly& spot, const CuttingData& cutting,
