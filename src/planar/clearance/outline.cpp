@@ -143,6 +143,32 @@ Region drawRing(const Level& level, const std::vector<int>& ring, const Boundary
     return region;
 }
 
+/// One ring along the walls: its runs, each joined to the next by `join(run, next, loop)`. Empty where
+/// rounding leaves none.
+template <typename Join>
+Region drawWalls(const Profile& profile, const Level& level, const std::vector<int>& ring,
+                 const std::vector<int>& first_sites, const Join& join) {
+    const BoundaryDrawer drawer(profile, 0);
+    LoopDrawer loop;
+    const Run& first = level.runs[ring.front()];
+    if (first.whole) {
+        drawer.drawAll(first_sites[first.loop], loop);
+    } else {
+        loop.start(footOf(profile, first.begin));
+        for (const int i : ring) {
+            drawer.draw(level.runs[i].begin, level.runs[i].end, loop);
+            join(i, level.runs[i].next, loop);
+        }
+    }
+    Region region;
+    loop.closeInto(region);
+    return region;
+}
+
+void append(Region& region, const Region& ring) {
+    region.loops.insert(region.loops.end(), ring.loops.begin(), ring.loops.end());
+}
+
 }  // namespace
 
 Region ringsOf(const Profile& profile, const Level& level) {
@@ -150,8 +176,7 @@ Region ringsOf(const Profile& profile, const Level& level) {
     const std::vector<int> first_sites = firstSites(profile);
     Region region;
     forEachRing(level, [&](const std::vector<int>& ring) {
-        const Region drawn = drawRing(level, ring, drawer, first_sites);
-        region.loops.insert(region.loops.end(), drawn.loops.begin(), drawn.loops.end());
+        append(region, drawRing(level, ring, drawer, first_sites));
     });
     return region;
 }
@@ -192,32 +217,23 @@ std::optional<Region> withoutStrips(const Profile& profile, const Level& level) 
     const BoundaryDrawer drawer(profile, 0);
     const std::vector<int> first_sites = firstSites(profile);
     const double corner_mm = kCornerRadii * level.distance;
+    const auto join = [&](int run, int next, LoopDrawer& loop) {
+        const Place& from = level.runs[run].end;
+        const Place& to = level.runs[next].begin;
+        if (lengthAlong(profile.sites(), from, to, corner_mm) <= corner_mm)
+            drawer.draw(from, to, loop);
+        else
+            loop.lineTo(footOf(profile, to), kNone);
+    };
+    // Where a strip is hardly wider than the discs, its ends may pair to loops that are strips themselves.
+    const auto isStrip = [&](const Region& piece) {
+        return !piece.empty() &&
+               std::abs(signedArea(piece.loops.front())) <= level.distance * perimeter(piece);
+    };
     Region region;
     forEachRing(level, [&](const std::vector<int>& ring) {
-        LoopDrawer loop;
-        const Run& first = level.runs[ring.front()];
-        if (first.whole) {
-            drawer.drawAll(first_sites[first.loop], loop);
-            loop.closeInto(region);
-        } else {
-            loop.start(footOf(profile, first.begin));
-            for (const int i : ring) {
-                const Run& run = level.runs[i];
-                const Place& next = level.runs[run.next].begin;
-                drawer.draw(run.begin, run.end, loop);
-                if (lengthAlong(profile.sites(), run.end, next, corner_mm) <= corner_mm)
-                    drawer.draw(run.end, next, loop);
-                else
-                    loop.lineTo(footOf(profile, next), kNone);
-            }
-            // Where a strip is hardly wider than the discs, its ends may pair to loops that are strips
-            // themselves.
-            Region piece;
-            loop.closeInto(piece);
-            if (!piece.empty() &&
-                std::abs(signedArea(piece.loops.front())) > level.distance * perimeter(piece))
-                region.loops.push_back(std::move(piece.loops.front()));
-        }
+        const Region piece = drawWalls(profile, level, ring, first_sites, join);
+        if (level.runs[ring.front()].whole || !isStrip(piece)) append(region, piece);
     });
     return region;
 }
@@ -225,28 +241,19 @@ std::optional<Region> withoutStrips(const Profile& profile, const Level& level) 
 std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {
     for (const Run& run : level.runs)
         if (!run.whole && !isOneDisc(profile, level, run)) return std::nullopt;
-    const BoundaryDrawer drawer(profile, 0);
     const std::vector<int> first_sites = firstSites(profile);
     Swept swept;
     std::vector<Cap> caps;
+    const auto join = [&](int i, int next_run, LoopDrawer& loop) {
+        const Place& end = level.runs[i].end;
+        const Place& next = level.runs[next_run].begin;
+        const Cap cap{snapToGrid(Vec2((end.centre + next.centre) / 2)), footOf(profile, end),
+                      footOf(profile, next), i, next_run};
+        const double turn = angleBetween(cap.from - cap.centre, cap.to - cap.centre);
+        if (loop.arcTo(cap.to, {cap.centre, level.distance, true}, turn, kNone)) caps.push_back(cap);
+    };
     forEachRing(level, [&](const std::vector<int>& ring) {
-        LoopDrawer loop;
-        const Run& first = level.runs[ring.front()];
-        if (first.whole) {
-            drawer.drawAll(first_sites[first.loop], loop);
-        } else {
-            loop.start(footOf(profile, first.begin));
-            for (const int i : ring) {
-                const Run& run = level.runs[i];
-                const Run& next = level.runs[run.next];
-                drawer.draw(run.begin, run.end, loop);
-                const Cap cap{snapToGrid(Vec2((run.end.centre + next.begin.centre) / 2)),
-                              footOf(profile, run.end), footOf(profile, next.begin), i, run.next};
-                const double turn = angleBetween(cap.from - cap.centre, cap.to - cap.centre);
-                if (loop.arcTo(cap.to, {cap.centre, level.distance, true}, turn, kNone)) caps.push_back(cap);
-            }
-        }
-        loop.closeInto(swept.region);
+        append(swept.region, drawWalls(profile, level, ring, first_sites, join));
     });
     swept.overlapping = anyCapsCross(std::move(caps), level.distance);
     return swept;
