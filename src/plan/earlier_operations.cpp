@@ -1,25 +1,17 @@
 #include "plan/earlier_operations.h"
 
+#include "plan/id_number.h"
 #include "plan/make_operations.h"
 
 namespace stepmill {
-namespace {
-
-/// "S1.O12" is 12.
-std::size_t operationNumber(const std::string& id) {
-    return std::strtoul(id.c_str() + id.find(".O") + 2, nullptr, 10);
-}
-
-}  // namespace
-
 EarlierOperations::EarlierOperations(const PlannedSetup& setup, const std::vector<EarlierSetup>& earlier)
     : setup_id_(setup.setup.id), earlier_(earlierOf(setup.setup, earlier)) {
     for (const Operation& operation : setup.operations)
-        last_number_ = std::max(last_number_, operationNumber(operation.id));
+        last_number_ = std::max(last_number_, numberOfId(operation.id));
     if (earlier_ == nullptr) return;
     found_.resize(earlier_->operations.size(), false);
     for (const EarlierOperation& operation : earlier_->operations)
-        last_number_ = std::max(last_number_, operationNumber(operation.id));
+        last_number_ = std::max(last_number_, numberOfId(operation.id));
 }
 
 std::optional<std::size_t> EarlierOperations::find(const Operation& operation) {

@@ -25,7 +25,7 @@ class EarlierOperations {
     std::string setup_id_;
     const EarlierSetup* earlier_;
     std::vector<bool> found_;
-    std::size_t last_number_ = 0;
+    int last_number_ = 0;
 };
 
 }  // namespace stepmill

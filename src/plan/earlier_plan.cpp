@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/id_number.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/planar/boolean.h"
@@ -70,11 +71,6 @@ double movedLikeness(const WholeGround& one, const EarlierFeature& other, const 
     if (!sameHeights(one, other, tol) || std::abs(area(one.target) - area_mm2) > kSameSize * area_mm2)
         return 0;
     return 1 / (1 + (boundingBox(one.target).center() - boundingBox(other.target).center()).norm());
-}
-
-/// "S1.F12" is 12.
-int numberOf(const std::string& id) {
-    return std::atoi(id.c_str() + id.find(".F") + 2);
 }
 
 /// Finds for each feature the earlier one it is, the surest first.
@@ -145,7 +141,7 @@ class NameSearch {
     void nameTheRest() {
         int last = 0;
         for (const EarlierFeature& feature : earlier_.features)
-            last = std::max(last, numberOf(feature.id));
+            last = std::max(last, numberOfId(feature.id));
         for (std::optional<std::string>& name : names_)
             if (!name) name = fmt::format("{}.F{}", earlier_.id, ++last);
     }

@@ -4,6 +4,7 @@
 
 #include "stepmill/sequence/spotting.h"
 #include "support/hole_tool_makers.h"
+#include "support/proof_failures.h"
 #include "support/sample_feature.h"
 #include "verify/prove_state.h"
 
@@ -49,10 +50,7 @@ class ProveSizing : public testing::Test {
         proveDrilling(operation_, planned_, state_, findings);
         proveStarting(operation_, planned_, state_, findings);
         proveSizing(operation_, planned_, state_, tol_, findings);
-        std::string all;
-        for (const ProofFailure& failure : failures_)
-            all += std::to_string(failure.line) + ": " + failure.text + "\n";
-        return all;
+        return joined(failures_);
     }
 
     void expectFailure(const std::string& words) {

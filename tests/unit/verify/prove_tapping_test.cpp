@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/proof_failures.h"
 #include "support/sample_feature.h"
 #include "support/tap_makers.h"
 #include "verify/prove_state.h"
@@ -50,10 +51,7 @@ class ProveTapping : public testing::Test {
     std::string failures() {
         failures_.clear();
         proveTapping(program_, operation_, planned_, state_, fixtures_, tol_, {"S1.ngc", proof_, failures_});
-        std::string all;
-        for (const ProofFailure& failure : failures_)
-            all += std::to_string(failure.line) + ": " + failure.text + "\n";
-        return all;
+        return joined(failures_);
     }
 
     void expectFailure(const std::string& words) {
