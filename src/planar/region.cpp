@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planar/components.h"
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/tolerances.h"
@@ -270,7 +271,7 @@ Outer* ownerOf(const Loop& hole, std::vector<Outer>& outers) {
 
 }  // namespace
 
-std::vector<Region> components(const Region& region) {
+std::optional<std::vector<Region>> planar::componentsIfNested(const Region& region) {
     std::vector<Outer> outers;
     std::vector<Loop> holes;
     for (const Loop& loop : region.loops) {
@@ -287,13 +288,19 @@ std::vector<Region> components(const Region& region) {
     for (const Loop& hole : holes) {
         // With one outer loop there is nothing to search.
         Outer* owner = outers.size() == 1 ? &outers.front() : ownerOf(hole, outers);
-        if (!owner) throw Error(ErrorCode::InvalidRegion, "region", "a hole lies outside all outer loops");
+        if (!owner) return std::nullopt;
         owner->component.loops.push_back(hole);
     }
     std::vector<Region> result;
     for (Outer& outer : outers)
         result.push_back(std::move(outer.component));
     return result;
+}
+
+std::vector<Region> components(const Region& region) {
+    auto parts = planar::componentsIfNested(region);
+    if (!parts) throw Error(ErrorCode::InvalidRegion, "region", "a hole lies outside all outer loops");
+    return *std::move(parts);
 }
 
 Region withoutHoles(const Region& region) {

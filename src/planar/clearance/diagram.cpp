@@ -7,6 +7,7 @@
 #include "planar/clearance/axis.h"
 #include "planar/clearance/edge_band.h"
 #include "planar/clearance/outline.h"
+#include "planar/components.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
@@ -132,22 +133,24 @@ struct ClearanceDiagram::Impl {
         return *offset;
     }
     std::optional<Region> shrink(double distance) const {
-        if (auto rings = byLevels(inside(), distance)) return rings;
+        if (auto rings = byLevels(inside(), distance, [](Region drawn) { return drawn; })) return rings;
         return byBooleans(inside(), distance,
                           [&](const Region& band) { return subtract(region, band, tol); });
     }
     std::optional<Region> grow(double distance) const {
-        if (const auto rings = byLevels(outside(), distance)) return reversedLoops(*rings);
+        if (auto rings = byLevels(outside(), distance, reversedLoops)) return rings;
         return byBooleans(outside(), distance, [&](const Region& band) { return unite(region, band, tol); });
     }
-    /// Lines that bridge what rounding has parted lie a little nearer than the rings between them; then a
-    /// ring a little farther off will do.
-    std::optional<Region> byLevels(const Profile& profile, double distance) const {
+    /// Lines that bridge what rounding has parted lie a little nearer than the rings between them, and a
+    /// stretch of a micrometre between them may close to a loop of its own; then rings a little farther off
+    /// will do.
+    template <typename Turn>
+    std::optional<Region> byLevels(const Profile& profile, double distance, const Turn& turn) const {
         for (const double more : aside()) {
             const auto level = clearance::levelAt(profile, distance + more, Tie::Blocked);
             if (!level) continue;
-            Region rings = clearance::ringsOf(profile, *level);
-            if (keepsDistance(profile, rings, distance)) return rings;
+            Region rings = turn(clearance::ringsOf(profile, *level));
+            if (keepsDistance(profile, rings, distance) && planar::componentsIfNested(rings)) return rings;
         }
         return std::nullopt;
     }
