@@ -81,6 +81,15 @@ std::vector<std::string> lengthUnits(STEPControl_Reader& reader) {
     return units;
 }
 
+/// A product's name, empty where Open CASCADE made one up: its version and a count, or a label of its
+/// document. The file's name tells a reader more.
+std::string nameOf(const StepBasic_Product& product) {
+    const std::string given = textOf(product.Name());
+    const std::string name = given.empty() ? textOf(product.Id()) : given;
+    const bool made_up = name.starts_with("Open CASCADE STEP translator ") || name.starts_with("=>[");
+    return made_up ? std::string() : name;
+}
+
 /// Product of a shape representation, through its definition.
 std::string productOf(const Handle(Standard_Transient) & representation, const Interface_Graph& graph) {
     for (Interface_EntityIterator it = graph.Sharings(representation); it.More(); it.Next()) {
@@ -92,9 +101,7 @@ std::string productOf(const Handle(Standard_Transient) & representation, const I
         const Handle(StepBasic_ProductDefinition) definition = shape->Definition().ProductDefinition();
         if (definition.IsNull() || definition->Formation().IsNull()) continue;
         const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
-        if (product.IsNull()) continue;
-        const std::string name = textOf(product->Name());
-        return name.empty() ? textOf(product->Id()) : name;
+        if (!product.IsNull()) return nameOf(*product);
     }
     return {};
 }

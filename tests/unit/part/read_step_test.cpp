@@ -1,7 +1,9 @@
 // readStep on files made from a sample part by editing its text.
 
 #include <filesystem>
+#include <regex>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -81,6 +83,14 @@ TEST_F(ReadStepTest, ReadsUnitNameSchemaAndHash) {
     EXPECT_EQ(part.count, 1);
     EXPECT_NEAR(part.volume_mm3, kBlockVolume_mm3, 1e-4);
     EXPECT_TRUE(part.remarks.empty());
+}
+
+TEST_F(ReadStepTest, TakesTheFilesNameWhereTheProductsIsMadeUp) {
+    for (const char* name : {"Open CASCADE STEP translator 7.6 1", "=>[0:1:1:2]", ""}) {
+        text_ = std::regex_replace(text_, std::regex("PRODUCT\\('[^']*','[^']*'"),
+                                   fmt::format("PRODUCT('{0}','{0}'", name));
+        EXPECT_EQ(read().at(0).name, "edited") << name;
+    }
 }
 
 TEST_F(ReadStepTest, KeepsTheNamesOfFaces) {
