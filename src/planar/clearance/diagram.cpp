@@ -31,6 +31,11 @@ bool keepsDistance(const Profile& profile, const Region& rings, double distance)
     return true;
 }
 
+/// Rings that may stand for an offset: far enough from the boundary, and every hole inside an outer loop.
+bool isSound(const Profile& profile, const Region& rings, double distance) {
+    return keepsDistance(profile, rings, distance) && planar::componentsIfNested(rings);
+}
+
 Region reversedLoops(const Region& region) {
     Region result;
     for (const Loop& loop : region.loops)
@@ -150,7 +155,7 @@ struct ClearanceDiagram::Impl {
             const auto level = clearance::levelAt(profile, distance + more, Tie::Blocked);
             if (!level) continue;
             Region rings = turn(clearance::ringsOf(profile, *level));
-            if (keepsDistance(profile, rings, distance) && planar::componentsIfNested(rings)) return rings;
+            if (isSound(profile, rings, distance)) return rings;
         }
         return std::nullopt;
     }
@@ -161,7 +166,7 @@ struct ClearanceDiagram::Impl {
     std::optional<Region> byBooleans(const Profile& profile, double distance, const Combine& combine) const {
         for (const double more : aside()) {
             const Region rings = combine(bandOf(distance + more));
-            if (keepsDistance(profile, rings, distance)) return rings;
+            if (isSound(profile, rings, distance)) return rings;
         }
         return std::nullopt;
     }
