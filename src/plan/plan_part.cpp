@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/assignment/propose_reserve.h"
 #include "plan/cutting_feeds.h"
 #include "plan/earlier_operations.h"
 #include "plan/feature_planner.h"
@@ -100,6 +101,7 @@ class SetupProgress {
 /// A setup that is planned, with what its books ask for.
 struct PlannedStage {
     PlannedSetup setup;
+    std::size_t place = 0;  ///< of the setup among those that were chosen
     LayerStack layers;
     StageAir air;
     std::vector<Prism> removed;
@@ -120,8 +122,10 @@ PlannedStage planStage(const Stage& stage, const PlanningShop& shop, const Setup
     PlannedStage result;
     result.removed = removedBy(planned.features, shop.tol);
     result.setup.setup = stage.setup;
+    result.place = stage.place;
     result.setup.clamping = stage.clamping;
     result.setup.unplanned = stage.found.unplanned;
+    result.setup.reserve = stage.reserve;
     result.setup.features = std::move(planned.features);
     result.air = airOf(stage);
     result.warnings = std::move(planned.warnings);
@@ -148,10 +152,10 @@ bool repeatsResiduals(const PlannedSetup& setup, const std::vector<PlannedStage>
 
 /// Every setup on the stock that the paths of those before it leave. What setups would cut that there is no
 /// time for stays out of reach. \param late  warned of these
-std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const PlanningShop& shop,
-                                     const Progress& progress, Warnings& late) {
+std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
+                                     const PlanningShop& shop, const Progress& progress, Warnings& late) {
     std::vector<PlannedStage> stages;
-    SetupWalk walk(setups, shop.request.slicing, shop.tol);
+    SetupWalk walk(setups, shop.request.slicing, shop.tol, reserves);
     const auto no_time = [&] { return !stages.empty() && shop.request.patience.few_tools.passed(); };
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
@@ -303,23 +307,23 @@ Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine
     return plan;
 }
 
-}  // namespace
+/// A plan with the stages it came from, whose setups it has.
+struct StagedPlan {
+    Plan plan;
+    std::vector<PlannedStage> stages;
+};
 
-Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
-              const Machine& machine, const Tolerances& tol, const Progress& progress) {
-    requireMaterial(library, request.sequence.material);
-    if (progress) progress("setups", 0);
-    const std::vector<Setup> setups = setupsFor(part, request);
-    STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
-    requireMachinableSize(part, setups, machine);
-    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
-    const SmallerLibraries smaller = smallerLibraries(request.cautions, usable.library);
-    const HoleWishes wishes(request.holes, part, tol);
-    const ToolLibrary drills = drillsOf(usable.library);
-    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol};
-
+/// Plans the setups as they stand, each on what those before it leave.
+StagedPlan planSetups(const Part& part, const std::vector<Setup>& setups,
+                      const std::vector<CutPrisms>& reserves, const UsableLibrary& usable,
+                      const PlanningShop& shop, const Progress& progress) {
+    const PlanRequest& request = shop.request;
+    const Machine& machine = shop.machine;
+    const Tolerances& tol = shop.tol;
+    const HoleWishes& wishes = shop.wishes;
+    shop.memory.beginPlan();
     Warnings late;
-    std::vector<PlannedStage> stages = planStages(setups, shop, progress, late);
+    std::vector<PlannedStage> stages = planStages(setups, reserves, shop, progress, late);
     SharedSetups shared =
         withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
     ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, wishes);
@@ -355,6 +359,88 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
     plan.warnings = byConsequence(std::move(plan.warnings));
+    return {std::move(plan), std::move(stages)};
+}
+
+// Which setup cuts what ----------------------------------------------------------------------------------
+
+/// Seconds of one piece, by which setups are given their work.
+double secondsOf(const Plan& plan) {
+    return plan.totals.motion_s;
+}
+
+double leftMm3(const Plan& plan) {
+    return plan.balance.residual_mm3 + plan.balance.unreachable_mm3;
+}
+
+/// Two plans' books differ by so much of stock minus part where cuts are seen from the side, whatever stays.
+constexpr double kBooksNoiseShare = 1e-6;
+
+/// Is the plan shorter, with no more setups and no more that stays?
+bool isBetter(const Plan& plan, const Plan& than) {
+    const double noise_mm3 =
+        std::max(kVolumeRoundingMm3, kBooksNoiseShare * than.balance.stock_minus_part_mm3);
+    return plan.setups.size() <= than.setups.size() && secondsOf(plan) < secondsOf(than) &&
+           leftMm3(plan) <= leftMm3(than) + noise_mm3 &&
+           std::abs(plan.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
+}
+
+/// Every setup first cuts all it reaches; then, setup after setup, what later ones would do for less is left
+/// to them, as long as the whole plan gets better by it.
+Plan assignedPlan(const Part& part, const std::vector<Setup>& setups, const UsableLibrary& usable,
+                  const PlanningShop& shop, const Progress& progress) {
+    const PlanRequest& request = shop.request;
+    Assignment assignment = request.assignment.value_or(Assignment{});
+    assignment.reserves.resize(setups.size());
+    StagedPlan best = planSetups(part, setups, assignment.reserves, usable, shop, progress);
+    const bool known = request.assignment || !request.assign || request.roughing;
+    for (std::size_t i = 0; !known && i < best.stages.size(); ++i) {
+        if (request.patience.all_tools.passed()) break;
+        const std::size_t place = best.stages[i].place;
+        std::optional<ReserveProposal> proposal =
+            proposeReserve(best.plan.setups[i], best.stages[i].layers, setups, place, shop);
+        if (!proposal) continue;
+        std::vector<CutPrisms> reserves = assignment.reserves;
+        reserves[place] = proposal->reserve;
+        StagedPlan trial = planSetups(part, setups, reserves, usable, shop, progress);
+        TriedReserve tried{best.plan.setups[i].setup.id,
+                           std::move(*proposal),
+                           secondsOf(best.plan),
+                           secondsOf(trial.plan),
+                           leftMm3(trial.plan) - leftMm3(best.plan),
+                           isBetter(trial.plan, best.plan)};
+        if (tried.taken) {
+            best = std::move(trial);
+            assignment.reserves = std::move(reserves);
+        }
+        assignment.tried.push_back(std::move(tried));
+    }
+    best.plan.assignment = std::move(assignment);
+    return std::move(best.plan);
+}
+
+}  // namespace
+
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+              const Machine& machine, const Tolerances& tol, const Progress& progress) {
+    SequenceMemory memory;
+    return planPart(part, request, library, machine, tol, progress, memory);
+}
+
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+              const Machine& machine, const Tolerances& tol, const Progress& progress,
+              SequenceMemory& memory) {
+    requireMaterial(library, request.sequence.material);
+    if (progress) progress("setups", 0);
+    const std::vector<Setup> setups = setupsFor(part, request);
+    STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
+    requireMachinableSize(part, setups, machine);
+    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
+    const SmallerLibraries smaller = smallerLibraries(request.cautions, usable.library);
+    const HoleWishes wishes(request.holes, part, tol);
+    const ToolLibrary drills = drillsOf(usable.library);
+    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, memory};
+    Plan plan = assignedPlan(part, setups, usable, shop, progress);
     if (progress) progress("done", 1);
     return plan;
 }
