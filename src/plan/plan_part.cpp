@@ -307,36 +307,59 @@ Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine
     return plan;
 }
 
-/// A plan with the stages it came from, whose setups it has.
-struct StagedPlan {
-    Plan plan;
+/// Setups with all that mills and drills cut in flat layers, at the library's feeds, and the stages they came
+/// from.
+struct CutSetups {
     std::vector<PlannedStage> stages;
+    std::vector<PlannedSetup> setups;  ///< moved out of the stages
+    ToolSharing sharing;
+    int threads_missing = 0;
+    PlanTotals totals;
+    VolumeBalance balance;
+    Warnings warnings;  ///< of time that was short, then of threads
+
+    double leftMm3() const { return balance.residual_mm3 + balance.unreachable_mm3; }
 };
 
 /// Plans the setups as they stand, each on what those before it leave.
-StagedPlan planSetups(const Part& part, const std::vector<Setup>& setups,
-                      const std::vector<CutPrisms>& reserves, const UsableLibrary& usable,
-                      const PlanningShop& shop, const Progress& progress) {
+CutSetups cutSetups(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
+                    double stock_minus_part_mm3, const PlanningShop& shop, const Progress& progress) {
+    const PlanRequest& request = shop.request;
+    CutSetups cut;
+    shop.memory.beginPlan();
+    cut.stages = planStages(setups, reserves, shop, progress, cut.warnings);
+    SharedSetups shared =
+        withSharedTools(setupsOf(cut.stages), shop.library, shop.machine, request.sequence.objective);
+    cut.sharing = shared.sharing;
+    ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, shop.wishes);
+    cut.threads_missing = threaded.missing;
+    append(cut.warnings, threaded.warnings);
+    std::vector<PlannedSetup> operating = withOperations(
+        std::move(threaded.setups),
+        {shop.library, shop.machine, request.sequence.material, request.earlier, request.cautions, shop.tol});
+    const ToolLibrary set_out = withStickOuts(shop.library, operating);
+    TimedSetups timed = withTimes(std::move(operating), set_out, shop.machine);
+    cut.setups = std::move(timed.setups);
+    cut.totals = timed.totals;
+    cut.balance = booksOf(cut.setups, cut.stages, stock_minus_part_mm3, shop.tol).part;
+    return cut;
+}
+
+/// The plan of these setups: leaning walls finished, feeds by what is cut, times and books.
+Plan finished(CutSetups cut, const Part& part, const Stock& stock, const UsableLibrary& usable,
+              const PlanningShop& shop, const Progress& progress) {
     const PlanRequest& request = shop.request;
     const Machine& machine = shop.machine;
     const Tolerances& tol = shop.tol;
-    const HoleWishes& wishes = shop.wishes;
-    shop.memory.beginPlan();
-    Warnings late;
-    std::vector<PlannedStage> stages = planStages(setups, reserves, shop, progress, late);
-    SharedSetups shared =
-        withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
-    ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, wishes);
-    std::vector<PlannedSetup> operating = withOperations(
-        std::move(threaded.setups),
-        {usable.library, machine, request.sequence.material, request.earlier, request.cautions, tol});
+    const std::vector<PlannedStage>& stages = cut.stages;
     Warnings form_warnings;
-    const double stock_minus_part_mm3 = setups.front().stock.volume_mm3 - part.volume_mm3;
-    operating = withForms(std::move(operating), stages, shop, progress, form_warnings);
+    const double stock_minus_part_mm3 = stock.volume_mm3 - part.volume_mm3;
+    std::vector<PlannedSetup> operating =
+        withForms(std::move(cut.setups), stages, shop, progress, form_warnings);
     operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
-    Plan plan = planOf(part, request, machine, setups.front().stock);
-    plan.sharing = shared.sharing;
-    plan.threads_missing = threaded.missing;
+    Plan plan = planOf(part, request, machine, stock);
+    plan.sharing = cut.sharing;
+    plan.threads_missing = cut.threads_missing;
     plan.library = withStickOuts(usable.library, operating);
     operating = withCuttingFeeds(std::move(operating), {request, plan.library, machine, tol});
     TimedSetups timed = withTimes(std::move(operating), plan.library, machine);
@@ -353,70 +376,61 @@ StagedPlan planSetups(const Part& part, const std::vector<Setup>& setups,
     for (const PlannedStage& stage : stages)
         append(plan.warnings, stage.warnings);
     append(plan.warnings, form_warnings);
-    append(plan.warnings, late);
-    append(plan.warnings, threaded.warnings);
-    append(plan.warnings, wishes.unused(plan.setups));
+    append(plan.warnings, cut.warnings);
+    append(plan.warnings, shop.wishes.unused(plan.setups));
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
     plan.warnings = byConsequence(std::move(plan.warnings));
-    return {std::move(plan), std::move(stages)};
+    return plan;
 }
 
 // Which setup cuts what ----------------------------------------------------------------------------------
 
-/// Seconds of one piece, by which setups are given their work.
-double secondsOf(const Plan& plan) {
-    return plan.totals.motion_s;
-}
-
-double leftMm3(const Plan& plan) {
-    return plan.balance.residual_mm3 + plan.balance.unreachable_mm3;
-}
-
 /// Two plans' books differ by so much of stock minus part where cuts are seen from the side, whatever stays.
 constexpr double kBooksNoiseShare = 1e-6;
+/// Where something stays anyway, so much more of it may: other tools reach a little less of a corner or more.
+constexpr double kMoreMayStayShare = 0.005;
+/// A plan must be shorter by so much to be taken: feeds and leaning walls, which come later, are not in it.
+constexpr double kWorthChanging = 0.99;
 
-/// Is the plan shorter, with no more setups and no more that stays?
-bool isBetter(const Plan& plan, const Plan& than) {
+/// Is it clearly shorter, or cheaper if plans are made by cost, with no more setups and no more that stays?
+bool isBetter(const CutSetups& cut, const CutSetups& than, Objective objective) {
+    const auto weight = [&](const PlanTotals& totals) {
+        return objective == Objective::Time ? totals.motion_s : totals.cost;
+    };
     const double noise_mm3 =
         std::max(kVolumeRoundingMm3, kBooksNoiseShare * than.balance.stock_minus_part_mm3);
-    return plan.setups.size() <= than.setups.size() && secondsOf(plan) < secondsOf(than) &&
-           leftMm3(plan) <= leftMm3(than) + noise_mm3 &&
-           std::abs(plan.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
+    const double may_stay_mm3 = than.leftMm3() + std::max(noise_mm3, kMoreMayStayShare * than.leftMm3());
+    return cut.setups.size() <= than.setups.size() &&
+           weight(cut.totals) < kWorthChanging * weight(than.totals) && cut.leftMm3() <= may_stay_mm3 &&
+           std::abs(cut.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
 }
 
 /// Every setup first cuts all it reaches; then, setup after setup, what later ones would do for less is left
-/// to them, as long as the whole plan gets better by it.
-Plan assignedPlan(const Part& part, const std::vector<Setup>& setups, const UsableLibrary& usable,
-                  const PlanningShop& shop, const Progress& progress) {
+/// to them, as long as all gets better by it. \param assignment  what is known of it, and gets known
+CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_part_mm3,
+                           const PlanningShop& shop, const Progress& progress, Assignment& assignment) {
     const PlanRequest& request = shop.request;
-    Assignment assignment = request.assignment.value_or(Assignment{});
     assignment.reserves.resize(setups.size());
-    StagedPlan best = planSetups(part, setups, assignment.reserves, usable, shop, progress);
-    const bool known = request.assignment || !request.assign || request.roughing;
-    for (std::size_t i = 0; !known && i < best.stages.size(); ++i) {
-        if (request.patience.all_tools.passed()) break;
+    CutSetups best = cutSetups(setups, assignment.reserves, stock_minus_part_mm3, shop, progress);
+    if (request.assignment || !request.assign || request.roughing) return best;
+    for (std::size_t i = 0; i < best.stages.size() && !request.patience.all_tools.passed(); ++i) {
         const std::size_t place = best.stages[i].place;
+        if (progress) progress("what " + best.setups[i].setup.id + " might leave for later setups", 1);
         std::optional<ReserveProposal> proposal =
-            proposeReserve(best.plan.setups[i], best.stages[i].layers, setups, place, shop);
+            proposeReserve(best.setups[i], best.stages[i].layers, setups, place, shop);
         if (!proposal) continue;
         std::vector<CutPrisms> reserves = assignment.reserves;
         reserves[place] = proposal->reserve;
-        StagedPlan trial = planSetups(part, setups, reserves, usable, shop, progress);
-        TriedReserve tried{best.plan.setups[i].setup.id,
-                           std::move(*proposal),
-                           secondsOf(best.plan),
-                           secondsOf(trial.plan),
-                           leftMm3(trial.plan) - leftMm3(best.plan),
-                           isBetter(trial.plan, best.plan)};
-        if (tried.taken) {
-            best = std::move(trial);
-            assignment.reserves = std::move(reserves);
-        }
-        assignment.tried.push_back(std::move(tried));
+        CutSetups trial = cutSetups(setups, reserves, stock_minus_part_mm3, shop, progress);
+        const bool taken = isBetter(trial, best, request.sequence.objective);
+        assignment.tried.push_back({best.setups[i].setup.id, std::move(*proposal), best.totals.motion_s,
+                                    trial.totals.motion_s, trial.leftMm3() - best.leftMm3(), taken});
+        if (!taken) continue;
+        best = std::move(trial);
+        assignment.reserves = std::move(reserves);
     }
-    best.plan.assignment = std::move(assignment);
-    return std::move(best.plan);
+    return best;
 }
 
 }  // namespace
@@ -440,7 +454,11 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const HoleWishes wishes(request.holes, part, tol);
     const ToolLibrary drills = drillsOf(usable.library);
     const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, memory};
-    Plan plan = assignedPlan(part, setups, usable, shop, progress);
+    const Stock& stock = setups.front().stock;
+    Assignment assignment = request.assignment.value_or(Assignment{});
+    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);
+    Plan plan = finished(std::move(cut), part, stock, usable, shop, progress);
+    plan.assignment = std::move(assignment);
     if (progress) progress("done", 1);
     return plan;
 }

@@ -5,13 +5,14 @@
 #include "stepmill/planar/boolean.h"
 #include "support/dice.h"
 #include "support/occt_solids.h"
+#include "support/tolerances.h"
 
 // Which setup cuts what, against all splits of the waste around a part on a grid of depths.
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 /// What a split on the grid may be better by.
 constexpr double kMostBetter = 1.01;
 constexpr int kSplits = 3;

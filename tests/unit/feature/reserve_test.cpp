@@ -4,11 +4,12 @@
 
 #include "stack_maker.h"
 #include "stepmill/feature/feature.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-const Tolerances kTol;
+using test::kTol;
 const Region kStock = makeRectangle(Vec2(0, 0), Vec2(100, 60));
 const Region kBoss = makeRectangle(Vec2(30, 20), Vec2(70, 40));
 /// Left of the boss, as far as the stock goes.
