@@ -17,10 +17,10 @@
 #include "stepmill/core/error.h"
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/deep_bands.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/plan/removed.h"
 #include "stepmill/plan/roughing.h"
-#include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
 #include "stepmill/plan/warning_order.h"
@@ -156,7 +156,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
         if (!stage) break;
-        setFixtures(*stage, shop.request.fixtures, shop.tol);
+        holdStage(*stage, shop.request.fixtures, shop.request.hold, shop.tol);
         if (const auto& leaves = shop.request.roughing)
             stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
                                          shop.request.sequence.material, shop.tol);

@@ -9,20 +9,6 @@
 namespace stepmill {
 namespace {
 
-std::vector<Prism> stockSlabs(const LayerStack& layers) {
-    std::vector<Prism> slabs;
-    for (const Layer& layer : layers.layers)
-        slabs.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
-    return slabs;
-}
-
-std::vector<bool> uprightSlabs(const LayerStack& layers) {
-    std::vector<bool> upright;
-    for (const Layer& layer : layers.layers)
-        upright.push_back(layer.stock_air_mm3 <= 0);
-    return upright;
-}
-
 bool isUndercut(const Unplanned& unplanned) {
     return unplanned.reason == Reason::Undercut;
 }
@@ -68,9 +54,6 @@ Stage makeStage(Setup setup, const SliceOptions& slicing, const Tolerances& tol)
     stage.setup = std::move(setup);
     stage.layers = slice(stage.setup, tol, slicing);
     stage.found = recogniseFeatures(stage.layers, tol);
-    stage.clamping = suggestClamping(stockSlabs(stage.layers), uprightSlabs(stage.layers),
-                                     featurePrisms(stage.found), tol);
-    stage.setup.fixtures = stage.clamping.jaws;
     stage.air_mm3 = netOfAir(stage.found, stage.layers);
     return stage;
 }

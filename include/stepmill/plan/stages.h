@@ -17,7 +17,7 @@ struct Stage {
     Setup setup;
     LayerStack layers;
     FeatureSet found;
-    Clamping clamping;  ///< free of all that `found` would cut
+    Clamping clamping;  ///< none before holdStage() (plan/hold_stage.h)
     /// Volume of `found.features` that earlier setups cut already from other sides, where the stock's walls
     /// lean and slabs stand for their hull [mm3]. Unplanned volumes are free of it: stock as it arrives -
     /// part = features + unplanned - air_mm3.
@@ -49,8 +49,7 @@ struct StockStep {
     double leaves_mm3 = 0;
 };
 
-/// The setups in turn, each on the stock that those before it leave: slices it, recognises features, suggests
-/// a clamping.
+/// The setups in turn, each on the stock that those before it leave: slices it, recognises features.
 ///
 ///     while (std::optional<Stage> stage = walk.next())
 ///         walk.cut(*stage, featurePrisms(stage->found));

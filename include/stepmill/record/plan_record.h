@@ -27,6 +27,7 @@ struct RecordedSetup {
     std::string program;  ///< file name
     Vec3 stock_size_mm = Vec3::Zero();
     std::vector<Fixture> fixtures;
+    Clamping clamping;  ///< without jaws, which are fixtures; of plans of older versions none
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     FeatureNames names;                      ///< PlannedSetup::names
@@ -56,6 +57,10 @@ struct RecordedRequest {
     Objective objective = Objective::Time;
     SurrogateRule surrogates = SurrogateRule::Sequence;
     double scallop_mm = kUsualScallopMm;
+    std::vector<double> stock_sizes_mm;       ///< SetupRequest::stock_sizes_mm
+    Vise vise;
+    double plate_mm = kPlateThicknessMm;
+    std::optional<HoldKind> hold;  ///< PlanRequest::hold
 };
 
 /// What plan.json says that programs are proven against.

@@ -13,7 +13,7 @@ using test::kTol;
 const Region kBlock = makeRectangle(Vec2(0, 0), Vec2(80, 50));
 
 Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
-    return suggestClamping(arriving, std::vector<bool>(arriving.size(), true), removed, kTol);
+    return suggestClamping({arriving, std::vector<bool>(arriving.size(), true), removed}, {}, kTol);
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>
 TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(20, 20), Vec2(60, 30)), 0, -10}});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.opening_mm, 50, 1e-9);
     EXPECT_NEAR(clamping.length_mm, 80, 1e-9);
     EXPECT_NEAR(clamping.depth_mm, 28, 1e-9);  // grown jaws end at the stock's top
@@ -31,9 +31,9 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
 TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
-    ASSERT_EQ(clamping.jaws.size(), 2U);
+    ASSERT_EQ(clamping.fixtures.size(), 2U);
     double side = 0;
-    for (const Fixture& jaw : clamping.jaws) {
+    for (const Fixture& jaw : clamping.fixtures) {
         EXPECT_LE(jaw.top_z_mm, -18 + 1e-9);
         EXPECT_EQ(area(intersect(jaw.section, kBlock, kTol)), 0);
         const Box2 box = boundingBox(jaw.section);
@@ -48,14 +48,14 @@ TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
 TEST(SuggestClamping, StaysBelowAnOpenStep) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.depth_mm, 10, 1e-9);
 }
 
 TEST(SuggestClamping, TakesTheOtherSidesWhereTwoAreCutToTheBottom) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(20, 0), Vec2(60, 10)), 0, -30}});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.opening_mm, 80, 1e-9);
     EXPECT_NEAR(clamping.seat_mm2, 80 * 50 - 40 * 10, 1e-6);
 }
@@ -63,17 +63,111 @@ TEST(SuggestClamping, TakesTheOtherSidesWhereTwoAreCutToTheBottom) {
 TEST(SuggestClamping, SaysWhyNoViseWillDo) {
     const Region ring = subtract(kBlock, makeRectangle(Vec2(5, 5), Vec2(75, 45)), kTol);
     const Clamping cut = clampingOf({{kBlock, 0, -30}}, {{ring, 0, -30}});
-    EXPECT_FALSE(cut.vise);
+    EXPECT_FALSE(cut.isVise());
     EXPECT_NE(cut.text.find("cutting reaches down"), std::string::npos) << cut.text;
     const Clamping round = clampingOf({{makeCircle(Vec2(0, 0), 20), 0, -30}}, {});
-    EXPECT_FALSE(round.vise);
+    EXPECT_FALSE(round.isVise());
     EXPECT_NE(round.text.find("no two flat parallel sides"), std::string::npos) << round.text;
 }
 
 TEST(SuggestClamping, GripsAboveNarrowPadsAtTheBottom) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}, {makeRectangle(Vec2(10, 10), Vec2(30, 40)), -30, -34}}, {});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.from_mm, 4, 1e-9);
     EXPECT_NEAR(clamping.opening_mm, 50, 1e-9);
+}
+
+namespace {
+
+StockToHold upright(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
+    return {arriving, std::vector<bool>(arriving.size(), true), removed};
+}
+
+const Region kRing = subtract(kBlock, makeRectangle(Vec2(5, 5), Vec2(75, 45)), kTol);
+
+}  // namespace
+
+TEST(SuggestClamping, AsksForNoWiderJawsThanTheViseHas) {
+    HoldWish wish;
+    wish.vise.opening_mm = 60;
+    const Clamping narrow = suggestClamping(upright({{kBlock, 0, -30}}, {}), wish, kTol);
+    ASSERT_TRUE(narrow.isVise()) << narrow.text;
+    EXPECT_NEAR(narrow.opening_mm, 50, 1e-9);
+    wish.vise.opening_mm = 49;
+    const Clamping none = suggestClamping(upright({{kBlock, 0, -30}}, {}), wish, kTol);
+    EXPECT_EQ(none.kind, HoldKind::Plate);
+    EXPECT_NE(none.text.find("it opens 49 mm, the stock is 50 mm wide"), std::string::npos) << none.text;
+}
+
+TEST(SuggestClamping, StandsOnParallelsThatTheShopHas) {
+    HoldWish wish;
+    wish.vise.parallels_mm = {15, 33};
+    const StockToHold stock =
+        upright({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
+    const Clamping clamping = suggestClamping(stock, wish, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_NEAR(clamping.parallels_mm, 33, 1e-9);
+    EXPECT_NEAR(clamping.depth_mm, 40 - 33, 1e-9);
+    wish.vise.grip_mm = 8;  // neither the bed, nor these parallels hold so much and keep clear
+    EXPECT_FALSE(suggestClamping(stock, wish, kTol).isVise());
+}
+
+TEST(SuggestClamping, HoldsStockBelowThePart) {
+    StockToHold stock = upright({{kBlock, 0, -42}}, {{kRing, 0, -42}});
+    stock.under_part_mm = 12;
+    const Clamping clamping = suggestClamping(stock, {}, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_TRUE(clamping.holds_all);
+    // The overlap below the part, the clearance, and parallels in steps of 2 mm: 12 - 1 - 2 is 9.
+    EXPECT_NEAR(clamping.depth_mm, 8, 1e-9);
+    EXPECT_NEAR(clamping.held_mm, 12 - kGripOverlapMm, 1e-9);
+    EXPECT_NEAR(clamping.seat_mm2, area(kBlock), 1e-6);
+    stock.under_part_mm = 6.9;  // less than grip and clearance
+    EXPECT_EQ(suggestClamping(stock, {}, kTol).kind, HoldKind::Plate);
+}
+
+TEST(SuggestClamping, HoldsSidesThatALaterSetupCuts) {
+    StockToHold stock = upright({{kBlock, 0, -30}}, {{kRing, 0, -30}});
+    stock.turned_over_later = true;
+    const Clamping clamping = suggestClamping(stock, {}, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_FALSE(clamping.holds_all);
+    EXPECT_NEAR(clamping.depth_mm, 5, 1e-9);
+    EXPECT_NEAR(clamping.held_mm, 7, 1e-9);
+    // What is left above must do for the next setup's jaws.
+    stock.arriving = {{kBlock, 0, -13}};
+    stock.removed = {{kRing, 0, -13}};
+    EXPECT_EQ(suggestClamping(stock, {}, kTol).kind, HoldKind::Plate);
+}
+
+TEST(SuggestClamping, TakesThePlateOrTheViseThatWasAskedFor) {
+    const StockToHold cut_around = upright({{kBlock, 0, -30}}, {{kRing, 0, -30}});
+    HoldWish wish;
+    wish.kind = HoldKind::Vise;
+    EXPECT_TRUE(suggestClamping(cut_around, wish, kTol).isVise());
+    const StockToHold block = upright({{kBlock, 0, -30}}, {});
+    wish.kind = HoldKind::Plate;
+    EXPECT_EQ(suggestClamping(block, wish, kTol).kind, HoldKind::Plate);
+    wish.kind = HoldKind::Skin;
+    const Clamping skin = suggestClamping(cut_around, wish, kTol);
+    EXPECT_EQ(skin.kind, HoldKind::Skin);
+    EXPECT_NEAR(skin.held_mm, kSkinMm, 1e-9);
+    EXPECT_TRUE(skin.fixtures.empty());
+}
+
+TEST(SuggestClamping, HasNothingForAPartWithoutASeat) {
+    const Region stub = makeRectangle(Vec2(0, 0), Vec2(80, 4));  // 320 mm2
+    const Clamping clamping = clampingOf({{stub, 0, -4}}, {});
+    EXPECT_EQ(clamping.kind, HoldKind::None) << clamping.text;
+    EXPECT_NE(clamping.text.find("no plate"), std::string::npos) << clamping.text;
+}
+
+TEST(HoldKinds, HaveAWordEach) {
+    for (const HoldKind kind :
+         {HoldKind::None, HoldKind::Given, HoldKind::Vise, HoldKind::Plate, HoldKind::Skin})
+        EXPECT_EQ(anyHoldKindFrom(toString(kind)), kind);
+    EXPECT_EQ(holdKindFrom("plate"), HoldKind::Plate);
+    EXPECT_FALSE(holdKindFrom("none"));
+    EXPECT_FALSE(holdKindFrom("glue"));
 }
