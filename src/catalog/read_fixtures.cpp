@@ -22,11 +22,10 @@ constexpr double kFarthestMm = 1e4;
 /// A fixture as thin is a slip of the pen: heights in plan.json have six decimals [mm].
 constexpr double kThinnestMm = 1e-3;
 
-constexpr EnumWord<FixtureKind> kFixtureKinds[] = {
-    {FixtureKind::Clamp, "clamp"},
-    {FixtureKind::Jaw, "jaw"},
-    {FixtureKind::Screw, "screw"},
-    {FixtureKind::HeldStock, "held stock"}};
+constexpr EnumWord<FixtureKind> kFixtureKinds[] = {{FixtureKind::Clamp, "clamp"},
+                                                   {FixtureKind::Jaw, "jaw"},
+                                                   {FixtureKind::Screw, "screw"},
+                                                   {FixtureKind::HeldStock, "held stock"}};
 
 /// Reads a document that keeps the schema.
 class FixtureReader {

@@ -103,8 +103,7 @@ Region heldSection(const LayerStack& layers, const FeatureSet& found, const Held
     Region stock = unite(sections, tol);
     std::vector<Region> cut;
     for (const Feature& feature : found.features)
-        if (feature.floor_z_mm < held.top_z_mm - kSameHeightMm)
-            cut.push_back(feature.target);
+        if (feature.floor_z_mm < held.top_z_mm - kSameHeightMm) cut.push_back(feature.target);
     return cut.empty() ? stock : subtract(stock, unite(cut, tol), tol);
 }
 

@@ -16,8 +16,8 @@ struct HeldStock {
 HeldStock heldStock(const Stage& stage);
 
 /// A setup's features without what would be cut of held stock, which is unplanned with the reason Holding:
-/// the volumes of both add up to what they did. Stock that is all held lets through holes alone pass; of other
-/// stock only features stop above it that are open to the outside, or lie below such a one.
+/// the volumes of both add up to what they did. Stock that is all held lets through holes alone pass; of
+/// other stock only features stop above it that are open to the outside, or lie below such a one.
 FeatureSet withHeldStock(FeatureSet found, const HeldStock& held, const Tolerances& tol);
 
 /// The held stock as cutters, shanks and holders keep clear of it: without the features that go into it;

@@ -116,7 +116,8 @@ Clamping clampingOf(const Stage& stage, const FixtureFile& shop, std::optional<H
 void holdStage(Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind, const Tolerances& tol) {
     stage.clamping = clampingOf(stage, shop, kind, tol);
     std::vector<Fixture>& fixtures = stage.setup.fixtures;
-    fixtures = stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, tol) : stage.clamping.fixtures;
+    fixtures =
+        stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, tol) : stage.clamping.fixtures;
     const HeldStock held = heldStock(stage);
     stage.found = withHeldStock(std::move(stage.found), held, tol);
     Region section = heldSection(stage.layers, stage.found, held, tol);

@@ -6,6 +6,7 @@
 #include "plan/earlier_operations.h"
 #include "plan/feature_planner.h"
 #include "plan/form_finishing.h"
+#include "plan/loose_pieces.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
@@ -168,6 +169,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const Pla
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
         planned.setup.names = std::move(names);
+        append(planned.warnings, looseWarnings(*stage, planned.removed, shop.tol));
         planned.stock = walk.cut(*stage, planned.removed);
         planned.left = walk.left();
         planned.layers = std::move(stage->layers);

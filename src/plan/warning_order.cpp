@@ -16,6 +16,7 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"books", Consequence::Danger},
                                              {"no-hold", Consequence::Danger},
                                              {"below-stock", Consequence::Danger},
+                                             {"loose", Consequence::Danger},
                                              {"proof", Consequence::Danger},
                                              {"not-2.5d", Consequence::MissingOnThePart},
                                              {"unreachable", Consequence::MissingOnThePart},
@@ -35,7 +36,8 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"tool-unusable", Consequence::Cost}};
 
 bool staysAlone(const Warning& warning) {
-    return warning.code == "travel" || warning.code == "proof" || warning.code == "no-hold";
+    return warning.code == "travel" || warning.code == "proof" || warning.code == "no-hold" ||
+           warning.code == "loose";
 }
 
 }  // namespace

@@ -80,10 +80,10 @@ Clamping firstOf(const std::vector<HoldKind>& kinds, const StockToHold& stock, c
     return none;
 }
 
-constexpr EnumWord<HoldKind> kHolds[] = {
-    {HoldKind::None, "none"},          {HoldKind::Given, "given"},   {HoldKind::Vise, "vise"},
-    {HoldKind::SoftJaws, "soft-jaws"}, {HoldKind::Screws, "screws"}, {HoldKind::Plate, "plate"},
-    {HoldKind::Skin, "skin"}};
+constexpr EnumWord<HoldKind> kHolds[] = {{HoldKind::None, "none"},     {HoldKind::Given, "given"},
+                                         {HoldKind::Vise, "vise"},     {HoldKind::SoftJaws, "soft-jaws"},
+                                         {HoldKind::Screws, "screws"}, {HoldKind::Plate, "plate"},
+                                         {HoldKind::Skin, "skin"}};
 
 }  // namespace
 

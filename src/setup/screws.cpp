@@ -19,8 +19,8 @@ struct ScrewSize {
     double head_mm;
     double head_height_mm;
 };
-constexpr std::array kSizes = {ScrewSize{3, 3.2, 7, 3.5}, ScrewSize{4, 4.3, 9, 4.8},
-                               ScrewSize{5, 5.3, 10, 6}, ScrewSize{6, 6.4, 12, 7.6},
+constexpr std::array kSizes = {ScrewSize{3, 3.2, 7, 3.5},  ScrewSize{4, 4.3, 9, 4.8},
+                               ScrewSize{5, 5.3, 10, 6},   ScrewSize{6, 6.4, 12, 7.6},
                                ScrewSize{8, 8.4, 16, 9.6}, ScrewSize{10, 10.5, 20, 12}};
 
 /// Cutting stays so far off a head: a cutter passes beside it [mm].
@@ -68,9 +68,8 @@ class ScrewFinder {
             const Screw screw{*size, hole->centre, *seat_z_mm};
             if (staysUncut(screw)) found.push_back(screw);
         }
-        std::stable_sort(found.begin(), found.end(), [](const Screw& a, const Screw& b) {
-            return a.size.thread_mm > b.size.thread_mm;
-        });
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Screw& a, const Screw& b) { return a.size.thread_mm > b.size.thread_mm; });
         if (found.size() > kMostScrews) found.resize(kMostScrews);
         return found;
     }
@@ -102,9 +101,9 @@ class ScrewFinder {
         for (const Prism& slab : stock_.arriving) {
             if (isFree(slab.region, at, size.head_mm / 2)) continue;
             const double hole_mm = distanceToBoundary(slab.region, at);
-            const bool carries = size.head_mm / 2 - hole_mm > kLeastSeatMm &&
-                                 covers(makeCircle(at, hole_mm), subtract(head, slab.region, tol_), kPlaneMm,
-                                        tol_);
+            const bool carries =
+                size.head_mm / 2 - hole_mm > kLeastSeatMm &&
+                covers(makeCircle(at, hole_mm), subtract(head, slab.region, tol_), kPlaneMm, tol_);
             return carries ? std::optional<double>(slab.top_z_mm) : std::nullopt;
         }
         return std::nullopt;

@@ -15,7 +15,7 @@ namespace {
 /// Deeper they are not bored [mm].
 constexpr double kDeepestBoreMm = 15;
 /// Between the jaws so much of the stock's width is free: they must close on it [share].
-constexpr double kGapShare = 0.25;
+constexpr double kOpenShare = 0.25;
 
 class SoftJaws {
   public:
@@ -35,8 +35,8 @@ class SoftJaws {
             return {{},
                     fmt::format("no soft jaws: the vise opens {:.4g} mm, the stock is {:.4g} mm wide",
                                 vise_.opening_mm, opening_mm)};
-        const double depth_mm = std::min({sameOutlineMm(), lowestCutMm() - vise_.jaw_clearance_mm,
-                                          kDeepestBoreMm, vise_.jaw_height_mm});
+        const double depth_mm = std::min(
+            {sameOutlineMm(), lowestCutMm() - vise_.jaw_clearance_mm, kDeepestBoreMm, vise_.jaw_height_mm});
         if (depth_mm < vise_.grip_mm - kPlaneMm)
             return {{}, "no soft jaws: the outline is cut or changes too low for them"};
         return {made(box, across, depth_mm), {}};
@@ -76,17 +76,17 @@ class SoftJaws {
         const Vec2 along(-across.y(), across.x());
         made.length_mm = std::min(std::abs(along.dot(box.sizes())), vise_.jaw_width_mm);
         for (const Vec2& out : {across, Vec2(-across)}) {
-            const double from_mm = out.dot(box.center()) + kGapShare / 2 * made.opening_mm;
+            const double from_mm = out.dot(box.center()) + kOpenShare / 2 * made.opening_mm;
             Vise block = vise_;
             block.jaw_thickness_mm += made.opening_mm / 2;
-            Fixture jaw =
-                viseJaw(block, out, from_mm, Vec2(-out.y(), out.x()).dot(box.center()), bottom_mm_ + depth_mm);
+            Fixture jaw = viseJaw(block, out, from_mm, Vec2(-out.y(), out.x()).dot(box.center()),
+                                  bottom_mm_ + depth_mm);
             jaw.section = subtract(jaw.section, outline_, tol_);
             made.fixtures.push_back(std::move(jaw));
         }
-        made.text =
-            fmt::format("vise with soft jaws, bored {:.3g} mm deep to the stock's outline, {:.4g} mm wide across {}",
-                        depth_mm, made.opening_mm, directionName(across));
+        made.text = fmt::format(
+            "vise with soft jaws, bored {:.3g} mm deep to the stock's outline, {:.4g} mm wide across {}",
+            depth_mm, made.opening_mm, directionName(across));
         return made;
     }
 

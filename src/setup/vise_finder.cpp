@@ -168,9 +168,8 @@ class ViseFinder {
     }
 
     bool cutsThrough() const {
-        return std::any_of(stock_.removed.begin(), stock_.removed.end(), [&](const Prism& prism) {
-            return prism.bottom_z_mm < bottom_mm_ + kPlaneMm;
-        });
+        return std::any_of(stock_.removed.begin(), stock_.removed.end(),
+                           [&](const Prism& prism) { return prism.bottom_z_mm < bottom_mm_ + kPlaneMm; });
     }
 
     /// Lowest cutting that comes to the jaw on this side, over the stock's bottom.
@@ -276,7 +275,7 @@ class ViseFinder {
         const double middle = (hold.span.from + hold.span.to) / 2;
         const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
         made.fixtures = {viseJaw(vise_, across, grip.right_mm, middle, top_z_mm),
-                     viseJaw(vise_, -across, grip.left_mm, -middle, top_z_mm)};
+                         viseJaw(vise_, -across, grip.left_mm, -middle, top_z_mm)};
         made.text = viseText(made);
         return made;
     }

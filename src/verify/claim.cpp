@@ -142,6 +142,7 @@ class SetupComparison {
                                                toString(derived.kind)));
         length(setup_.id, "the jaws' opening", recorded.opening_mm, derived.opening_mm);
         length(setup_.id, "the grip's depth", recorded.depth_mm, derived.depth_mm);
+        length(setup_.id, "the parallels' height", recorded.parallels_mm, derived.parallels_mm);
         length(setup_.id, "the held stock's height", recorded.held_mm, derived.held_mm);
     }
 

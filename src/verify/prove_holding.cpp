@@ -35,6 +35,8 @@ class HoldingProver {
 
     void prove(const std::vector<ReadProgram>& programs) {
         if (clamping_.isVise()) proveVise();
+        if (clamping_.kind == HoldKind::Screws && of(FixtureKind::Screw).size() < 2)
+            fail("is held by screws, of which two heads at least are no fixtures");
         proveHeldStock();
         for (const ReadProgram& program : programs)
             for (const ReadOperation& operation : program.operations)

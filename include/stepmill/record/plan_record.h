@@ -57,7 +57,7 @@ struct RecordedRequest {
     Objective objective = Objective::Time;
     SurrogateRule surrogates = SurrogateRule::Sequence;
     double scallop_mm = kUsualScallopMm;
-    std::vector<double> stock_sizes_mm;       ///< SetupRequest::stock_sizes_mm
+    std::vector<double> stock_sizes_mm;  ///< SetupRequest::stock_sizes_mm
     Vise vise;
     double plate_mm = kPlateThicknessMm;
     std::optional<HoldKind> hold;  ///< PlanRequest::hold

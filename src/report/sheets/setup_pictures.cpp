@@ -78,7 +78,8 @@ std::vector<Prism> parallelsOf(const PlannedSetup& planned) {
 /// What the stock rests on; it lies below all that is proven, so that it is no fixture of the plan's.
 std::vector<Prism> restsOf(const PlannedSetup& planned, double plate_mm) {
     const Clamping& held = planned.clamping;
-    if (held.kind == HoldKind::Vise) return held.parallels_mm > 0 ? parallelsOf(planned) : std::vector<Prism>{};
+    if (held.kind == HoldKind::Vise)
+        return held.parallels_mm > 0 ? parallelsOf(planned) : std::vector<Prism>{};
     if (!held.isOnPlate()) return {};
     const Box3& stock = planned.setup.stock_bbox_mm;
     const Vec2 rim = Vec2::Constant(plate_mm);

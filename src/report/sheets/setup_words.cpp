@@ -123,9 +123,10 @@ std::string plateWords(const Measures& in, const Plan& plan, const PlannedSetup&
 
 std::string softJawWords(const Measures& in, const PlannedSetup& planned) {
     const Clamping& held = planned.clamping;
-    return fmt::format("vise, soft jaws bored {} deep to the stock's outline, {} wide across {}; jaw tops at Z {}.",
-                       in.length(held.depth_mm), in.length(held.opening_mm), acrossWords(held.across),
-                       in.length(planned.setup.stock_bbox_mm.min().z() + held.depth_mm));
+    return fmt::format(
+        "vise, soft jaws bored {} deep to the stock's outline, {} wide across {}; jaw tops at Z {}.",
+        in.length(held.depth_mm), in.length(held.opening_mm), acrossWords(held.across),
+        in.length(planned.setup.stock_bbox_mm.min().z() + held.depth_mm));
 }
 
 std::string screwWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {

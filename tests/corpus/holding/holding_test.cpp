@@ -39,19 +39,6 @@ Toolpath pathOf(const ReadOperation& operation) {
     return path;
 }
 
-/// The raw stock of a first setup after its program.
-HeightMap cutStock(const PlanRecord& record, const RecordedSetup& setup, const fs::path& folder) {
-    const Vec3& size = setup.stock_size_mm;
-    const Box2 box(Vec2(0, 0), size.head<2>());
-    HeightMap stock(box, kCellMm, -size.z());
-    stock.raise(makeRectangle(Vec2(0, 0), size.head<2>()), 0);
-    const ReadProgram program =
-        readProgram(readFile(folder / setup.program), setup.program, Dialect::LinuxCnc);
-    for (const ReadOperation& operation : program.operations)
-        stock.run(pathOf(operation), profileOf(record.operations.at(operation.id).tool), 0);
-    return stock;
-}
-
 /// Cells of held stock that no longer stand as high as they are held.
 std::size_t cutHeld(const HeightMap& stock, const RecordedSetup& setup) {
     std::size_t cut = 0;
@@ -113,6 +100,44 @@ std::vector<std::size_t> pieces(const HeightMap& stock, double bottom_mm) {
     return found;
 }
 
+/// The raw stock of a first setup, cut by its program; what holds it is looked at after every operation.
+class HeldRun {
+  public:
+    HeldRun(const PlanRecord& record, const fs::path& job)
+        : record_(record), setup_(record.setups.front()), stock_(boxOf(setup_), kCellMm, bottomMm()) {
+        stock_.raise(makeRectangle(Vec2(0, 0), setup_.stock_size_mm.head<2>()), 0);
+        program_ = readProgram(readFile(job / setup_.program), setup_.program, Dialect::LinuxCnc);
+    }
+
+    void run() {
+        for (const ReadOperation& operation : program_.operations) {
+            stock_.run(pathOf(operation), profileOf(record_.operations.at(operation.id).tool), 0);
+            check(operation.id);
+        }
+    }
+
+  private:
+    static Box2 boxOf(const RecordedSetup& setup) {
+        return {Vec2(0, 0), Vec2(setup.stock_size_mm.head<2>())};
+    }
+    double bottomMm() const { return -setup_.stock_size_mm.z(); }
+
+    void check(const std::string& after) const {
+        EXPECT_EQ(cutHeld(stock_, setup_), 0U) << after;
+        const Clamping& held = setup_.clamping;
+        if (!held.isVise()) return;
+        EXPECT_GE(gripLeft(stock_, setup_),
+                  held.from_mm + held.depth_mm + record_.request->vise.jaw_clearance_mm - kFlushMm)
+            << after;
+        EXPECT_EQ(pieces(stock_, bottomMm()).size(), 1U) << "something falls loose in " << after;
+    }
+
+    const PlanRecord& record_;
+    const RecordedSetup& setup_;
+    HeightMap stock_;
+    ReadProgram program_;
+};
+
 struct Blank {
     std::vector<std::string> options;
     HoldKind first;  ///< what holds the first setup
@@ -132,15 +157,8 @@ void expectHeld(std::uint64_t seed, const Blank& blank) {
     const ProgramRun run = runProgram(words);
     ASSERT_LE(run.exit_code, 1) << run.err;
     const PlanRecord record = planRecordFromText(readFile(job / "plan.json"), kTol);
-    const RecordedSetup& first = record.setups.front();
-    EXPECT_EQ(first.clamping.kind, blank.first) << first.clamping.text;
-    const HeightMap stock = cutStock(record, first, job);
-    EXPECT_EQ(cutHeld(stock, first), 0U);
-    if (first.clamping.isVise()) {
-        EXPECT_GE(gripLeft(stock, first), first.clamping.from_mm + first.clamping.depth_mm +
-                                              record.request->vise.jaw_clearance_mm - kFlushMm);
-        EXPECT_EQ(pieces(stock, -first.stock_size_mm.z()).size(), 1U) << "something falls loose";
-    }
+    EXPECT_EQ(record.setups.front().clamping.kind, blank.first) << record.setups.front().clamping.text;
+    HeldRun(record, job).run();
     for (const RecordedSetup& setup : record.setups)
         EXPECT_NE(setup.clamping.kind, HoldKind::None) << setup.clamping.text;
 }

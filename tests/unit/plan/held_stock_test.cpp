@@ -67,18 +67,19 @@ LayerStack oneLayer() {
 
 TEST(WithHeldStock, StopsAllAboveStockThatIsHeldAndBooksTheRest) {
     const FeatureSet whole = cutThrough();
-    const HeldStock held{-19, -30, true, false};
+    const HeldStock held{-19, -30, true};
     const FeatureSet free = withHeldStock(whole, held, kTol);
     ASSERT_EQ(free.features.size(), 3U);
-    for (const Feature& feature : free.features) {
-        EXPECT_DOUBLE_EQ(feature.floor_z_mm, -19);
-        EXPECT_DOUBLE_EQ(feature.obstacles.front().bottom_z_mm, -19);
+    for (std::size_t i : {0, 1}) {
+        EXPECT_DOUBLE_EQ(free.features[i].floor_z_mm, -19);
+        EXPECT_DOUBLE_EQ(free.features[i].obstacles.front().bottom_z_mm, -19);
     }
     EXPECT_EQ(free.features[0].feature_class, FeatureClass::OpenPocket);
     EXPECT_EQ(free.features[1].feature_class, FeatureClass::ClosedPocket);
-    EXPECT_TRUE(free.features[2].through) << "the drill's point ends in the held stock";
+    EXPECT_TRUE(free.features[2].through);
+    EXPECT_DOUBLE_EQ(free.features[2].floor_z_mm, -30);
     EXPECT_NEAR(volumeMm3(free), volumeMm3(whole), 1e-6);
-    ASSERT_EQ(free.unplanned.size(), 3U);
+    ASSERT_EQ(free.unplanned.size(), 2U);
     EXPECT_TRUE(free.unplanned[0].reason == Reason::Holding);
     // The hole alone goes into it.
     EXPECT_NEAR(area(heldSection(oneLayer(), free, held, kTol)),
@@ -87,7 +88,7 @@ TEST(WithHeldStock, StopsAllAboveStockThatIsHeldAndBooksTheRest) {
 
 TEST(WithHeldStock, StopsTheOutsideAloneWhereSidesAreHeld) {
     const FeatureSet whole = cutThrough();
-    const HeldStock held{-23, -30, false, false};
+    const HeldStock held{-23, -30, false};
     const FeatureSet free = withHeldStock(whole, held, kTol);
     ASSERT_EQ(free.features.size(), 3U);
     EXPECT_DOUBLE_EQ(free.features[0].floor_z_mm, -23);
@@ -97,14 +98,6 @@ TEST(WithHeldStock, StopsTheOutsideAloneWhereSidesAreHeld) {
     EXPECT_NEAR(volumeMm3(free), volumeMm3(whole), 1e-6);
     EXPECT_NEAR(area(heldSection(oneLayer(), free, held, kTol)),
                 area(kStock) - area(whole.features[1].target) - area(whole.features[2].target), 1e-6);
-}
-
-TEST(WithHeldStock, LetsHolesThroughASkin) {
-    const FeatureSet free = withHeldStock(cutThrough(), {-29.7, -30, true, true}, kTol);
-    ASSERT_EQ(free.features.size(), 3U);
-    EXPECT_DOUBLE_EQ(free.features[1].floor_z_mm, -29.7);
-    EXPECT_DOUBLE_EQ(free.features[2].floor_z_mm, -30);
-    EXPECT_TRUE(free.features[2].through);
 }
 
 TEST(WithHeldStock, TakesFeaturesAwayThatLieInItAndThoseBelow) {
@@ -120,17 +113,17 @@ TEST(WithHeldStock, TakesFeaturesAwayThatLieInItAndThoseBelow) {
     below.volume_mm3 = 6 * below.area_mm2;
     below.open_length_mm = 0;  // waits for one that stops
     found.features.push_back(below);
-    const FeatureSet free = withHeldStock(found, {-23, -30, false, false}, kTol);
+    const FeatureSet free = withHeldStock(found, {-23, -30, false}, kTol);
     ASSERT_EQ(free.features.size(), 1U);
     EXPECT_EQ(free.features[0].id, "S1.F1");
     EXPECT_EQ(free.unplanned.size(), 2U);
 }
 
 TEST(WithHeldStock, LeavesAllWhereNothingIsHeld) {
-    const FeatureSet free = withHeldStock(cutThrough(), {-30, -30, true, false}, kTol);
+    const FeatureSet free = withHeldStock(cutThrough(), {-30, -30, true}, kTol);
     EXPECT_EQ(free.features.size(), 3U);
     EXPECT_TRUE(free.unplanned.empty());
-    EXPECT_TRUE(heldSection(oneLayer(), free, {-30, -30, true, false}, kTol).empty());
+    EXPECT_TRUE(heldSection(oneLayer(), free, {-30, -30, true}, kTol).empty());
 }
 
 Plan planned(const StockMargin& margin, std::optional<HoldKind> hold = {}) {
