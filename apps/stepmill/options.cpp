@@ -79,11 +79,11 @@ FixtureFile fixturesOf(const PlanOptions& options) {
 /// The margins that were asked for, or with `auto` what the shop saws, with stock for the vise below the
 /// part.
 void setMargins(const PlanOptions& options, SetupRequest& request) {
-    if (!options.stock_margin.empty()) request.margin = parseMargin(options.stock_margin);
+    if (options.stock_margin) request.margin = parseMargin(*options.stock_margin);
     if (options.stock != "auto") return;
     const FixtureFile shop = fixturesOf(options);
     request.stock_sizes_mm = shop.blank.sizes_mm;
-    if (options.stock_margin.empty())
+    if (!options.stock_margin)
         request.margin = {shop.blank.side_mm, shop.blank.top_mm,
                           shop.vise.grip_mm + shop.vise.jaw_clearance_mm + kGripOverlapMm};
 }

@@ -26,9 +26,9 @@ struct PlanOptions {
     std::string materials_file;  ///< feeds by what is cut of these; empty: the built-in ones
     std::string buy_file;        ///< tools that could be bought; empty: none are weighed
     std::string material = "aluminium";
-    std::string stock = "box";                 ///< "box", "auto" or a STEP file
-    std::string stock_margin;                  ///< side,top,bottom; empty: none of a box, the rule's of auto
-    std::string hold = "auto";                 ///< a HoldKind's word, or "auto": the first that will do
+    std::string stock = "box";                ///< "box", "auto" or a STEP file
+    std::optional<std::string> stock_margin;  ///< side,top,bottom; nothing: none of a box, the shop's of auto
+    std::string hold = "auto";                ///< a HoldKind's word, or "auto": the first that will do
     std::optional<double> stock_tolerance_mm;  ///< nothing: a box is sawn, a STEP file exact
     std::vector<std::string> setups;           ///< axes in order; empty or "auto": choose
     std::vector<std::string> no_setups;        ///< axes never to be chosen

@@ -88,6 +88,14 @@ std::vector<Prism> restsOf(const PlannedSetup& planned, double plate_mm) {
              stock.min().z(), stock.min().z() - plate_mm}};
 }
 
+/// What stands beside and under the stock. Held stock is drawn as stock.
+std::vector<Prism> holdersOf(const PlannedSetup& planned, double plate_mm) {
+    std::vector<Prism> holders = restsOf(planned, plate_mm);
+    for (const Fixture& fixture : planned.setup.fixtures)
+        if (fixture.kind != FixtureKind::HeldStock) holders.push_back(prismOf(fixture));
+    return holders;
+}
+
 std::vector<Body> bodiesOf(const PlannedSetup& planned, double plate_mm, const Tolerances& tol) {
     const Setup& setup = planned.setup;
     const double chord_mm = std::max(kFinestChordMm, kChordShare * setup.stock_bbox_mm.diagonal().norm());
@@ -95,10 +103,8 @@ std::vector<Body> bodiesOf(const PlannedSetup& planned, double plate_mm, const T
     std::vector<Body> bodies = arrivingStock(setup, chord_mm);
     for (const Prism& prism : removedBy(planned.features, tol))
         bodies.push_back(prismBody(BodyKind::CutHere, prism, here, chord_mm));
-    for (const Fixture& fixture : setup.fixtures)
-        bodies.push_back(prismBody(BodyKind::Fixture, prismOf(fixture), here, chord_mm));
-    for (const Prism& rest : restsOf(planned, plate_mm))
-        bodies.push_back(prismBody(BodyKind::Fixture, rest, here, chord_mm));
+    for (const Prism& holder : holdersOf(planned, plate_mm))
+        bodies.push_back(prismBody(BodyKind::Fixture, holder, here, chord_mm));
     return bodies;
 }
 
@@ -111,10 +117,7 @@ Box3 shownBox(const PlannedSetup& planned, double plate_mm) {
     // The outline is drawn between cells of the stock and empty ones.
     const Vec3 rim = Vec3::Constant(kRim * stock.diagonal().norm());
     Box3 shown(stock.min() - rim, stock.max() + rim);
-    std::vector<Prism> holding = restsOf(planned, plate_mm);
-    for (const Fixture& fixture : setup.fixtures)
-        holding.push_back(prismOf(fixture));
-    for (const Prism& prism : holding) {
+    for (const Prism& prism : holdersOf(planned, plate_mm)) {
         const Box2 flat = boundingBox(prism.region);
         const Box3 block(Vec3(flat.min().x(), flat.min().y(), prism.bottom_z_mm),
                          Vec3(flat.max().x(), flat.max().y(), prism.top_z_mm));
