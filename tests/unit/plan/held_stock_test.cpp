@@ -8,14 +8,13 @@
 #include "stepmill/feature/describe_boundary.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/planar/boolean.h"
-#include "support/grounds.h"
+#include "support/tolerances.h"
 
 namespace stepmill {
 namespace {
 
-using namespace test;
+using test::kTol;
 
-const Tolerances kTol;
 const Region kStock = makeRectangle({0, 0}, {100, 80});
 const Region kPart = makeRectangle({10, 10}, {90, 70});
 
