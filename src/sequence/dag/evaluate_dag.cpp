@@ -187,6 +187,7 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Stretch
     ClearingTask clearing;
     clearing.free_centres = n.own->free_centres;
     clearing.entries = n.own->entries;
+    clearing.slot_middles = n.own->slot_middles;
     clearing.centres = decomposed.centres;
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;
