@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include "plan/cutting_feeds.h"
-#include "plan/earlier_operations.h"
 #include "plan/feature_planner.h"
-#include "plan/form_finishing.h"
+#include "plan/form_setups.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
-#include "plan/retract.h"
 #include "plan/share_tools.h"
 #include "plan/stick_outs.h"
 #include "plan/threads.h"
@@ -188,50 +186,11 @@ std::vector<PlannedSetup> setupsOf(std::vector<PlannedStage>& stages) {
     return setups;
 }
 
-/// What keeps form cutters from a setup must not lose the plan: the walls stay as flat layers leave them.
-std::optional<FormFinishing> formsOf(const FormSources& sources, const FormShop& shop, Warnings& warnings) {
-    try {
-        return finishForms(sources, shop);
-    } catch (const Error& error) {
-        warnings.push_back({"planning-failed", formGroundId(sources.setup.id),
-                            fmt::format("leaning walls stay as flat layers leave them: {}", error.what())});
-        return std::nullopt;
-    }
-}
-
-/// The setups with form operations after all others, where the library has cutters for them.
-std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
-                                    const PlanningShop& shop, const Progress& progress, Warnings& warnings) {
-    const PlanRequest& request = shop.request;
-    const std::string& material = request.sequence.material;
-    const bool finishes = request.scallop_mm > 0 && !request.roughing;
-    if (!finishes || !hasFormCutters(shop.library, material)) return setups;
-    // A wall that leans to two setups is finished in the first.
-    Stock at_end = stages.back().left;
-    for (std::size_t i = 0; i < setups.size(); ++i) {
-        PlannedSetup& setup = setups[i];
-        if (progress) progress("leaning walls of " + setup.setup.id, 1);
-        const FormShop forms{shop.library,
-                             shop.machine,
-                             material,
-                             request.scallop_mm,
-                             retractMm(setup.setup, request.sequence.retract_mm, shop.machine),
-                             shop.cautionOf(formGroundId(setup.setup.id)),
-                             request.patience.few_tools,
-                             shop.tol};
-        std::optional<FormFinishing> finishing =
-            formsOf({setup.setup, stages[i].layers, stages[i].left, at_end}, forms, warnings);
-        if (!finishing) continue;
-        setup.form = std::move(finishing->ground);
-        at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
-        EarlierOperations before(setup, request.earlier);
-        for (Operation& operation : finishing->operations) {
-            operation.id = before.idOf(operation);
-            setup.operations.push_back(std::move(operation));
-        }
-        linkOperations(setup.operations, shop.machine);
-    }
-    return setups;
+std::vector<CutStage> cutStagesOf(const std::vector<PlannedStage>& stages) {
+    std::vector<CutStage> cut;
+    for (const PlannedStage& stage : stages)
+        cut.push_back({&stage.layers, &stage.left});
+    return cut;
 }
 
 PlanBooks booksOf(const std::vector<PlannedSetup>& setups, const std::vector<PlannedStage>& stages,
@@ -328,8 +287,10 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
         {usable.library, machine, request.sequence.material, request.earlier, request.cautions, tol});
     Warnings form_warnings;
     const double stock_minus_part_mm3 = setups.front().stock.volume_mm3 - part.volume_mm3;
-    operating = withForms(std::move(operating), stages, shop, progress, form_warnings);
+    const std::vector<CutStage> cut = cutStagesOf(stages);
+    operating = withForms(std::move(operating), cut, shop, progress, form_warnings);
     operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
+    operating = withBrokenEdges(std::move(operating), cut, shop, progress, form_warnings);
     Plan plan = planOf(part, request, machine, setups.front().stock);
     plan.sharing = shared.sharing;
     plan.threads_missing = threaded.missing;
