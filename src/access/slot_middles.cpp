@@ -24,9 +24,10 @@ constexpr double kSameLengthShare = 0.99;
 constexpr double kTurnsBack = -0.9;
 /// The middle runs on so far beyond where the disc leaves the target [mm].
 constexpr double kBeyondMm = 0.01;
-/// Steps in which it is looked for where the disc leaves the target, in radii, and how many.
+/// Steps in which it is looked for where the disc leaves the target, in radii, ...
 constexpr double kStepRadii = 0.25;
-constexpr int kSteps = 6;
+/// ... as far as two radii and this beyond the slot: stock may stand before it [mm].
+constexpr double kFarthestMm = 2;
 
 /// A closed strip's boundary goes along it and back: one of the two. A ring's goes round it once and has a
 /// hole; of a strip that forks all is kept.
@@ -56,8 +57,9 @@ std::optional<Vec2> outInTheAir(const FeatureGround& ground, double radius_mm, c
     const Tolerances& tol = ground.tolerances();
     if (ground.walledIn()) return std::nullopt;
     const Feature& feature = ground.feature();
-    for (int step = 0; step <= kSteps; ++step) {
-        const Vec2 at = snapToGrid(Vec2(end + outward * (kStepRadii * step * radius_mm + kBeyondMm)));
+    const double farthest_mm = 2 * radius_mm + kFarthestMm;
+    for (double out_mm = kBeyondMm; out_mm <= farthest_mm; out_mm += kStepRadii * radius_mm) {
+        const Vec2 at = snapToGrid(Vec2(end + outward * out_mm));
         if (distanceToRegion(feature.obstruction, at) < radius_mm - tol.fit_mm - tol.linear_mm)
             return std::nullopt;
         if (distanceToRegion(feature.target, at) >= radius_mm + tol.guard_mm) return at;
