@@ -40,7 +40,7 @@ inline constexpr const char* kForTheRecord = "part";
 struct Part {
     std::string file;          ///< name without folder
     std::string sha256;        ///< of the file
-    std::string name;          ///< product name in the file
+    std::string name;          ///< of the product; where the file tells none, the name of the file
     std::string schema;        ///< AP203, AP214, AP242 as the header names it
     std::string unit_in_file;  ///< "mm", "inch", "m", ... or "none" when the file has none
     int solid_index = 0;       ///< of the distinct solids in the file, from 0
