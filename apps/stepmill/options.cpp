@@ -202,6 +202,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
         options.surrogates == "single" ? SurrogateRule::Single : SurrogateRule::Sequence;
     request.sequence.cost_model = costModelFrom(options.cost_model).value();
     request.sequence.retract_mm = machine.safe_height_mm;
+    request.assign = options.reserve;
     if (!options.fixtures_file.empty())
         request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());
     if (!options.holes_file.empty()) {

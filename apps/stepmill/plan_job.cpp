@@ -180,6 +180,8 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
                     "the plan's times are those of its paths")
         ->check(CLI::IsMember({"paths", "yao", "lim"}))
         ->capture_default_str();
+    command.add_flag("!--no-reserve", options.reserve,
+                     "every setup cuts all that it reaches, also what a later one would cut for less");
     command.add_flag("--strict", options.strict, "exit 1 on any warning as well");
 }
 

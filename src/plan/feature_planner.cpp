@@ -432,7 +432,9 @@ class FeaturePlanner {
                                                const SequenceOptions& options) const {
         try {
             options.deadline.check(grown.id);
-            return sequenceTools(grown, library, shop_.machine, options, shop_.tol);
+            return shop_.memory.sequence(grown, library, options, [&] {
+                return sequenceTools(grown, library, shop_.machine, options, shop_.tol);
+            });
         } catch (const Error& error) {
             if (error.code() != ErrorCode::TimedOut) throw;
             return std::nullopt;

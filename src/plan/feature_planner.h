@@ -6,6 +6,7 @@
 
 #include "stepmill/plan/hole_wishes.h"
 #include "stepmill/plan/plan.h"
+#include "stepmill/plan/sequence_memory.h"
 
 namespace stepmill {
 
@@ -22,6 +23,7 @@ struct PlanningShop {
     const ToolLibrary& drills;  ///< of the library, for holes that nothing else may make
     const Machine& machine;
     const Tolerances& tol;
+    SequenceMemory& memory;
 
     const ToolLibrary& libraryOf(const std::string& feature) const;
     /// Of the feature; one that asks for nothing where there is none.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/assignment/propose_reserve.h"
 #include "plan/cutting_feeds.h"
 #include "plan/earlier_operations.h"
 #include "plan/feature_planner.h"
@@ -100,6 +101,7 @@ class SetupProgress {
 /// A setup that is planned, with what its books ask for.
 struct PlannedStage {
     PlannedSetup setup;
+    std::size_t place = 0;  ///< of the setup among those that were chosen
     LayerStack layers;
     StageAir air;
     std::vector<Prism> removed;
@@ -120,8 +122,10 @@ PlannedStage planStage(const Stage& stage, const PlanningShop& shop, const Setup
     PlannedStage result;
     result.removed = removedBy(planned.features, shop.tol);
     result.setup.setup = stage.setup;
+    result.place = stage.place;
     result.setup.clamping = stage.clamping;
     result.setup.unplanned = stage.found.unplanned;
+    result.setup.reserve = stage.reserve;
     result.setup.features = std::move(planned.features);
     result.air = airOf(stage);
     result.warnings = std::move(planned.warnings);
@@ -148,10 +152,10 @@ bool repeatsResiduals(const PlannedSetup& setup, const std::vector<PlannedStage>
 
 /// Every setup on the stock that the paths of those before it leave. What setups would cut that there is no
 /// time for stays out of reach. \param late  warned of these
-std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const PlanningShop& shop,
-                                     const Progress& progress, Warnings& late) {
+std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
+                                     const PlanningShop& shop, const Progress& progress, Warnings& late) {
     std::vector<PlannedStage> stages;
-    SetupWalk walk(setups, shop.request.slicing, shop.tol);
+    SetupWalk walk(setups, shop.request.slicing, shop.tol, reserves);
     const auto no_time = [&] { return !stages.empty() && shop.request.patience.few_tools.passed(); };
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
@@ -303,36 +307,59 @@ Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine
     return plan;
 }
 
-}  // namespace
+/// Setups with all that mills and drills cut in flat layers, at the library's feeds, and the stages they came
+/// from.
+struct CutSetups {
+    std::vector<PlannedStage> stages;
+    std::vector<PlannedSetup> setups;  ///< moved out of the stages
+    ToolSharing sharing;
+    int threads_missing = 0;
+    PlanTotals totals;
+    VolumeBalance balance;
+    Warnings warnings;  ///< of time that was short, then of threads
 
-Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
-              const Machine& machine, const Tolerances& tol, const Progress& progress) {
-    requireMaterial(library, request.sequence.material);
-    if (progress) progress("setups", 0);
-    const std::vector<Setup> setups = setupsFor(part, request);
-    STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
-    requireMachinableSize(part, setups, machine);
-    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
-    const SmallerLibraries smaller = smallerLibraries(request.cautions, usable.library);
-    const HoleWishes wishes(request.holes, part, tol);
-    const ToolLibrary drills = drillsOf(usable.library);
-    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol};
+    double leftMm3() const { return balance.residual_mm3 + balance.unreachable_mm3; }
+};
 
-    Warnings late;
-    std::vector<PlannedStage> stages = planStages(setups, shop, progress, late);
+/// Plans the setups as they stand, each on what those before it leave.
+CutSetups cutSetups(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
+                    double stock_minus_part_mm3, const PlanningShop& shop, const Progress& progress) {
+    const PlanRequest& request = shop.request;
+    CutSetups cut;
+    shop.memory.beginPlan();
+    cut.stages = planStages(setups, reserves, shop, progress, cut.warnings);
     SharedSetups shared =
-        withSharedTools(setupsOf(stages), usable.library, machine, request.sequence.objective);
-    ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, wishes);
+        withSharedTools(setupsOf(cut.stages), shop.library, shop.machine, request.sequence.objective);
+    cut.sharing = shared.sharing;
+    ThreadedSetups threaded = withThreads(std::move(shared.setups), shop, shop.wishes);
+    cut.threads_missing = threaded.missing;
+    append(cut.warnings, threaded.warnings);
     std::vector<PlannedSetup> operating = withOperations(
         std::move(threaded.setups),
-        {usable.library, machine, request.sequence.material, request.earlier, request.cautions, tol});
+        {shop.library, shop.machine, request.sequence.material, request.earlier, request.cautions, shop.tol});
+    const ToolLibrary set_out = withStickOuts(shop.library, operating);
+    TimedSetups timed = withTimes(std::move(operating), set_out, shop.machine);
+    cut.setups = std::move(timed.setups);
+    cut.totals = timed.totals;
+    cut.balance = booksOf(cut.setups, cut.stages, stock_minus_part_mm3, shop.tol).part;
+    return cut;
+}
+
+/// The plan of these setups: leaning walls finished, feeds by what is cut, times and books.
+Plan finished(CutSetups cut, const Part& part, const Stock& stock, const UsableLibrary& usable,
+              const PlanningShop& shop, const Progress& progress) {
+    const PlanRequest& request = shop.request;
+    const Machine& machine = shop.machine;
+    const Tolerances& tol = shop.tol;
+    const std::vector<PlannedStage>& stages = cut.stages;
     Warnings form_warnings;
-    const double stock_minus_part_mm3 = setups.front().stock.volume_mm3 - part.volume_mm3;
-    operating = withForms(std::move(operating), stages, shop, progress, form_warnings);
+    const double stock_minus_part_mm3 = stock.volume_mm3 - part.volume_mm3;
+    std::vector<PlannedSetup> operating =
+        withForms(std::move(cut.setups), stages, shop, progress, form_warnings);
     operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
-    Plan plan = planOf(part, request, machine, setups.front().stock);
-    plan.sharing = shared.sharing;
-    plan.threads_missing = threaded.missing;
+    Plan plan = planOf(part, request, machine, stock);
+    plan.sharing = cut.sharing;
+    plan.threads_missing = cut.threads_missing;
     plan.library = withStickOuts(usable.library, operating);
     operating = withCuttingFeeds(std::move(operating), {request, plan.library, machine, tol});
     TimedSetups timed = withTimes(std::move(operating), plan.library, machine);
@@ -349,12 +376,89 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     for (const PlannedStage& stage : stages)
         append(plan.warnings, stage.warnings);
     append(plan.warnings, form_warnings);
-    append(plan.warnings, late);
-    append(plan.warnings, threaded.warnings);
-    append(plan.warnings, wishes.unused(plan.setups));
+    append(plan.warnings, cut.warnings);
+    append(plan.warnings, shop.wishes.unused(plan.setups));
     append(plan.warnings, unusedFixtures(request.fixtures, plan.setups));
     append(plan.warnings, warningsOf(plan, books.largest_gap, tol));
     plan.warnings = byConsequence(std::move(plan.warnings));
+    return plan;
+}
+
+// Which setup cuts what ----------------------------------------------------------------------------------
+
+/// Two plans' books differ by so much of stock minus part where cuts are seen from the side, whatever stays.
+constexpr double kBooksNoiseShare = 1e-6;
+/// Where something stays anyway, so much more of it may: other tools reach a little less of a corner or more.
+constexpr double kMoreMayStayShare = 0.005;
+/// A plan must be shorter by so much to be taken: feeds and leaning walls, which come later, are not in it.
+constexpr double kWorthChanging = 0.99;
+
+/// Is it clearly shorter, or cheaper if plans are made by cost, with no more setups and no more that stays?
+bool isBetter(const CutSetups& cut, const CutSetups& than, Objective objective) {
+    const auto weight = [&](const PlanTotals& totals) {
+        return objective == Objective::Time ? totals.motion_s : totals.cost;
+    };
+    const double noise_mm3 =
+        std::max(kVolumeRoundingMm3, kBooksNoiseShare * than.balance.stock_minus_part_mm3);
+    const double may_stay_mm3 = than.leftMm3() + std::max(noise_mm3, kMoreMayStayShare * than.leftMm3());
+    return cut.setups.size() <= than.setups.size() &&
+           weight(cut.totals) < kWorthChanging * weight(than.totals) && cut.leftMm3() <= may_stay_mm3 &&
+           std::abs(cut.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
+}
+
+/// Every setup first cuts all it reaches; then, setup after setup, what later ones would do for less is left
+/// to them, as long as all gets better by it. \param assignment  what is known of it, and gets known
+CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_part_mm3,
+                           const PlanningShop& shop, const Progress& progress, Assignment& assignment) {
+    const PlanRequest& request = shop.request;
+    assignment.reserves.resize(setups.size());
+    CutSetups best = cutSetups(setups, assignment.reserves, stock_minus_part_mm3, shop, progress);
+    if (request.assignment || !request.assign || request.roughing) return best;
+    for (std::size_t i = 0; i < best.stages.size() && !request.patience.all_tools.passed(); ++i) {
+        const std::size_t place = best.stages[i].place;
+        if (progress) progress("what " + best.setups[i].setup.id + " might leave for later setups", 1);
+        std::optional<ReserveProposal> proposal =
+            proposeReserve(best.setups[i], best.stages[i].layers, setups, place, shop);
+        if (!proposal) continue;
+        std::vector<CutPrisms> reserves = assignment.reserves;
+        reserves[place] = proposal->reserve;
+        CutSetups trial = cutSetups(setups, reserves, stock_minus_part_mm3, shop, progress);
+        const bool taken = isBetter(trial, best, request.sequence.objective);
+        assignment.tried.push_back({best.setups[i].setup.id, std::move(*proposal), best.totals.motion_s,
+                                    trial.totals.motion_s, trial.leftMm3() - best.leftMm3(), taken});
+        if (!taken) continue;
+        best = std::move(trial);
+        assignment.reserves = std::move(reserves);
+    }
+    return best;
+}
+
+}  // namespace
+
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+              const Machine& machine, const Tolerances& tol, const Progress& progress) {
+    SequenceMemory memory;
+    return planPart(part, request, library, machine, tol, progress, memory);
+}
+
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+              const Machine& machine, const Tolerances& tol, const Progress& progress,
+              SequenceMemory& memory) {
+    requireMaterial(library, request.sequence.material);
+    if (progress) progress("setups", 0);
+    const std::vector<Setup> setups = setupsFor(part, request);
+    STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
+    requireMachinableSize(part, setups, machine);
+    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
+    const SmallerLibraries smaller = smallerLibraries(request.cautions, usable.library);
+    const HoleWishes wishes(request.holes, part, tol);
+    const ToolLibrary drills = drillsOf(usable.library);
+    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, memory};
+    const Stock& stock = setups.front().stock;
+    Assignment assignment = request.assignment.value_or(Assignment{});
+    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);
+    Plan plan = finished(std::move(cut), part, stock, usable, shop, progress);
+    plan.assignment = std::move(assignment);
     if (progress) progress("done", 1);
     return plan;
 }

@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "stepmill/feature/heights.h"
+#include "stepmill/layers/reserve.h"
 #include "stepmill/layers/stock_after.h"
+#include "stepmill/planar/boolean.h"
 
 namespace stepmill {
 namespace {
@@ -22,6 +25,9 @@ std::vector<bool> uprightSlabs(const LayerStack& layers) {
         upright.push_back(layer.stock_air_mm3 <= 0);
     return upright;
 }
+
+/// Volumes below this are rounding [mm3].
+constexpr double kNoVolumeMm3 = 1e-9;
 
 bool isUndercut(const Unplanned& unplanned) {
     return unplanned.reason == Reason::Undercut;
@@ -63,11 +69,55 @@ double netOfAir(FeatureSet& found, const LayerStack& layers) {
     return left_mm3;
 }
 
-Stage makeStage(Setup setup, const SliceOptions& slicing, const Tolerances& tol) {
+/// The prisms in the setup's coordinates: both frames belong to its axis, so they differ by a shift.
+std::vector<Prism> seenFrom(const Setup& setup, CutPrisms reserve) {
+    const Vec3 shift = (setup.part_to_setup * reserve.part_to_setup.inverse()).translation();
+    for (Prism& prism : reserve.prisms) {
+        prism.region = translated(prism.region, snapToGrid(Vec2(shift.head<2>())));
+        prism.top_z_mm += shift.z();
+        prism.bottom_z_mm += shift.z();
+    }
+    return std::move(reserve.prisms);
+}
+
+/// What of an entry stands in the reserve or under it.
+Region inReserve(const Unplanned& entry, const std::vector<Prism>& reserve, const Tolerances& tol) {
+    std::vector<Region> over;
+    for (const Prism& prism : reserve)
+        if (prism.top_z_mm > entry.bottom_z_mm + kSameWrittenHeightMm) over.push_back(prism.region);
+    return over.empty() ? Region{} : intersect(entry.region, unite(over, tol), tol);
+}
+
+/// To a tool from above the reserve hides ground as the part does: here it gets a reason of its own.
+void nameReserve(std::vector<Unplanned>& unplanned, const std::vector<Prism>& reserve,
+                 const Tolerances& tol) {
+    if (reserve.empty()) return;
+    std::vector<Unplanned> left;
+    for (Unplanned& entry : unplanned) {
+        if (!isUndercut(entry)) continue;
+        Region in_reserve = inReserve(entry, reserve, tol);
+        if (area(in_reserve) <= tol.area_mm2) continue;
+        const double height_mm = entry.top_z_mm - entry.bottom_z_mm;
+        const double volume_mm3 = std::min(entry.volume_mm3, area(in_reserve) * height_mm);
+        entry.region = subtract(entry.region, in_reserve, tol);
+        entry.volume_mm3 -= volume_mm3;
+        left.push_back({{Reason::Undercut, kLeftForLater},
+                        volume_mm3,
+                        entry.top_z_mm,
+                        entry.bottom_z_mm,
+                        std::move(in_reserve)});
+    }
+    std::erase_if(unplanned, [](const Unplanned& entry) { return entry.volume_mm3 <= kNoVolumeMm3; });
+    std::move(left.begin(), left.end(), std::back_inserter(unplanned));
+}
+
+Stage makeStage(Setup setup, std::vector<Prism> reserve, const SliceOptions& slicing, const Tolerances& tol) {
     Stage stage;
     stage.setup = std::move(setup);
-    stage.layers = slice(stage.setup, tol, slicing);
+    stage.reserve = std::move(reserve);
+    stage.layers = withReserve(slice(stage.setup, tol, slicing), stage.reserve, tol);
     stage.found = recogniseFeatures(stage.layers, tol);
+    nameReserve(stage.found.unplanned, stage.reserve, tol);
     stage.clamping = suggestClamping(stockSlabs(stage.layers), uprightSlabs(stage.layers),
                                      featurePrisms(stage.found), tol);
     stage.setup.fixtures = stage.clamping.jaws;
@@ -99,8 +149,9 @@ std::vector<Prism> featurePrisms(const FeatureSet& found) {
     return prisms;
 }
 
-SetupWalk::SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol)
-    : setups_(std::move(setups)), slicing_(slicing), tol_(tol) {
+SetupWalk::SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol,
+                     std::vector<CutPrisms> reserves)
+    : setups_(std::move(setups)), reserves_(std::move(reserves)), slicing_(slicing), tol_(tol) {
     if (!setups_.empty()) left_ = setups_.front().stock;
 }
 
@@ -110,7 +161,11 @@ std::optional<Stage> SetupWalk::next() {
         const bool first = cut_ == 0;
         Setup setup = first ? planned : onStock(planned, left_);
         setup.id = fmt::format("S{}", cut_ + 1);
-        Stage stage = makeStage(std::move(setup), slicing_, tol_);
+        const std::size_t place = next_ - 1;
+        std::vector<Prism> reserve;
+        if (place < reserves_.size()) reserve = seenFrom(setup, reserves_[place]);
+        Stage stage = makeStage(std::move(setup), std::move(reserve), slicing_, tol_);
+        stage.place = place;
         if (first || !planned.chosen || !stage.found.features.empty()) return stage;
     }
     return std::nullopt;

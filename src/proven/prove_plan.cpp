@@ -4,6 +4,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/plan/reduced_feature.h"
+#include "stepmill/plan/sequence_memory.h"
 #include "stepmill/plan/warning_order.h"
 #include "stepmill/proven/proven_plan.h"
 
@@ -182,11 +183,14 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
                       const Machine& machine, const Tolerances& tol, const Progress& progress,
                       const Prover& prover) {
     PlanRequest careful = request;
+    SequenceMemory memory;
     for (;;) {
-        Plan plan = planPart(part, careful, library, machine, tol, progress);
+        Plan plan = planPart(part, careful, library, machine, tol, progress, memory);
         if (progress) progress("proving the programs", 1);
         ProvenPlan proven = proved(std::move(plan), tol, prover);
         if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
+        // A caution speaks of features as this plan has them.
+        careful.assignment = proven.plan.assignment;
         careful.patience = patienceFor(careful.patience.end.secondsLeft());
     }
 }

@@ -313,6 +313,12 @@ Json orderJson(const WeighedOrder& order) {
     return {{"rule", toString(order.rule)}, {"travel_mm", number(order.travel_mm)}};
 }
 
+Json prismJson(const Prism& prism, RegionTables& regions) {
+    return {{"bottom_z_mm", number(prism.bottom_z_mm)},
+            {"top_z_mm", number(prism.top_z_mm)},
+            {"section", regions.add(prism.region)}};
+}
+
 Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions) {
     Json json{{"id", setup.setup.id},
               {"axis", directionJson(setup.setup.axis)},
@@ -332,7 +338,25 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions
               {"volume_balance", balanceJson(setup.balance)}};
     for (const auto& [name, id] : setup.names)
         json["kept_names"].push_back({{"number", name}, {"id", id}});
+    if (!setup.reserve.empty())
+        json["reserve"] =
+            listOf(setup.reserve, [&](const Prism& prism) { return prismJson(prism, regions); });
     return json;
+}
+
+Json workJson(const WeighedWork& work) {
+    return {{"feature", work.feature},
+            {"axis_name", work.setup},
+            {"volume_mm3", number(work.volume_mm3)},
+            {"early_s", number(work.early_s)},
+            {"late_s", number(work.late_s)},
+            {"left", work.left}};
+}
+
+Json triedJson(const TriedReserve& tried) {
+    return {{"setup", tried.setup},           {"before_s", number(tried.before_s)},
+            {"with_s", number(tried.with_s)}, {"more_stays_mm3", number(tried.stays_mm3)},
+            {"taken", tried.taken},           {"work", listOf(tried.proposal.work, workJson)}};
 }
 
 Json formsJson(const Plan& plan, record::FeatureTables& tables) {
@@ -402,6 +426,8 @@ std::string planJson(const Plan& plan) {
                  {"loops", tables.regions.loops()}};
     if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
     if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
+    if (!plan.assignment.tried.empty())
+        content["assignment"] = listOf(plan.assignment.tried, triedJson);
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }

@@ -113,6 +113,11 @@ Fixture fixture(const Json& json, const std::string& pointer, ReadTables& tables
             json["top_z_mm"]};
 }
 
+Prism prism(const Json& json, const std::string& pointer, ReadTables& tables) {
+    record::checkUpright(json, pointer);
+    return {tables.region(json["section"], pointer + "/section"), json["top_z_mm"], json["bottom_z_mm"]};
+}
+
 RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf& bands, ReadTables& tables) {
     RecordedSetup setup;
     setup.id = json["id"];
@@ -129,6 +134,10 @@ RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf&
         for (std::size_t i = 0; i < json["fixtures"].size(); ++i)
             setup.fixtures.push_back(
                 fixture(json["fixtures"][i], fmt::format("{}/fixtures/{}", pointer, i), tables));
+    if (json.contains("reserve"))
+        for (std::size_t i = 0; i < json["reserve"].size(); ++i)
+            setup.reserve.push_back(
+                prism(json["reserve"][i], fmt::format("{}/reserve/{}", pointer, i), tables));
     setup.time_s = json["time_s"];
     for (const Json& feature : json["features"])
         for (std::string& id : record::bandIds(feature, bands))

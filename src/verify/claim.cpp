@@ -221,7 +221,7 @@ class ClaimWalk {
     void run() {
         const std::vector<Setup> setups = chooseSetups(sources_.part, setupRequest(record_, sources_));
         library_ = usedLibrary(record_, sources_.library, setups);
-        SetupWalk walk(setups, SliceOptions{}, tol_);
+        SetupWalk walk(setups, SliceOptions{}, tol_, reserves());
         while (std::optional<Stage> stage = walk.next()) {
             derive(std::move(*stage), walk);
             if (!failures_.empty()) return;
@@ -234,6 +234,14 @@ class ClaimWalk {
     }
 
   private:
+    /// What is left for later setups is up to the plan: the books say whether they take it.
+    std::vector<CutPrisms> reserves() const {
+        std::vector<CutPrisms> reserves;
+        for (const RecordedSetup& setup : record_.setups)
+            reserves.push_back({setup.part_to_setup, setup.reserve});
+        return reserves;
+    }
+
     /// One setup, if it is as the record says.
     void derive(Stage stage, SetupWalk& walk) {
         setFixtures(stage, sources_.fixtures, tol_);

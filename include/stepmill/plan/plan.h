@@ -15,6 +15,7 @@
 #include "stepmill/feature/feature.h"
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/part/part.h"
+#include "stepmill/plan/assignment.h"
 #include "stepmill/plan/earlier_plan.h"
 #include "stepmill/plan/operation.h"
 #include "stepmill/plan/operation_order.h"
@@ -90,6 +91,7 @@ struct PlannedSetup {
     std::vector<PlannedFeature> features;  ///< parents before children
     FeatureNames names;                    ///< that they keep from an earlier plan
     std::vector<Unplanned> unplanned;
+    std::vector<Prism> reserve;         ///< stands for later setups, which cut it; in setup coordinates
     std::vector<Operation> operations;  ///< in machining order
     std::vector<WeighedOrder> orders;   ///< that were weighed for these, the one taken first
     /// Where its form operations work, which come after all others; nothing without any.
@@ -129,6 +131,10 @@ struct PlanRequest {
     HoleTable holes;             ///< what is said of holes beyond the part's file; none: nothing
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
+    /// Which setup cuts what, where that is known from a plan before; nothing: it is found out. By
+    /// `assign` false every setup cuts all it reaches.
+    std::optional<Assignment> assignment;
+    bool assign = true;
     bool common_ground = true;  ///< nested features may be cut down together where that is quicker
     Cautions cautions;          ///< none in the first plan of a part
     Patience patience;
@@ -146,6 +152,7 @@ struct Plan {
     Objective objective = Objective::Time;
     CostModel cost_model = CostModel::Path;
     std::vector<PlannedSetup> setups;
+    Assignment assignment;
     ToolSharing sharing;
     PlanTotals totals;
     VolumeBalance balance;
@@ -156,6 +163,8 @@ struct Plan {
     /// rounding? Of roughing: nothing but what it is meant to leave.
     bool complete(const Tolerances& tol) const;
 };
+
+class SequenceMemory;
 
 /// Called at the start of each stage ("slicing S1", "S1.F2") with the share done in [0, 1].
 using Progress = std::function<void(const std::string& stage, double share)>;
@@ -169,5 +178,10 @@ using Progress = std::function<void(const std::string& stage, double share)>;
 ///         machine, no tool for the material).
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});
+
+/// The same after other plans of the part with the same tools, machine and tolerances, in less time.
+Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+              const Machine& machine, const Tolerances& tol, const Progress& progress,
+              SequenceMemory& memory);
 
 }  // namespace stepmill

@@ -15,14 +15,19 @@ namespace stepmill {
 /// A setup with the stock as it arrives, its layers and features.
 struct Stage {
     Setup setup;
+    std::size_t place = 0;  ///< of the setup among those that are walked
     LayerStack layers;
     FeatureSet found;
-    Clamping clamping;  ///< free of all that `found` would cut
+    std::vector<Prism> reserve;  ///< stock that stands for later setups, which cut it; no feature holds any
+    Clamping clamping;           ///< free of all that `found` would cut
     /// Volume of `found.features` that earlier setups cut already from other sides, where the stock's walls
     /// lean and slabs stand for their hull [mm3]. Unplanned volumes are free of it: stock as it arrives -
     /// part = features + unplanned - air_mm3.
     double air_mm3 = 0;
 };
+
+/// Of the undercut volumes of a stage those that its reserve hides have this detail.
+inline constexpr const char* kLeftForLater = "by what is left for later setups";
 
 /// Air among a stage's volumes: what slabs of stock whose walls lean cover beyond the stock [mm3].
 struct StageAir {
@@ -58,11 +63,13 @@ struct StockStep {
 /// A setup that was chosen, not asked for, and has no feature left to cut is left out; so is one that is not
 /// cut before the next is asked for. Those after it are numbered without it. The first setup is always
 /// there. Features found from two sides are the first setup's: they are gone from the stock when the second
-/// arrives. What is not cut stays in the stock.
+/// arrives, unless the first one leaves them to it as its reserve. What is not cut stays in the stock.
 class SetupWalk {
   public:
-    /// \param setups  from chooseSetups
-    SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol);
+    /// \param setups    from chooseSetups
+    /// \param reserves  what each of them leaves for later ones, whatever frame it is told in; empty: nothing
+    SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol,
+              std::vector<CutPrisms> reserves = {});
 
     /// The next setup; nothing after the last. \throws what slice and recogniseFeatures do
     std::optional<Stage> next();
@@ -78,6 +85,7 @@ class SetupWalk {
 
   private:
     std::vector<Setup> setups_;
+    std::vector<CutPrisms> reserves_;
     SliceOptions slicing_;
     Tolerances tol_;
     std::size_t next_ = 0;

@@ -27,6 +27,7 @@ struct RecordedSetup {
     std::string program;  ///< file name
     Vec3 stock_size_mm = Vec3::Zero();
     std::vector<Fixture> fixtures;
+    std::vector<Prism> reserve;  ///< stands for later setups; in setup coordinates
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     FeatureNames names;                      ///< PlannedSetup::names

@@ -73,6 +73,8 @@ Element setupDrawing(const PlannedSetup& setup) {
         for (const PlannedFeature* band : whole.bands)
             drawing.region(band->feature.target, tint);
     }
+    for (const Prism& prism : setup.reserve)
+        drawing.region(prism.region, "reserve");
     return std::move(drawing).element();
 }
 

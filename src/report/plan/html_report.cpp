@@ -159,6 +159,7 @@ Element mainOf(const Plan& plan, bool inch, const Tolerances& tol, std::optional
     Element main("main", Element("h1", plan.part.name), partWords(plan, subject.in), cards(plan, subject.in),
                  gapsWords(plan, tol), graveWarnings(plan), sharingWords(plan), otherWarnings(plan),
                  contents(plan), std::move(viewer));
+    main.add(assignmentSection(subject));
     for (const PlannedSetup& setup : plan.setups)
         main.add(setupSection(subject, setup));
     main.add(booksSection(plan, subject.in));

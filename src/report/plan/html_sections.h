@@ -29,6 +29,9 @@ Anchor operationAnchor(const std::string& operation_id);
 /// The section of what an operation works on: its feature, or its setup's leaning walls.
 Anchor workAnchor(const Operation& operation);
 
+/// What each setup cuts and what it leaves for later ones, and what of that was weighed; nothing of one setup.
+std::optional<Element> assignmentSection(const ReportSubject& subject);
+
 /// What form cutters take off leaning walls, and their passes. \pre setup.form
 Element formSection(const ReportSubject& subject, const PlannedSetup& setup);
 

@@ -33,8 +33,9 @@ std::string setupWords(const ReportSubject& subject, const PlannedSetup& setup) 
 }
 
 Element setupFigure(const PlannedSetup& setup) {
-    return Element("figure.wide", setupDrawing(setup),
-                   Element("figcaption", "Features seen from the spindle, deeper ones on top."));
+    std::string words = "Features seen from the spindle, deeper ones on top.";
+    if (!setup.reserve.empty()) words += " Dashed: where stock stays for later setups.";
+    return Element("figure.wide", setupDrawing(setup), Element("figcaption", words));
 }
 
 /// The smallest of all bands; "-" where none has one.

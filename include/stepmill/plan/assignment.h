@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stepmill/setup/prism.h"
+
+namespace stepmill {
+
+/// Work of a setup that a later one could do instead, weighed by what it takes there and here.
+struct WeighedWork {
+    std::string feature;  ///< band of the earlier setup
+    std::string setup;    ///< axis of the later one
+    double volume_mm3 = 0;
+    double early_s = 0;  ///< of its paths in the earlier setup, by its share of the band's volume
+    double late_s = 0;   ///< the same in the later one
+    bool left = false;   ///< for the later setup
+};
+
+/// Stock that a setup might leave for later ones.
+struct ReserveProposal {
+    CutPrisms reserve;
+    double gain_s = 0;              ///< by estimate, without tool changes
+    std::vector<WeighedWork> work;  ///< by feature, then setup
+};
+
+/// A proposal that was planned.
+struct TriedReserve {
+    std::string setup;  ///< that would leave stock
+    ReserveProposal proposal;
+    double before_s = 0;   ///< the whole plan without it, with setup times
+    double with_s = 0;     ///< and with it
+    double stays_mm3 = 0;  ///< more than without it
+    bool taken = false;
+};
+
+/// Which setup cuts what.
+struct Assignment {
+    /// What each of the chosen setups leaves for later ones, by its place; without prisms: nothing.
+    std::vector<CutPrisms> reserves;
+    std::vector<TriedReserve> tried;  ///< in the order of the setups
+};
+
+}  // namespace stepmill

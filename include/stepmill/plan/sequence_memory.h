@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "stepmill/feature/feature.h"
+#include "stepmill/sequence/sequence.h"
+
+namespace stepmill {
+
+/// Sequences of features as the plans before made them, so that a part that is planned again, with more
+/// caution or with stock left for later setups, takes time for what changed alone. No plan is another by it.
+///
+/// Of one part, one machine and one set of tolerances, and of libraries that are parts of one. Asked by any
+/// number of threads.
+class SequenceMemory {
+  public:
+    using Make = std::function<ToolSequence()>;
+
+    /// What `make` gives, or gave for a feature with the same geometry, the same tools and options; the names
+    /// of features and the deadline may differ. \throws what `make` does, which is then asked again the next
+    /// time
+    ToolSequence sequence(const Feature& feature, const ToolLibrary& library, const SequenceOptions& options,
+                          const Make& make);
+
+    /// Forgets what neither of the last two plans asked for: sequences hold all that was weighed for them,
+    /// megabytes each. Two, as one that is turned down comes between two that are alike.
+    void beginPlan();
+
+  private:
+    struct Known {
+        ToolSequence sequence;
+        int asked_in = 0;  ///< number of the last plan that asked
+    };
+
+    std::mutex mutex_;
+    std::map<std::string, Known> known_;  ///< by what a sequence follows from, hashed
+    int plan_ = 0;
+};
+
+}  // namespace stepmill

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "plan/feature_planner.h"
+#include "stepmill/plan/assignment.h"
+
+namespace stepmill {
+
+/// What of a planned setup's work later setups would do for less, by estimate; nothing where they would not,
+/// or save less than kLeastGainS.
+///
+/// The later setups are walked on the stock that the setup arrives with, as if it cut nothing, and their
+/// bands that reach its work are sequenced one by one. The cells that both reach are then left or cut so that
+/// the sum of their weights is least: exact for these weights (best_closure.h). \param planned  with
+/// sequences; its steps' paths may be gone \param layers   of it \param setups   all of the part, in order
+/// \param place  of the planned one among them
+std::optional<ReserveProposal> proposeReserve(const PlannedSetup& planned, const LayerStack& layers,
+                                              const std::vector<Setup>& setups, std::size_t place,
+                                              const PlanningShop& shop);
+
+/// What is estimated to save less is not tried [s].
+inline constexpr double kLeastGainS = 10;
+
+}  // namespace stepmill

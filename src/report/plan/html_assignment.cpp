@@ -1,0 +1,66 @@
+// Which setup cuts what, and what was considered and turned down.
+
+#include <fmt/format.h>
+
+#include "report/page/table.h"
+#include "report/page/words.h"
+#include "report/plan/html_sections.h"
+#include "stepmill/plan/stages.h"
+
+namespace stepmill::report {
+namespace {
+
+double leftForLaterMm3(const PlannedSetup& setup) {
+    double sum_mm3 = 0;
+    for (const Unplanned& entry : setup.unplanned)
+        if (entry.reason == StayReason{Reason::Undercut, kLeftForLater}) sum_mm3 += entry.volume_mm3;
+    return sum_mm3;
+}
+
+Element setupsTable(const ReportSubject& subject) {
+    const Measures& in = subject.in;
+    Table table({"setup", "tool axis", numbersIn(in.volumeUnit(), "cuts"), numbers("in"),
+                 numbersIn(in.volumeUnit(), "leaves for later setups")});
+    for (const PlannedSetup& setup : subject.plan.setups)
+        table.row(linkTo(setupAnchor(setup.setup.id), setup.setup.id), axisName(setup.setup.axis),
+                  in.volume(setup.balance.planned_mm3, 2), clockTime(setup.time_s),
+                  in.volume(leftForLaterMm3(setup), 2));
+    return std::move(table).element();
+}
+
+std::string outcomeWords(const TriedReserve& tried) {
+    if (tried.taken) return "taken";
+    return tried.with_s < tried.before_s ? "turned down: more would stay" : "turned down: it takes longer";
+}
+
+/// A plan with and without it, and each piece of work that it is about.
+Element triedSection(const ReportSubject& subject, const TriedReserve& tried) {
+    const Measures& in = subject.in;
+    Table table({"work of", "or of the setup along", numbersIn(in.volumeUnit(), "volume"),
+                 numbers("takes here"), numbers("takes there"), "is"});
+    for (const WeighedWork& work : tried.proposal.work)
+        table.row(work.feature, work.setup, in.volume(work.volume_mm3, 2), clockTime(work.early_s),
+                  clockTime(work.late_s), work.left ? "left" : "cut");
+    return Element(
+        "details.band",
+        Element("summary",
+                fmt::format("{} leaves work for later setups: {} instead of {} with them, {}", tried.setup,
+                            clockTime(tried.with_s), clockTime(tried.before_s), outcomeWords(tried))),
+        std::move(table).element(),
+        Element("p.soft",
+                "Times of pieces are estimates, by their share of a feature's volume and "
+                "without tool changes; the two plans were made."));
+}
+
+}  // namespace
+
+std::optional<Element> assignmentSection(const ReportSubject& subject) {
+    const Plan& plan = subject.plan;
+    if (plan.setups.size() < 2) return std::nullopt;
+    Element section("section", Element("h2", "Which setup cuts what"), setupsTable(subject));
+    for (const TriedReserve& tried : plan.assignment.tried)
+        section.add(triedSection(subject, tried));
+    return std::move(section).at(Anchor("part", "assignment"));
+}
+
+}  // namespace stepmill::report
