@@ -167,6 +167,13 @@ double scallop(double scallop_mm) {
                             scallop_mm));
 }
 
+double edgeBreak(double mm) {
+    if (mm == 0 || (mm >= kLeastEdgeBreakMm && mm <= kMostEdgeBreakMm)) return mm;
+    throw Error(ErrorCode::Usage, "--break-edges",
+                fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastEdgeBreakMm, kMostEdgeBreakMm,
+                            mm));
+}
+
 double allowance(double mm, const char* option) {
     const bool fits = mm == 0 || (mm >= kLeastAllowanceMm && mm <= kMostAllowanceMm);
     if (!fits)
@@ -217,6 +224,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
             allowance(options.allowance_mm, "--allowance"),
             allowance(options.floor_allowance_mm.value_or(options.allowance_mm), "--floor-allowance")};
     request.scallop_mm = scallop(options.scallop_mm);
+    request.break_edges_mm = edgeBreak(options.break_edges_mm);
     readMaterial(options, request);
     return request;
 }

@@ -42,6 +42,7 @@ struct PlanOptions {
     double allowance_mm = 0.5;                 ///< of roughing
     std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
     double scallop_mm = kUsualScallopMm;
+    double break_edges_mm = 0;  ///< 0: edges stay sharp
     std::string solid;     ///< empty: the only one; a number; "all"
     std::string unit;      ///< empty: as the file says
     DrawingWords drawing;  ///< of a part that is drawn

@@ -18,6 +18,7 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
         "  stepmill plan bracket.step -o job42 --setup +z --stock-margin 2,1,0 --material steel\n"
         "  stepmill plan bracket.step --finish-walls 0.3 --finish-floors 0.2\n"
         "  stepmill plan cavity.step --scallop 0.05\n"
+        "  stepmill plan bracket.step --break-edges 0.3 --tools samples/shop_with_forms_tools.json\n"
         "  stepmill plan bracket.step --tools my_tools.json --machine my_mill.json --objective cost\n"
         "  stepmill plan bracket.step --buy catalogue.json\n"
         "  stepmill plan bracket.step --material steel --library-feeds\n"

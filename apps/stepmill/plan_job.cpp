@@ -226,6 +226,11 @@ void addFinishOptions(CLI::App& command, PlanOptions& options) {
             "mm of the ridges that ball, bull-nose and chamfer cutters may leave on walls that lean; 0: "
             "none of them is used there")
         ->capture_default_str();
+    command
+        .add_option("--break-edges", options.break_edges_mm,
+                    "mm by which a 90 degree chamfer mill breaks sharp edges that look up, wherever it reaches "
+                    "them; 0: they stay sharp")
+        ->capture_default_str();
 }
 
 void addPlanningOptions(CLI::App& command, PlanOptions& options) {

@@ -71,7 +71,9 @@ int rankParts(const RankOptions& options, ProgressLine& progress) {
     progress.showImport(options.part.part_file);
     RankRequest request;
     request.setup = setupRequest(options.part);
-    request.sequence = planRequest(options.part, shop.machine).sequence;
+    PlanRequest plan = planRequest(options.part, shop.machine);
+    request.sequence = std::move(plan.sequence);
+    request.holes = std::move(plan.holes);
     request.feature = options.feature;
     request.tool_change_s = options.tool_change_s;
     request.purchases = options.buy;
@@ -117,7 +119,10 @@ void addRankCommand(CLI::App& app, int& exit_code) {
                      "cheapest sequence of each feature for every value of this, with the break-even values")
         ->check(CLI::IsMember({"tool-change", "hourly-rate", "tool-price"}));
     rank->add_flag("--buy", options->buy,
-                   "for each feature the tool beyond the library that would help most");
+                   "for each feature the tool beyond the library that would help most, and the taps, reamers and "
+                   "chamfer mills that the part asks for");
+    rank->add_option("--holes", options->part.holes_file,
+                     "hole table (JSON): the threads and fits that --buy looks for");
     CLI::Option* json = rank->add_flag("--json", options->part.json, "print all as JSON");
     rank->add_flag("--csv", options->csv, "print the table alone, as CSV that rank reads back")
         ->excludes(json);

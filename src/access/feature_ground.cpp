@@ -40,6 +40,21 @@ double widestRadiusFromOutside(const Feature& feature, LazyDiagram& obstruction,
     return room_mm;
 }
 
+/// Clearances of the edges along which they stay the same for some length.
+std::vector<double> evenWidths(const MedialAxis& axis, const Tolerances& tol) {
+    constexpr double kLeastLengthShare = 0.1;
+    std::vector<double> found_mm;
+    for (const MedialAxis::Edge& edge : axis.edges) {
+        const MedialAxis::Node& from = axis.nodes[edge.from];
+        const MedialAxis::Node& to = axis.nodes[edge.to];
+        const double least_mm = std::min(from.clearance_mm, to.clearance_mm);
+        const bool even = std::abs(from.clearance_mm - to.clearance_mm) <= tol.sliver_mm;
+        if (even && (from.point - to.point).norm() > kLeastLengthShare * least_mm)
+            found_mm.push_back(least_mm);
+    }
+    return found_mm;
+}
+
 }  // namespace
 
 struct FeatureGround::Impl {
@@ -52,6 +67,9 @@ struct FeatureGround::Impl {
     std::vector<std::unique_ptr<LazyDiagram>> obstacles;
 
     const ClearanceDiagram& targetDiagram() { return target.of(feature.target, tol); }
+    /// Clearances of the stretches of the target that keep their width.
+    std::once_flag slots_once;
+    std::vector<double> slots_mm;
     std::once_flag widest_once;
     double widest_mm = 0;
 };
@@ -101,6 +119,18 @@ Region FeatureGround::obstructionOffset(double distance_mm) const {
 Region FeatureGround::obstacleOffset(std::size_t index, double distance_mm) const {
     const Region& section = impl_->feature.obstacles.at(index).section;
     return impl_->obstacles.at(index)->of(section, impl_->tol).offset(distance_mm);
+}
+
+bool FeatureGround::hasSlotOf(double radius_mm) const {
+    const Tolerances& tol = impl_->tol;
+    if (tol.fit_mm <= 0 || impl_->feature.target.empty()) return false;
+    std::call_once(impl_->slots_once, [&] {
+        impl_->slots_mm = evenWidths(impl_->targetDiagram().medialAxis(), tol);
+    });
+    const auto& slots = impl_->slots_mm;
+    return std::any_of(slots.begin(), slots.end(), [&](double clearance_mm) {
+        return clearance_mm > radius_mm - tol.fit_mm && clearance_mm < radius_mm + tol.sliver_mm / 2;
+    });
 }
 
 double FeatureGround::widestCutterMm() const {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "access/entry.h"
+#include "access/slot_middles.h"
 #include "access/suitability.h"
 #include "stepmill/access/access.h"
 #include "stepmill/access/collision.h"
@@ -19,13 +20,42 @@ using access::Blocker;
 /// Areas of one tool that differ by no more than this share are the same.
 constexpr double kSameShare = 1e-5;
 
-/// C_t before the question how to get there.
-std::vector<Region> centreComponents(const FeatureGround& ground, double radius_mm) {
+/// C_t before the question how to get there, of a disc that comes so near to walls.
+Region freeCentres(const FeatureGround& ground, double radius_mm, double kept_off_mm) {
     // Closed all round, a centre outside the target would have to reach over a wall.
-    if (ground.walledIn()) return components(ground.targetOffset(-radius_mm));
+    if (ground.walledIn()) return ground.targetOffset(-kept_off_mm);
+    return subtract(ground.targetOffset(radius_mm), ground.obstructionOffset(kept_off_mm),
+                    ground.tolerances());
+}
+
+/// The components of C_t; of those that stand for slots of the cutter's own width more is known.
+struct FreeCentres {
+    std::vector<Region> components;
+    std::vector<access::SlotCentres> slots;
+
+    const access::SlotCentres* slotOf(const Region& component) const {
+        const auto found = std::find_if(slots.begin(), slots.end(), [&](const access::SlotCentres& slot) {
+            return contains(component, slot.middle.start);
+        });
+        return found == slots.end() ? nullptr : &*found;
+    }
+};
+
+FreeCentres freeCentresOf(const FeatureGround& ground, double radius_mm) {
     const Tolerances& tol = ground.tolerances();
-    const Region centres = subtract(ground.targetOffset(radius_mm), ground.obstructionOffset(radius_mm), tol);
-    return components(access::withoutSliverComponents(centres, tol));
+    const Region all = freeCentres(ground, radius_mm, radius_mm);
+    const Region wide = ground.walledIn() ? all : access::withoutSliverComponents(all, tol);
+    FreeCentres found{components(wide), {}};
+    if (!ground.hasSlotOf(radius_mm)) return found;
+    const Region sure = access::withoutSliverComponents(wide, tol);
+    found.slots = access::slotCentres(ground, radius_mm, sure,
+                                      freeCentres(ground, radius_mm, radius_mm - tol.fit_mm));
+    if (found.slots.empty()) return found;
+    Region together = access::besideSlots(ground, radius_mm, sure, found.slots);
+    for (const access::SlotCentres& slot : found.slots)
+        together.loops.insert(together.loops.end(), slot.strip.loops.begin(), slot.strip.loops.end());
+    found.components = components(together);
+    return found;
 }
 
 /// In words, why the tool has no areas.
@@ -39,14 +69,16 @@ Exclusion unreached(const FeatureGround& ground, const ToolAssembly& tool, Exclu
 }
 
 /// Keeps the components the tool can get into. Were any left out?
-bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, std::vector<Region> centres,
+bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, FreeCentres centres,
                    CutterArea& found) {
     bool all = true;
-    for (Region& component : centres) {
-        const auto entry = access::findEntry(ground, tool, component);
+    for (Region& component : centres.components) {
+        const access::SlotCentres* slot = centres.slotOf(component);
+        const auto entry = access::findEntry(ground, tool, slot != nullptr ? slot->along : component);
         all = all && entry.has_value();
         if (!entry) continue;
         found.entries.push_back(*entry);
+        if (slot != nullptr) found.slot_middles.push_back(slot->middle);
         for (Loop& loop : component.loops)
             found.free_centres.loops.push_back(std::move(loop));
     }
@@ -56,11 +88,11 @@ bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, std::v
 void measureAreas(const FeatureGround& ground, bool all_components, CutterArea& found) {
     const Tolerances& tol = ground.tolerances();
     // The target's own diagram answers where nothing was left out.
-    found.opens_target = ground.walledIn() && all_components;
+    const bool inside = ground.walledIn() && found.slot_middles.empty();
+    found.opens_target = inside && all_components;
     found.accessible = found.opens_target ? ground.targetOpening(found.radius_mm)
                                           : access::swept(found.free_centres, found.radius_mm, tol);
-    found.coverable =
-        ground.walledIn() ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
+    found.coverable = inside ? found.accessible : intersect(found.accessible, ground.feature().target, tol);
     found.swept = SureSweep(found.free_centres, found.radius_mm, {}, tol);
     found.coverable_area_mm2 = area(found.coverable);
     found.access_volume_mm3 = found.coverable_area_mm2 * ground.feature().depth_mm();
@@ -69,8 +101,8 @@ void measureAreas(const FeatureGround& ground, bool all_components, CutterArea& 
 /// The areas as the obstruction alone has them; why, when there are none.
 std::optional<ExclusionReason> reachAreas(const FeatureGround& ground, const ToolAssembly& tool,
                                           CutterArea& found) {
-    std::vector<Region> centres = centreComponents(ground, found.radius_mm);
-    if (centres.empty()) return ExclusionReason::TooWide;
+    FreeCentres centres = freeCentresOf(ground, found.radius_mm);
+    if (centres.components.empty()) return ExclusionReason::TooWide;
     const bool all_components = keepEnterable(ground, tool, std::move(centres), found);
     if (found.free_centres.empty()) return ExclusionReason::NoEntry;
     measureAreas(ground, all_components, found);

@@ -8,8 +8,6 @@
 #include "plan/form_work.h"
 #include "stepmill/feature/reason.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/sequence/machine_limits.h"
-#include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
 namespace {
@@ -201,37 +199,6 @@ class TakenByReason {
     std::vector<std::vector<double>> left_;  ///< by layer and cause
 };
 
-/// Slice by slice what stood before and does not after.
-std::vector<Prism> takenPrisms(const StandingStairs& before, const StandingStairs& after,
-                               const Tolerances& tol) {
-    std::vector<Prism> prisms;
-    for (std::size_t i = 0; i < before.slices().size(); ++i) {
-        const StandingStairs::Slice& slice = before.slices()[i];
-        Region taken = subtract(slice.region, after.slices()[i].region, tol);
-        if (area(taken) > tol.area_mm2) prisms.push_back({std::move(taken), slice.top_mm, slice.bottom_mm});
-    }
-    return prisms;
-}
-
-Operation operationOf(FormStep& step, const FormGround& ground, const FormShop& shop) {
-    Operation operation;
-    const CuttingData cutting = limitedBy(shop.machine, *step.tool->cuttingFor(shop.material));
-    operation.setup_id = ground.setup_id;
-    operation.feature_id = ground.id;
-    operation.role = Role::Form;
-    operation.tool_id = step.tool->id;
-    operation.path = std::move(step.path);
-    operation.z_top_mm = ground.stairs.back().top_z_mm;
-    operation.z_floor_mm = operation.z_top_mm;
-    for (const Move& move : operation.path.moves)
-        operation.z_floor_mm = std::min(operation.z_floor_mm, move.to.z());
-    operation.speed_rpm = cutting.speed_rpm;
-    operation.coolant = cutting.coolant;
-    operation.ramp_angle_deg = toolpath::rampAngleDeg(cutting);
-    operation.proof.least_clearance_mm = shop.tol.guard_mm;
-    return operation;
-}
-
 }  // namespace
 
 bool hasFormCutters(const ToolLibrary& library, const std::string& material) {
@@ -242,12 +209,8 @@ bool hasFormCutters(const ToolLibrary& library, const std::string& material) {
 
 std::optional<FormFinishing> finishForms(const FormSources& sources, const FormShop& shop) {
     shop.deadline.check(formGroundId(sources.setup.id));
-    double widest_mm = 0;
-    for (const ToolAssembly& tool : shop.library.tools)
-        if (tool.isForm() && tool.cuttingFor(shop.material) != nullptr)
-            widest_mm = std::max(widest_mm, tool.radius_mm());
     std::optional<FormSite> site =
-        formSite(sources, kBandSkinScallops * shop.scallop_mm, widest_mm, shop.tol);
+        formSite(sources, kBandSkinScallops * shop.scallop_mm, widestFormCutterMm(shop), shop.tol);
     if (!site || shop.caution.dropped) return std::nullopt;
     FormChooser chooser(*site, shop);
     FormSteps steps = chooser.choose();
@@ -256,7 +219,7 @@ std::optional<FormFinishing> finishForms(const FormSources& sources, const FormS
     TakenByReason taken(sources.layers, shop.tol);
     const StandingStairs* before = &chooser.all();
     for (FormStep& step : steps) {
-        finishing.operations.push_back(operationOf(step, site->ground, shop));
+        finishing.operations.push_back(formOperation(step, site->ground, shop));
         finishing.operations.back().takes = taken.of(*before, step.left);
         before = &step.left;
     }

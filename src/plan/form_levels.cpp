@@ -14,8 +14,6 @@ namespace {
 
 /// Levels are at least this far apart: flatter ground would take passes without end [mm].
 constexpr double kLeastStepMm = 0.1;
-/// A chamfer mill makes the faces whose lean is its flank's to this.
-constexpr double kSameLean = 0.02;
 /// The tip goes so far below the chamfer it makes, then, where that has no room, to its foot [mm].
 constexpr double kBelowChamferMm[] = {0.5, 0.0};
 /// How far the next level may be where a wall is touched with the tip at some height.

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "plan/form_stairs.h"
+#include "plan/site_walls.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/layers/section_cutter.h"
 #include "stepmill/plan/grown_feature.h"
@@ -38,11 +39,6 @@ double onStep(double z_mm) {
     return std::round(z_mm / kHeightStepMm) * kHeightStepMm;
 }
 
-struct Heights {
-    double bottom_mm = 0;
-    double top_mm = 0;
-};
-
 /// Halves what is too high for its lean.
 void addBands(const SectionCutter& part, const Heights& heights, double skin_mm, std::vector<Heights>& into) {
     const double height_mm = heights.top_mm - heights.bottom_mm;
@@ -57,22 +53,64 @@ void addBands(const SectionCutter& part, const Heights& heights, double skin_mm,
     addBands(part, {middle_mm, heights.top_mm}, skin_mm, into);
 }
 
+/// Walls that look up and lean: flat layers leave stairs on them.
+class LeaningWalls : public SiteWalls {
+  public:
+    LeaningWalls(const FormSources& from, const Tolerances& tol) : part_(from.setup, tol) {
+        for (LayerStairs& layer : stairsOf(from, part_, tol)) {
+            feet_mm_.push_back(layer.foot_mm);
+            std::move(layer.stairs.begin(), layer.stairs.end(), std::back_inserter(stairs_));
+        }
+    }
+
+    std::string groundId(const std::string& setup_id) const override { return formGroundId(setup_id); }
+    std::vector<Obstacle> stairs() const override { return stairs_; }
+    std::vector<double> feet() const override { return feet_mm_; }
+    bool cuts(const Layer& layer) const override {
+        return std::find(feet_mm_.begin(), feet_mm_.end(), layer.bottom_z_mm) != feet_mm_.end();
+    }
+    std::vector<Heights> bandsOf(const Layer& layer, double skin_mm) const override {
+        std::vector<Heights> bands;
+        double bottom_mm = layer.bottom_z_mm;
+        std::vector<double> tops = part_.levelsBetween(layer.bottom_z_mm, layer.top_z_mm);
+        tops.push_back(layer.top_z_mm);
+        for (const double top_mm : tops) {
+            addBands(part_, {bottom_mm, top_mm}, skin_mm, bands);
+            bottom_mm = top_mm;
+        }
+        return bands;
+    }
+    Region mustStay(const Heights& band) const override {
+        return part_.partBetween(band.bottom_mm, band.top_mm);
+    }
+    std::vector<double> leans(const Heights& band) const override {
+        return part_.leansBetween(band.bottom_mm, band.top_mm);
+    }
+
+  private:
+    SectionCutter part_;
+    std::vector<double> feet_mm_;
+    std::vector<Obstacle> stairs_;
+};
+
 /// A layer with what of the stock stands beside its part.
 struct StandingLayer {
     const Layer* layer = nullptr;
-    bool leans = false;
+    bool cut = false;
     Region beside;  ///< stock beyond the layer's part, and fixtures
 };
 
 class SiteMaker {
   public:
-    SiteMaker(const FormSources& from, double skin_mm, double widest_mm, const Tolerances& tol)
-        : from_(from), skin_mm_(skin_mm), widest_mm_(widest_mm), tol_(tol), part_(from.setup, tol) {}
+    SiteMaker(const FormSources& from, const SiteWalls& walls, double skin_mm, double widest_mm,
+              const Tolerances& tol)
+        : from_(from), walls_(walls), skin_mm_(skin_mm), widest_mm_(widest_mm), tol_(tol) {}
 
     std::optional<FormSite> make() {
-        addStairs();
+        site_.ground.stairs = walls_.stairs();
         if (site_.ground.stairs.empty()) return std::nullopt;
-        site_.ground.id = formGroundId(from_.setup.id);
+        site_.feet_mm = walls_.feet();
+        site_.ground.id = walls_.groundId(from_.setup.id);
         site_.ground.setup_id = from_.setup.id;
         findWindow();
         findStanding();
@@ -82,18 +120,6 @@ class SiteMaker {
     }
 
   private:
-    void addStairs() {
-        for (LayerStairs& layer : stairsOf(from_, part_, tol_)) {
-            site_.feet_mm.push_back(layer.foot_mm);
-            std::move(layer.stairs.begin(), layer.stairs.end(), std::back_inserter(site_.ground.stairs));
-        }
-    }
-
-    bool leans(const Layer& layer) const {
-        return std::find(site_.feet_mm.begin(), site_.feet_mm.end(), layer.bottom_z_mm) !=
-               site_.feet_mm.end();
-    }
-
     void findWindow() {
         const double by_mm = 2 * widest_mm_ + kRoomMm;
         std::vector<Region> boxes;
@@ -121,23 +147,15 @@ class SiteMaker {
             const Layer& layer = layers[i];
             const Region stock = after.between(layer.bottom_z_mm, layer.top_z_mm);
             const Region left = joined(toolpath::piecesBeyondSkins(subtract(stock, layer.part, tol_), tol_));
-            standing_.push_back({&layer, leans(layer),
+            standing_.push_back({&layer, walls_.cuts(layer),
                                  unite(left, fixturesBetween(layer.bottom_z_mm, layer.top_z_mm), tol_)});
         }
     }
 
     std::vector<Heights> bandsOf(const StandingLayer& standing, double skin_mm) const {
         const Layer& layer = *standing.layer;
-        if (!standing.leans) return {{layer.bottom_z_mm, layer.top_z_mm}};
-        std::vector<Heights> bands;
-        double bottom_mm = layer.bottom_z_mm;
-        std::vector<double> tops = part_.levelsBetween(layer.bottom_z_mm, layer.top_z_mm);
-        tops.push_back(layer.top_z_mm);
-        for (const double top_mm : tops) {
-            addBands(part_, {bottom_mm, top_mm}, skin_mm, bands);
-            bottom_mm = top_mm;
-        }
-        return bands;
+        if (!standing.cut) return {{layer.bottom_z_mm, layer.top_z_mm}};
+        return walls_.bandsOf(layer, skin_mm);
     }
 
     struct LayerBand {
@@ -167,13 +185,12 @@ class SiteMaker {
     }
 
     void cutBand(const LayerBand& band, std::size_t i) {
-        const auto& [bottom_mm, top_mm] = band.heights;
-        const Layer& layer = *band.standing->layer;
-        const Region part = band.standing->leans ? part_.partBetween(bottom_mm, top_mm) : layer.part;
+        const StandingLayer& standing = *band.standing;
+        const Region part = standing.cut ? walls_.mustStay(band.heights) : standing.layer->part;
         site_.ground.must_stand[i] = {
-            bottom_mm, top_mm,
-            intersect(unite(part, band.standing->beside, tol_), site_.ground.window, tol_)};
-        if (band.standing->leans) site_.leans[i] = part_.leansBetween(bottom_mm, top_mm);
+            band.heights.bottom_mm, band.heights.top_mm,
+            intersect(unite(part, standing.beside, tol_), site_.ground.window, tol_)};
+        if (standing.cut) site_.leans[i] = walls_.leans(band.heights);
     }
 
     /// What holds the part may stand over the stock.
@@ -214,10 +231,10 @@ class SiteMaker {
     }
 
     const FormSources& from_;
+    const SiteWalls& walls_;
     double skin_mm_;
     double widest_mm_;
     const Tolerances& tol_;
-    SectionCutter part_;
     std::vector<StandingLayer> standing_;  ///< from below
     Obstacle fixtures_over_;
     FormSite site_;
@@ -225,9 +242,14 @@ class SiteMaker {
 
 }  // namespace
 
+std::optional<FormSite> siteOf(const FormSources& sources, const SiteWalls& walls, double skin_mm,
+                               double widest_mm, const Tolerances& tol) {
+    return SiteMaker(sources, walls, skin_mm, widest_mm, tol).make();
+}
+
 std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
                                  const Tolerances& tol) {
-    return SiteMaker(sources, skin_mm, widest_mm, tol).make();
+    return siteOf(sources, LeaningWalls(sources, tol), skin_mm, widest_mm, tol);
 }
 
 }  // namespace stepmill

@@ -2,7 +2,10 @@
 
 #include "plan/form_work.h"
 
+#include <algorithm>
+
 #include "plan/form_levels.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/planar/unsure_offset.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/form_passes.h"
@@ -15,6 +18,44 @@ namespace {
 constexpr double kPassSkinScallops = 3;
 
 }  // namespace
+
+double widestFormCutterMm(const FormShop& shop) {
+    double widest_mm = 0;
+    for (const ToolAssembly& tool : shop.library.tools)
+        if (tool.isForm() && tool.cuttingFor(shop.material) != nullptr)
+            widest_mm = std::max(widest_mm, tool.radius_mm());
+    return widest_mm;
+}
+
+std::vector<Prism> takenPrisms(const StandingStairs& before, const StandingStairs& after,
+                               const Tolerances& tol) {
+    std::vector<Prism> prisms;
+    for (std::size_t i = 0; i < before.slices().size(); ++i) {
+        const StandingStairs::Slice& slice = before.slices()[i];
+        Region taken = subtract(slice.region, after.slices()[i].region, tol);
+        if (area(taken) > tol.area_mm2) prisms.push_back({std::move(taken), slice.top_mm, slice.bottom_mm});
+    }
+    return prisms;
+}
+
+Operation formOperation(FormStep& step, const FormGround& ground, const FormShop& shop) {
+    Operation operation;
+    const CuttingData cutting = limitedBy(shop.machine, *step.tool->cuttingFor(shop.material));
+    operation.setup_id = ground.setup_id;
+    operation.feature_id = ground.id;
+    operation.role = Role::Form;
+    operation.tool_id = step.tool->id;
+    operation.path = std::move(step.path);
+    operation.z_top_mm = ground.stairs.back().top_z_mm;
+    operation.z_floor_mm = operation.z_top_mm;
+    for (const Move& move : operation.path.moves)
+        operation.z_floor_mm = std::min(operation.z_floor_mm, move.to.z());
+    operation.speed_rpm = cutting.speed_rpm;
+    operation.coolant = cutting.coolant;
+    operation.ramp_angle_deg = toolpath::rampAngleDeg(cutting);
+    operation.proof.least_clearance_mm = shop.tol.guard_mm;
+    return operation;
+}
 
 FormWork::FormWork(const FormSite& site, const FormShop& shop)
     : site_(site), shop_(shop), bands_(site.ground, shop.tol) {}

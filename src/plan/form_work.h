@@ -44,4 +44,14 @@ class FormWork {
     std::map<std::string, std::unique_ptr<FormCentres>> centres_;
 };
 
+/// Radius of the widest form cutter that may come.
+double widestFormCutterMm(const FormShop& shop);
+
+/// The step as an operation on its ground, without id; its path moves.
+Operation formOperation(FormStep& step, const FormGround& ground, const FormShop& shop);
+
+/// Slice by slice what stood before and does not after.
+std::vector<Prism> takenPrisms(const StandingStairs& before, const StandingStairs& after,
+                               const Tolerances& tol);
+
 }  // namespace stepmill

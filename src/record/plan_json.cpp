@@ -81,6 +81,7 @@ void addWishes(const PlanRequest& request, Json& json) {
     if (request.sequence.objective == Objective::Cost) json["objective"] = "cost";
     if (request.sequence.surrogates == SurrogateRule::Single) json["surrogates"] = "single";
     if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
+    if (request.break_edges_mm > 0) json["break_edges_mm"] = number(request.break_edges_mm);
 }
 
 /// Of roughing what stays on the part too, and the hole table where there is one.
@@ -270,6 +271,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
         json["cuts"] = cutsJson(operation.cuts);
     }
     if (!operation.takes.empty()) json["takes"] = listOf(operation.takes, reasonJson);
+    if (operation.breaks_mm3 > 0) json["breaks_mm3"] = number(operation.breaks_mm3);
     return json;
 }
 
@@ -362,7 +364,8 @@ Json triedJson(const TriedReserve& tried) {
 Json formsJson(const Plan& plan, record::FeatureTables& tables) {
     Json forms = Json::array();
     for (const PlannedSetup& setup : plan.setups)
-        if (setup.form) forms.push_back(record::formGroundJson(*setup.form, tables));
+        for (const auto* ground : {&setup.form, &setup.edges})
+            if (*ground) forms.push_back(record::formGroundJson(**ground, tables));
     return forms;
 }
 

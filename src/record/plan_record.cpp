@@ -104,6 +104,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
         for (const Json& entry : json["takes"])
             operation.takes.push_back(
                 {stayReasonFrom(entry["reason"].get<std::string>()), entry["volume_mm3"]});
+    operation.breaks_mm3 = json.value("breaks_mm3", 0.0);
     return operation;
 }
 
@@ -243,7 +244,8 @@ RecordedRequest request(const Json& json) {
                             directions(json, "no_setups"),
                             json.contains("objective") ? Objective::Cost : Objective::Time,
                             json.contains("surrogates") ? SurrogateRule::Single : SurrogateRule::Sequence,
-                            json.value("scallop_mm", kUsualScallopMm)};
+                            json.value("scallop_mm", kUsualScallopMm),
+                            json.value("break_edges_mm", 0.0)};
     if (json.contains("roughing"))
         request.roughing = {json["roughing"]["leaves_on_walls_mm"], json["roughing"]["leaves_on_floors_mm"]};
     return request;

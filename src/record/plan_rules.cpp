@@ -298,7 +298,7 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     const std::string type = tool->second["type"];
     if (form && type != "ball" && type != "bull" && type != "chamfer")
         failAt(pointer + "/role", fmt::format("'form' is no work of a {}", type));
-    if (form != (operation["feature"] == formGroundId(operation["setup"])))
+    if (form != isFormGround(operation["feature"], operation["setup"]))
         failAt(pointer + "/role", "expected 'form' on a form ground and there alone");
     if (!isBand(operation, operation["setup"], setups_of_work))
         failAt(pointer + "/feature", fmt::format("expected a feature of this plan and setup, found {}",
@@ -313,8 +313,10 @@ std::map<BandName, std::string> setupsOfForms(const Json& plan) {
     if (!plan.contains("forms")) return setups;
     for (std::size_t i = 0; i < plan["forms"].size(); ++i) {
         const Json& form = plan["forms"][i];
-        if (form["id"].get<std::string>() != formGroundId(form["setup"]))
-            failAt(pointerTo("forms", i, "id"), "expected the id of its setup's ground");
+        if (!isFormGround(form["id"], form["setup"]))
+            failAt(pointerTo("forms", i, "id"), "expected the id of a ground of its setup");
+        if ((form["id"] == edgeGroundId(form["setup"])) != form.contains("edges_mm"))
+            failAt(pointerTo("forms", i, "id"), "expected the width of a ground of edges, and of no other");
         if (!setups.emplace(BandName{form["id"], 1}, form["setup"]).second)
             failAt(pointerTo("forms", i, "id"), "expected a setup that no other form has");
     }

@@ -19,10 +19,11 @@ struct RankedFeatures {
 };
 
 RankedFeatures allFeatures(const Part& part, const RankRequest& request, const ToolLibrary& library,
-                           const Tolerances& tol) {
+                           const Tolerances& tol, MissingTools& missing) {
     RankedFeatures found;
     SetupWalk walk(chooseSetups(part, request.setup), request.slicing, tol);
     while (const std::optional<Stage> stage = walk.next()) {
+        missing.look(*stage);
         const StockGrowth growth = growthOf(stage->setup.stock, stage->setup.part_to_setup);
         for (Feature& feature : inBands(stage->found.features, library, request.sequence.material)) {
             found.grown.push_back(onGrownStock(feature, growth, tol));
@@ -116,7 +117,9 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
     report.material = request.sequence.material;
     const SequenceOptions sequencing = asPlanned(request.sequence);
     tell("features", 0.1);
-    auto [features, grown] = allFeatures(part, request, library, tol);
+    const HoleWishes wishes(request.holes, part, tol);
+    MissingTools missing(wishes, library, request.sequence.material);
+    auto [features, grown] = allFeatures(part, request, library, tol, missing);
     if (!request.feature.empty()) {
         features = onlyFeature(features, request.feature);
         grown = onlyFeature(grown, request.feature);
@@ -124,12 +127,14 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
     tell("access volumes", 0.4);
     report.ranking = rankTools(accessTable(features, library, machine, sequencing, tol),
                                request.tool_change_s.value_or(machine.tool_change_s));
+    report.drills = drillTable(features, library, machine, sequencing, tol);
     if (request.sensitivity) {
         tell("sensitivity to " + toString(*request.sensitivity), 0.5);
         report.sensitivity = findSensitivity(grown, request, library, machine, tol);
     }
     if (request.purchases) {
         tell("what to buy", 0.7);
+        if (request.feature.empty()) report.missing = missing.list();
         report.purchases.emplace(grown.size());
         tbb::parallel_for(std::size_t{0}, report.purchases->size(), [&, &grown = grown](std::size_t i) {
             FeaturePurchase& found = (*report.purchases)[i];

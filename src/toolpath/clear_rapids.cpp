@@ -181,7 +181,7 @@ struct Landing {
 class ClearRapids {
   public:
     ClearRapids(const Toolpath& path, const ClearingTask& task, double radius_mm, const RapidClearance& keep)
-        : path_(path), keep_(keep), ground_(task, radius_mm, keep) {
+        : path_(path), keep_(keep), in_slot_(task.in_slot), ground_(task, radius_mm, keep) {
         made_ = path;
         made_.moves.clear();
     }
@@ -221,6 +221,7 @@ class ClearRapids {
         const Vec2 place = to.head<2>();
         if (from == place && to.z() >= at().z()) return add(MoveKind::Rapid, place, to.z());
         const Landing landing = landingFor(place, to.z());
+        if (in_slot_ && feedAcross(from, to, landing)) return;
         // The path starts over its first place: at the retract height that is where it comes down.
         if (made_.moves.empty() && from == place) made_.start.head<2>() = landing.at;
         if (Vec2(at().head<2>()) != landing.at) {
@@ -231,6 +232,18 @@ class ClearRapids {
         add(MoveKind::Rapid, landing.at, landing.z_mm);
         add(MoveKind::Feed, place, landing.z_mm);
         add(MoveKind::Plunge, place, to.z());
+    }
+
+    /// Level through what is cleared, where a rapid would have to come down from higher.
+    bool feedAcross(const Vec2& from, const Vec3& to, const Landing& landing) {
+        const Vec2 place = to.head<2>();
+        const double z_mm = std::max(at().z(), to.z());
+        const bool higher = landing.z_mm > z_mm + kSameHeightMm;
+        if (!higher || !ground_.isFreeInAir(from, place, z_mm)) return false;
+        add(MoveKind::Rapid, from, z_mm);
+        add(MoveKind::Feed, place, z_mm);
+        add(MoveKind::Plunge, place, to.z());
+        return true;
     }
 
     double crossingZ(const Vec2& from, const Vec2& to, double wanted_mm) const {
@@ -273,6 +286,7 @@ class ClearRapids {
 
     const Toolpath& path_;
     RapidClearance keep_;
+    bool in_slot_;
     Ground ground_;
     Toolpath made_;
 };

@@ -273,8 +273,13 @@ class ClaimWalk {
             }
         const auto form = record_.forms.find(formGroundId(recorded.id));
         if (form != record_.forms.end()) {
-            verify::compareForm(form->second, stage.setup, stage.layers, tol_, failures_);
+            verify::compareForm(form->second, nullptr, stage.setup, stage.layers, tol_, failures_);
             derived.planned.form = form->second;
+        }
+        const auto edges = record_.forms.find(edgeGroundId(recorded.id));
+        if (edges != record_.forms.end()) {
+            const EdgeBreaks breaks(stage.layers, record_.request->break_edges_mm, tol_);
+            verify::compareForm(edges->second, &breaks, stage.setup, stage.layers, tol_, failures_);
         }
         derived.planned.setup = stage.setup;
         derived.planned.unplanned = stage.found.unplanned;

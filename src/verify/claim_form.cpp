@@ -20,14 +20,22 @@ double slackMm(const Tolerances& tol) {
     return tol.gouge_mm + 2 * tol.curve_fit_mm;
 }
 
-/// The first height of a band at which the part is not covered.
-std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band, const Region& window,
-                                const Tolerances& tol) {
+/// What must stay of the part's section in a band.
+Region staying(const Region& section, const Obstacle& band, const EdgeBreaks* breaks, const Tolerances& tol) {
+    if (breaks == nullptr) return section;
+    const Region may_go = breaks->mayGo(band.bottom_z_mm, band.top_z_mm);
+    return may_go.empty() ? section : subtract(section, may_go, tol);
+}
+
+/// The first height of a band at which what must stay of the part is not covered.
+std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band, const EdgeBreaks* breaks,
+                                const Region& window, const Tolerances& tol) {
     double bottom_mm = band.bottom_z_mm + kWrittenMm;
     std::vector<double> tops = part.levelsBetween(bottom_mm, band.top_z_mm - kWrittenMm);
     tops.push_back(band.top_z_mm - kWrittenMm);
     for (const double top_mm : tops) {
-        const Region stands = intersect(part.partBetween(bottom_mm, top_mm), window, tol);
+        const Region stands =
+            intersect(staying(part.partBetween(bottom_mm, top_mm), band, breaks, tol), window, tol);
         if (!covers(band.section, stands, slackMm(tol), tol)) return bottom_mm;
         bottom_mm = top_mm;
     }
@@ -36,12 +44,14 @@ std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band,
 
 /// Does the band cover the part as the slicer has it in all layers that it reaches into? Layers hold the part
 /// at every height of theirs.
-bool coversLayers(const Obstacle& band, const LayerStack& layers, const Region& window,
-                  const Tolerances& tol) {
+bool coversLayers(const Obstacle& band, const LayerStack& layers, const EdgeBreaks* breaks,
+                  const Region& window, const Tolerances& tol) {
     return std::all_of(layers.layers.begin(), layers.layers.end(), [&](const Layer& layer) {
         const bool apart = layer.bottom_z_mm >= band.top_z_mm - kWrittenMm ||
                            layer.top_z_mm <= band.bottom_z_mm + kWrittenMm;
-        return apart || covers(band.section, intersect(layer.part, window, tol), tol.gouge_mm, tol);
+        if (apart) return true;
+        const Region stands = intersect(staying(layer.part, band, breaks, tol), window, tol);
+        return covers(band.section, stands, tol.gouge_mm, tol);
     });
 }
 
@@ -57,13 +67,13 @@ bool coversFixtures(const Obstacle& band, const Setup& setup, const Region& wind
 
 }  // namespace
 
-void compareForm(const FormGround& ground, const Setup& setup, const LayerStack& layers,
+void compareForm(const FormGround& ground, const EdgeBreaks* breaks, const Setup& setup, const LayerStack& layers,
                  const Tolerances& tol, std::vector<ProofFailure>& failures) {
     const SectionCutter part(setup, tol);
     for (const Obstacle& band : ground.must_stand) {
         // Slabs thinner than a layer may come out wider than it: hulls of free-form facets are made for each.
-        const bool as_layers = coversLayers(band, layers, ground.window, tol);
-        if (const auto z_mm = as_layers ? std::nullopt : uncovered(part, band, ground.window, tol))
+        const bool as_layers = coversLayers(band, layers, breaks, ground.window, tol);
+        if (const auto z_mm = as_layers ? std::nullopt : uncovered(part, band, breaks, ground.window, tol))
             failures.push_back(
                 {"plan.json", 0, ground.id,
                  fmt::format("what must stand over Z{:.4f} is less than the part there", *z_mm)});

@@ -157,7 +157,7 @@ void proveFormMoves(const ReadOperation& operation, const RecordedOperation& pla
 
 void proveFormCut(const ReadOperation& operation, const RecordedOperation& planned, const Tolerances& tol,
                   StandingStairs& stairs, const Findings& findings) {
-    double counted_mm3 = 0;
+    double counted_mm3 = planned.breaks_mm3;
     for (const ReasonVolume& entry : planned.takes)
         counted_mm3 += entry.volume_mm3;
     const double before_mm3 = stairs.volumeMm3();
@@ -169,8 +169,8 @@ void proveFormCut(const ReadOperation& operation, const RecordedOperation& plann
     const double taken_mm3 = before_mm3 - stairs.volumeMm3();
     if (taken_mm3 < counted_mm3 * (1 - tol.volume_share) - kVolumeRoundingMm3)
         findings.add(operation.line,
-                     fmt::format("takes {:.4f} mm3 off leaning walls, the plan counts on {:.4f}", taken_mm3,
-                                 counted_mm3));
+                     fmt::format("takes {:.4f} mm3 off {}, the plan counts on {:.4f}", taken_mm3,
+                                 planned.breaks_mm3 > 0 ? "edges" : "leaning walls", counted_mm3));
 }
 
 }  // namespace stepmill::verify

@@ -3,6 +3,7 @@
 #include "stepmill/verify/verify.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -87,9 +88,9 @@ class SetupProver {
                 findings.add(operation.line,
                              fmt::format("runs before {}, which clears what it counts on", id));
         const FormGround& ground = record_.forms.at(planned.feature_id);
-        if (!stairs_) stairs_.emplace(ground, tol_);
+        StandingStairs& stairs = stairs_.try_emplace(ground.id, ground, tol_).first->second;
         verify::proveFormMoves(operation, planned, ground, tol_, findings);
-        verify::proveFormCut(operation, planned, tol_, *stairs_, findings);
+        verify::proveFormCut(operation, planned, tol_, stairs, findings);
         done_.insert(operation.id);
     }
 
@@ -295,7 +296,7 @@ class SetupProver {
     const Tolerances& tol_;
     Verification& into_;
     std::map<std::string, FeatureState> states_;
-    std::optional<StandingStairs> stairs_;  ///< of the setup's form ground, once a form operation has begun
+    std::map<std::string, StandingStairs> stairs_;  ///< of form grounds whose operations have begun, by id
     std::set<std::string> done_;
 };
 

@@ -45,6 +45,7 @@ inline ClearingTask taskOf(const Feature& feature, const CutterArea& tool, const
     ClearingTask task;
     task.free_centres = tool.free_centres;
     task.entries = tool.entries;
+    task.slot_middles = tool.slot_middles;
     task.centres = decomposed.centres;
     task.cleared_centres = decomposed.cleared_centres;
     task.target = feature.target;

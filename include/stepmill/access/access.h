@@ -61,6 +61,8 @@ class FeatureGround {
     /// offset(T, x) and offset(O, x), from diagrams built once.
     Region targetOffset(double distance_mm) const;
     Region obstructionOffset(double distance_mm) const;
+    /// Does some stretch of the target keep the width of that disc, within the fit tolerance?
+    bool hasSlotOf(double radius_mm) const;
     /// Points a disc of that radius sweeps inside T.
     Region targetOpening(double radius_mm) const;
     /// Centres left inside T to a disc of radius `small` after one of radius `large`.
@@ -87,6 +89,9 @@ struct CutterArea {
     Region free_centres;
     /// One per component of `free_centres`, in the order of components().
     std::vector<Entry> entries;
+    /// Of the components that stand for the middle of a slot as wide as the cutter: these middles. The axis
+    /// goes nowhere else there; the components are strips around them, wide enough to count as material.
+    std::vector<Path> slot_middles;
     /// A_t = offset(C_t, r).
     Region accessible;
     /// A_t n T, less ground that is given up.

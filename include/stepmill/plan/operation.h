@@ -38,6 +38,8 @@ struct OperationData {
     /// Of a form operation: what it takes of the volumes that leaning walls hide from flat layers; of a
     /// drilling one what its points take below the floor.
     std::vector<ReasonVolume> takes;
+    /// Of an operation that breaks edges: what goes of the part; no part of stock minus part.
+    double breaks_mm3 = 0;
     /// Nothing: its feeds are the library's, whatever is cut.
     std::optional<CutRating> rating;
 

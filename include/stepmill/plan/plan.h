@@ -96,6 +96,8 @@ struct PlannedSetup {
     std::vector<WeighedOrder> orders;   ///< that were weighed for these, the one taken first
     /// Where its form operations work, which come after all others; nothing without any.
     std::optional<FormGround> form;
+    /// Where its edges are broken, after all others; nothing where that is not asked for or none is.
+    std::optional<FormGround> edges;
     VolumeBalance balance;
     double time_s = 0;    ///< tool changes included
     double motion_s = 0;  ///< the same with the machine's acceleration where that is given
@@ -117,6 +119,9 @@ inline constexpr double kLeastScallopMm = 0.002;
 inline constexpr double kMostScallopMm = 0.5;
 inline constexpr double kUsualScallopMm = 0.02;
 
+inline constexpr double kLeastEdgeBreakMm = 0.05;
+inline constexpr double kMostEdgeBreakMm = 2.0;
+
 struct PlanRequest {
     std::string unit;  ///< ReadOptions::unit, by which the part was read
     SetupRequest setup;
@@ -124,6 +129,8 @@ struct PlanRequest {
     SequenceOptions sequence;
     /// Height of the ridges that form cutters leave between their passes [mm]; 0: no pass of theirs.
     double scallop_mm = 0;
+    /// Sharp edges that look up are broken by so much [mm]; 0: they stay sharp.
+    double break_edges_mm = 0;
     /// What the cuts of this material ask for; nothing: not known, feeds are the library's.
     std::optional<Material> cut_material;
     std::string materials_file;  ///< where that was looked for; empty: nowhere

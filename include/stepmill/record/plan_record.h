@@ -57,6 +57,7 @@ struct RecordedRequest {
     Objective objective = Objective::Time;
     SurrogateRule surrogates = SurrogateRule::Sequence;
     double scallop_mm = kUsualScallopMm;
+    double break_edges_mm = 0;
 };
 
 /// What plan.json says that programs are proven against.
@@ -76,7 +77,7 @@ struct PlanRecord {
     Machine machine;
     std::vector<RecordedSetup> setups;
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
-    std::map<std::string, FormGround> forms;          ///< by id, one a setup at most
+    std::map<std::string, FormGround> forms;          ///< by id; a setup has one of leaning walls and one of edges at most
     std::map<std::string, RecordedOperation> operations;
     std::map<std::string, double> operation_s;  ///< the time of each, without the change to its tool
     PlanTotals totals;

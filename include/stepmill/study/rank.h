@@ -11,6 +11,7 @@
 #include "stepmill/sequence/advice/ranking.h"
 #include "stepmill/sequence/advice/sensitivity.h"
 #include "stepmill/setup/setup.h"
+#include "stepmill/study/missing_tools.h"
 
 namespace stepmill {
 
@@ -20,6 +21,7 @@ struct RankRequest {
     SliceOptions slicing;
     SequenceOptions sequence;
     std::string feature;  ///< id; empty: all features of the part together
+    HoleTable holes;      ///< what is to become of holes: purchases serve that too
     /// Seconds a tool change takes in the table; nothing: the machine's. The sensitivity and the purchases
     /// keep the machine's.
     std::optional<double> tool_change_s;
@@ -58,6 +60,8 @@ struct RankReport {
     Ranking ranking;
     std::optional<Sensitivity> sensitivity;
     std::optional<std::vector<FeaturePurchase>> purchases;
+    std::vector<DrillRow> drills;       ///< of a part: what each does in its holes
+    std::vector<MissingTool> missing;   ///< with the purchases: what else the part asks for
 };
 
 /// Ranks the cutters of a library for a part. Features are those a plan would start with, each setup on the

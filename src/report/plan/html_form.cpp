@@ -11,6 +11,18 @@
 namespace stepmill::report {
 namespace {
 
+Anchor groundAnchor(const std::string& ground_id, const std::string& setup_id) {
+    return {ground_id == edgeGroundId(setup_id) ? "edges" : "form", setup_id};
+}
+
+/// The operations on a ground.
+std::vector<const Operation*> operationsOn(const FormGround& ground, const PlannedSetup& setup) {
+    std::vector<const Operation*> found;
+    for (const Operation& operation : setup.operations)
+        if (operation.feature_id == ground.id) found.push_back(&operation);
+    return found;
+}
+
 double takenMm3(const Operation& operation) {
     double sum = 0;
     for (const ReasonVolume& taken : operation.takes)
@@ -48,34 +60,63 @@ Element passesDrawing(const FormGround& ground, const Operation& operation) {
     return std::move(drawing).element();
 }
 
+Element passesDrawings(const FormGround& ground, const std::vector<const Operation*>& operations) {
+    Element figures("div.pairs");
+    for (const Operation* operation : operations)
+        figures.add(Element("figure", passesDrawing(ground, *operation),
+                            Element("figcaption", fmt::format("{}: {}, {} levels", operation->id,
+                                                              operation->tool_id, operation->path.depths))));
+    return figures;
+}
+
+/// Edges that stay as they are.
+Element sharpTable(const std::vector<SharpStretch>& sharp, const Measures& in) {
+    Table table({"stays sharp at", numbers("length"), "because"});
+    for (const SharpStretch& stretch : sharp)
+        table.row(fmt::format("X{} Y{} Z{}", in.number(stretch.at.x()), in.number(stretch.at.y()),
+                              in.number(stretch.at.z())),
+                  in.length(stretch.length_mm), stretch.why);
+    return std::move(table).element();
+}
+
 }  // namespace
 
 Anchor workAnchor(const Operation& operation) {
-    return operation.role == Role::Form ? Anchor("form", operation.setup_id)
-                                        : bandAnchor(operation.feature_id);
+    if (operation.role != Role::Form) return bandAnchor(operation.feature_id);
+    return groundAnchor(operation.feature_id, operation.setup_id);
 }
 
 Element formSection(const ReportSubject& subject, const PlannedSetup& setup) {
-    std::vector<const Operation*> operations;
+    const std::vector<const Operation*> operations = operationsOn(*setup.form, setup);
     double taken_mm3 = 0;
-    for (const Operation& operation : setup.operations)
-        if (operation.role == Role::Form) {
-            operations.push_back(&operation);
-            taken_mm3 += takenMm3(operation);
-        }
+    for (const Operation* operation : operations)
+        taken_mm3 += takenMm3(*operation);
     Element section("section", Element("h3", "Leaning walls of " + setup.setup.id),
                     Element("p", fmt::format("After all flat operations form cutters take {} off what "
                                              "flat layers leave over walls that lean, in fillets and at "
                                              "chamfers.",
                                              subject.in.crumb(taken_mm3))),
                     takesTable(operations, subject.in));
-    section.mark(Anchor("form", setup.setup.id));
-    Element figures("div.pairs");
+    section.mark(groundAnchor(setup.form->id, setup.setup.id));
+    section.add(passesDrawings(*setup.form, operations));
+    return section;
+}
+
+Element edgeSection(const ReportSubject& subject, const PlannedSetup& setup) {
+    const FormGround& ground = *setup.edges;
+    const std::vector<const Operation*> operations = operationsOn(ground, setup);
+    double broken_mm3 = 0;
     for (const Operation* operation : operations)
-        figures.add(Element("figure", passesDrawing(*setup.form, *operation),
-                            Element("figcaption", fmt::format("{}: {}, {} levels", operation->id,
-                                                              operation->tool_id, operation->path.depths))));
-    section.add(std::move(figures));
+        broken_mm3 += operation->breaks_mm3;
+    const std::string words =
+        operations.empty()
+            ? "No edge is broken."
+            : fmt::format("After all else sharp edges that look up are broken by {}, 45 degrees: {} of the part.",
+                          subject.in.length(ground.edges_mm), subject.in.crumb(broken_mm3));
+    Element section("section", Element("h3", "Edges of " + setup.setup.id), Element("p", words));
+    if (!ground.sharp.empty()) section.add(sharpTable(ground.sharp, subject.in));
+    section.mark(groundAnchor(ground.id, setup.setup.id));
+    section.add(passesDrawings(ground, operations));
     return section;
 }
 

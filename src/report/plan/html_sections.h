@@ -35,6 +35,9 @@ std::optional<Element> assignmentSection(const ReportSubject& subject);
 /// What form cutters take off leaning walls, and their passes. \pre setup.form
 Element formSection(const ReportSubject& subject, const PlannedSetup& setup);
 
+/// Which edges are broken, and which stay sharp. \pre setup.edges
+Element edgeSection(const ReportSubject& subject, const PlannedSetup& setup);
+
 /// Views, the setup sheet with its features, tools and operations, then each feature.
 Element setupSection(ReportSubject& subject, const PlannedSetup& setup);
 

@@ -233,6 +233,7 @@ Element setupSection(ReportSubject& subject, const PlannedSetup& setup) {
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
         section.add(featureSection(subject, setup, feature));
     if (setup.form) section.add(formSection(subject, setup));
+    if (setup.edges) section.add(edgeSection(subject, setup));
     return section;
 }
 

@@ -38,11 +38,12 @@ std::string formLines(const Plan& plan) {
     for (const PlannedSetup& setup : plan.setups)
         for (const Operation& operation : setup.operations) {
             if (operation.role != Role::Form) continue;
-            double taken_mm3 = 0;
+            double taken_mm3 = operation.breaks_mm3;
             for (const ReasonVolume& taken : operation.takes)
                 taken_mm3 += taken.volume_mm3;
-            text += fmt::format("{}: {} takes {:.3f} cm3 off leaning walls in {}, {} levels\n", operation.id,
+            text += fmt::format("{}: {} takes {:.3f} cm3 off {} in {}, {} levels\n", operation.id,
                                 plainLine(operation.tool_id), taken_mm3 / 1000,
+                                operation.breaks_mm3 > 0 ? "edges" : "leaning walls",
                                 clockTime(operation.path.totals.time_s()), operation.path.depths);
         }
     return text;

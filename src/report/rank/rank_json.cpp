@@ -69,7 +69,21 @@ Json bestJson(const std::optional<Purchase>& best) {
             {"tools", best->tools},
             {"saved_s", number(best->saved_s)},
             {"saved_cost", number(best->saved_cost)},
-            {"more_mm3", number(best->more_mm3)}};
+            {"more_mm3", number(best->more_mm3)},
+            {"holes", best->holes}};
+}
+
+Json drillJson(const DrillRow& drill) {
+    return {{"tool", drill.tool},
+            {"diameter_mm", number(drill.diameter_mm)},
+            {"makes", drill.makes},
+            {"makes_room_in", drill.makes_room_in},
+            {"volume_cm3", number(drill.volume_cm3)},
+            {"time_min", number(drill.time_min)}};
+}
+
+Json missingJson(const MissingTool& missing) {
+    return {{"tool", missing.tool}, {"gives", missing.gives}, {"holes", missing.holes}, {"faces", missing.faces}};
 }
 
 Json purchasesJson(const std::optional<std::vector<FeaturePurchase>>& purchases) {
@@ -99,8 +113,10 @@ std::string rankJson(const RankReport& report) {
                  {"rows", listOf(ranking.rows, rowJson)},
                  {"greedy", setJson(ranking, ranking.greedy)},
                  {"shortest_path", setJson(ranking, ranking.shortest_path)},
+                 {"drills", listOf(report.drills, drillJson)},
                  {"sensitivity", sensitivityJson(report.sensitivity)},
-                 {"purchases", purchasesJson(report.purchases)}};
+                 {"purchases", purchasesJson(report.purchases)},
+                 {"missing", listOf(report.missing, missingJson)}};
     return finishJson(SchemaName::Rank, std::move(content));
 }
 

@@ -88,6 +88,35 @@ std::string sensitivityText(const Sensitivity& sensitivity) {
     return text;
 }
 
+/// What drills do; nothing for a part without holes.
+std::string drillsText(const std::vector<DrillRow>& drills) {
+    std::string text;
+    for (const DrillRow& drill : drills)
+        if (drill.makes + drill.makes_room_in > 0)
+            text += fmt::format("{:<8} {:>8.3f} {:>11.3f} {:>7} {:>10} {:>9.3f}\n", drill.tool, drill.diameter_mm,
+                                drill.volume_cm3, drill.makes, drill.makes_room_in, drill.time_min);
+    if (text.empty()) return text;
+    return fmt::format("\n{:<8} {:>8} {:>11} {:>7} {:>10} {:>9}\n", "drill", "mm", "volume cm3", "makes",
+                       "for mills", "min") +
+           text;
+}
+
+std::string missingText(const std::vector<MissingTool>& missing) {
+    if (missing.empty()) return {};
+    std::string text = "What else the part asks for and no tool of the library gives\n";
+    for (const MissingTool& tool : missing)
+        text += fmt::format("  {}: {}{}{}\n", tool.tool, tool.gives,
+                            tool.holes > 0 ? fmt::format(", {} holes", tool.holes) : "",
+                            tool.faces > 0 ? fmt::format(", {} faces", tool.faces) : "");
+    return text;
+}
+
+/// "serves 4 holes" for a hole.
+std::string holesText(const Purchase& purchase) {
+    return purchase.holes > 0 ? fmt::format(", serves {} hole{}", purchase.holes, purchase.holes > 1 ? "s" : "")
+                              : "";
+}
+
 std::string gainText(const Purchase& purchase) {
     const double saved_min = purchase.saved_s / kSecondsPerMinute;
     if (purchase.more_mm3 > 0)
@@ -101,6 +130,7 @@ std::string sharedPurchases(const std::vector<FeaturePurchase>& purchases) {
     struct Sum {
         std::string tool;
         int features = 0;
+        int holes = 0;
         double saved_s = 0;
     };
     std::vector<Sum> sums;
@@ -110,6 +140,7 @@ std::string sharedPurchases(const std::vector<FeaturePurchase>& purchases) {
         auto sum = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) { return s.tool == tool; });
         if (sum == sums.end()) sum = sums.insert(sum, {tool});
         ++sum->features;
+        sum->holes += advice.best->holes;
         sum->saved_s += advice.best->saved_s;
     }
     std::erase_if(sums, [](const Sum& sum) { return sum.features < 2; });
@@ -117,8 +148,8 @@ std::string sharedPurchases(const std::vector<FeaturePurchase>& purchases) {
                      [](const Sum& a, const Sum& b) { return a.saved_s > b.saved_s; });
     std::string text;
     for (const Sum& sum : sums)
-        text += fmt::format("  {}: {:.2f} min over {} features\n", sum.tool, sum.saved_s / kSecondsPerMinute,
-                            sum.features);
+        text += fmt::format("  {}: {:.2f} min over {} features{}\n", sum.tool, sum.saved_s / kSecondsPerMinute,
+                            sum.features, sum.holes > 0 ? fmt::format(", {} holes", sum.holes) : "");
     return text.empty() ? text : "Tools that help several features, each counted by itself:\n" + text;
 }
 
@@ -135,8 +166,8 @@ std::string purchasesText(const std::vector<FeaturePurchase>& purchases) {
             continue;
         }
         const Purchase& best = *advice.best;
-        text += fmt::format("{} ({}): {}, then {}\n", best.tool.id, best.why, gainText(best),
-                            toolsText(best.tools));
+        text += fmt::format("{} ({}): {}{}, then {}\n", best.tool.id, best.why, gainText(best),
+                            holesText(best), toolsText(best.tools));
     }
     return text + sharedPurchases(purchases);
 }
@@ -144,9 +175,9 @@ std::string purchasesText(const std::vector<FeaturePurchase>& purchases) {
 }  // namespace
 
 std::string rankText(const RankReport& report) {
-    std::string text = headText(report) + tableText(report.ranking);
+    std::string text = headText(report) + tableText(report.ranking) + drillsText(report.drills);
     if (report.sensitivity) text += sensitivityText(*report.sensitivity);
-    if (report.purchases) text += purchasesText(*report.purchases);
+    if (report.purchases) text += purchasesText(*report.purchases) + missingText(report.missing);
     return text;
 }
 

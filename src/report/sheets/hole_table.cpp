@@ -22,7 +22,8 @@ constexpr double kEqualMm = 1e-3;
 
 struct HoleWork {
     std::string way;
-    int last = -1;  ///< place of its last operation
+    int last = -1;      ///< place of its last operation
+    double time_s = 0;  ///< of all its operations, without tool changes
 };
 
 /// "drilled", "tapped M8x1.25 17.5 deep".
@@ -45,8 +46,9 @@ HoleWork workOn(const SheetSubject& subject, const PlannedSetup& setup,
         for (const PlannedFeature* band : hole.bands) {
             const Operation& operation = setup.operations[i];
             if (operation.feature_id != band->feature.id) continue;
-            std::string way = fmt::format("{} T{}", workWords(operation, subject.measures),
-                                          plan.library.tool(operation.tool_id).number);
+            std::string way = fmt::format("{} T{} {}", workWords(operation, subject.measures),
+                                          plan.library.tool(operation.tool_id).number, operation.tool_id);
+            work.time_s += timeOf(operation);
             if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(std::move(way));
             work.last = static_cast<int>(i);
         }
@@ -99,6 +101,7 @@ std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetu
         const std::vector<Vec2> centres = holeCentres(lowest);
         group.centres.insert(group.centres.end(), centres.begin(), centres.end());
         group.last = std::max(group.last, work.last);
+        group.time_s += work.time_s;
     }
     return groups;
 }
@@ -112,12 +115,16 @@ std::optional<Element> holeTable(const SheetSubject& subject, const std::vector<
                  {"Z from, to " + unit, true},
                  {"depth " + unit, true},
                  "way",
+                 {"time", true},
+                 {"s a hole", true},
                  "centres " + unit});
     for (const HoleGroup& hole : groups)
         table.row(Element("b", hole.name), std::to_string(hole.centres.size()),
                   in.number(hole.diameter_mm, 3),
                   fmt::format("{}, {}", in.number(hole.top_mm), in.number(hole.floor_mm)),
                   in.number(hole.top_mm - hole.floor_mm) + (hole.through ? " through" : ""), hole.way,
+                  hole.last < 0 ? "-" : clockTime(hole.time_s),
+                  hole.last < 0 ? "-" : fixed(hole.time_s / static_cast<double>(hole.centres.size()), 1),
                   placesWords(hole.centres, in));
     if (table.empty()) return std::nullopt;
     return titled("Holes", std::move(table).element());

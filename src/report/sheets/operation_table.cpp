@@ -13,6 +13,7 @@ namespace stepmill::report {
 namespace {
 
 std::string featureWords(const PlannedSetup& setup, const Operation& operation) {
+    if (operation.breaks_mm3 > 0) return "edges";
     if (operation.role == Role::Form) return "leaning walls";
     for (const PlannedFeature& planned : setup.features)
         if (planned.feature.id == operation.feature_id)

@@ -53,8 +53,9 @@ struct HoleGroup {
     double top_mm = 0;
     double floor_mm = 0;
     bool through = false;
-    std::string way;  ///< "drilled T5, milled T3"
-    int last = -1;    ///< place of the last operation on any of them; -1: none is made
+    std::string way;    ///< "drilled T5 DR6, milled T3 EM4"
+    int last = -1;      ///< place of the last operation on any of them; -1: none is made
+    double time_s = 0;  ///< of all their operations, without tool changes
     std::vector<Vec2> centres;
 };
 std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetup& setup);

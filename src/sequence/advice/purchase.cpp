@@ -7,6 +7,7 @@
 #include "sequence/advice/trial_tools.h"
 #include "sequence/dag/candidate.h"
 #include "sequence/holder/tool_areas.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/sequence/advice/area_models.h"
 
 namespace stepmill {
@@ -104,6 +105,8 @@ class Adviser {
         std::vector<TrialTool> trials = trialMills(ground_, library_, options_.material);
         if (auto drill = trialDrill(ground_, library_, options_.material))
             trials.push_back(std::move(*drill));
+        if (auto drill = trialPreDrill(ground_, library_, options_.material))
+            trials.push_back(std::move(*drill));
         for (TrialTool& longer : longerTools(ground_, library_, reaches_))
             trials.push_back(std::move(longer));
         for (TrialTool& trial : trials)
@@ -120,9 +123,12 @@ class Adviser {
                           [&](std::size_t i) { forecasts[i] = forecastWith(trials[i].tool); });
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < trials.size(); ++i)
-            if (isBetter(forecasts[i], now)) order.push_back(i);
+            if (trials[i].unforeseen || isBetter(forecasts[i], now)) order.push_back(i);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return isBetter(forecasts[a], forecasts[b]); });
+        // What the model cannot tell of comes first among equals: it is tried.
+        std::stable_partition(order.begin(), order.end(),
+                              [&](std::size_t i) { return trials[i].unforeseen; });
         if (order.size() > kPurchaseTrials) order.resize(kPurchaseTrials);
         std::vector<TrialTool> chosen;
         chosen.reserve(order.size());
@@ -191,6 +197,7 @@ class Adviser {
         }
         purchase.tool = trial.tool;
         purchase.why = trial.why;
+        if (isHole(feature_.feature_class)) purchase.holes = static_cast<int>(holeCentres(feature_).size());
         purchase.saved_s = known_.time_s - sequence.time_s;
         purchase.saved_cost = known_.cost - sequence.cost;
         purchase.more_mm3 = residualVolumeMm3(known_) - residualVolumeMm3(sequence);

@@ -15,6 +15,10 @@ constexpr double kUsualSeriesMm[] = {1,  1.5, 2,  2.5, 3,  4,  5,  6,  7,  8, 9,
                                      10, 12,  14, 16,  18, 20, 22, 25, 28, 32};
 /// End mills are ground to order in steps of this [mm].
 constexpr double kGrindingStepMm = 0.1;
+/// Drills are sold in steps of this [mm] ...
+constexpr double kDrillStepMm = 0.5;
+/// ... and leave so much of the diameter to the mill after them.
+constexpr double kPreDrillAllowanceMm = 0.2;
 /// Two diameters nearer than this are the same cutter [mm].
 constexpr double kSameDiameterMm = 0.05;
 /// Cutting data reach this far beyond the narrowest and the widest tool of the library.
@@ -233,6 +237,20 @@ std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibra
     auto tool = interpolatedTool(library, ToolType::Drill, hole_mm, feature.depth_mm(), material);
     if (!tool) return std::nullopt;
     return TrialTool{std::move(*tool), "drills the hole at once"};
+}
+
+std::optional<TrialTool> trialPreDrill(const FeatureGround& ground, const ToolLibrary& library,
+                                       const std::string& material) {
+    const Feature& feature = ground.feature();
+    if (!isHole(feature.feature_class)) return std::nullopt;
+    const double hole_mm = 2 * holeRadiusMm(feature);
+    double widest_mm = std::floor((hole_mm - kPreDrillAllowanceMm) / kDrillStepMm) * kDrillStepMm;
+    for (; widest_mm > hole_mm / 2; widest_mm -= kDrillStepMm) {
+        if (isStocked(library, ToolType::Drill, widest_mm, feature.depth_mm(), material)) return std::nullopt;
+        auto tool = interpolatedTool(library, ToolType::Drill, widest_mm, feature.depth_mm(), material);
+        if (tool) return TrialTool{std::move(*tool), "makes room for the mill", true};
+    }
+    return std::nullopt;
 }
 
 namespace {

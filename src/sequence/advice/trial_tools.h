@@ -13,6 +13,7 @@ namespace stepmill {
 struct TrialTool {
     ToolAssembly tool;
     std::string why;
+    bool unforeseen = false;  ///< the area model does not tell what it saves: it is tried all the same
 };
 
 /// Flat end mills of the diameters that matter to a feature and that no end mill of the library has which
@@ -23,6 +24,11 @@ std::vector<TrialTool> trialMills(const FeatureGround& ground, const ToolLibrary
 /// A drill for a hole, through or with a drill's point, that no drill of the library fits.
 std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibrary& library,
                                     const std::string& material);
+
+/// The widest drill of the usual series that makes room in a hole with a flat floor or one wider than any drill,
+/// and that the library lacks.
+std::optional<TrialTool> trialPreDrill(const FeatureGround& ground, const ToolLibrary& library,
+                                       const std::string& material);
 
 /// Tools of the library that reach or holder keep off the feature, with the stick-out that would do.
 /// \param reaches  reachFor() of the library's tools, in any order

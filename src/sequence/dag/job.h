@@ -12,7 +12,7 @@ namespace stepmill {
 struct SequenceJob {
     SequenceJob(const Feature& of, const ToolLibrary& tools, const Machine& mill,
                 const SequenceOptions& asked, const Tolerances& tol)
-        : ground(of, tol),
+        : ground(of, asked.finish.walls_mm > 0 ? withoutFit(tol) : tol),
           library(tools),
           machine(mill),
           options(asked),
@@ -29,6 +29,13 @@ struct SequenceJob {
     const Tolerances& tolerances() const { return ground.tolerances(); }
     /// Called before each dear piece of work. \throws Error(TimedOut) after the options' deadline
     void checkTime() const { options.deadline.check(feature().id); }
+
+  private:
+    /// Walls that get a pass of their own leave no room for a cutter as wide as the slot.
+    static Tolerances withoutFit(Tolerances tol) {
+        tol.fit_mm = 0;
+        return tol;
+    }
 };
 
 }  // namespace stepmill

@@ -27,7 +27,7 @@ class PassMaker::Clipper {
         lines_ = passes_.size();
         for (const RingFamily::Ring& ring : variant_.rings)
             clip(ring);
-        if (maker_.limited_) addLimits();
+        if (maker_.limited_ && !component_.slot) addLimits();
         order();
         return std::move(passes_);
     }
@@ -44,6 +44,8 @@ class PassMaker::Clipper {
     bool cutsNothing(const Place& place) const {
         return toolpath::cutsNothing(task_.target, maker_.family_.radiusMm(), place, tol_);
     }
+
+    bool meetsNothing(const Vec2& p) const { return isCleared(p) || cutsNothing(p); }
 
     static void append(std::vector<Edge>& edges, const std::vector<Edge>& more) {
         edges.insert(edges.end(), more.begin(), more.end());
@@ -126,7 +128,9 @@ class PassMaker::Clipper {
         pass.path = path;
         pass.closed = closed;
         pass.level = ring.level;
-        pass.starts_in_air = !closed && (isCleared(path.start) || cutsNothing(path.start));
+        pass.reversible = !closed && ring.either_way;
+        pass.starts_in_air = !closed && meetsNothing(path.start);
+        pass.ends_in_air = pass.reversible && meetsNothing(path.end());
         passes_.push_back(std::move(pass));
         outside_in_.push_back(ring.outside_in);
         edges_.emplace_back(path);
@@ -140,12 +144,8 @@ class PassMaker::Clipper {
         passes_.clear();
         outside_in_.clear();
         edges_.clear();
-        for (const Path& path : joinedLines(component_, variant_, pieces, tol_)) {
-            addPass(path, false, {path, 1, true});
-            Pass& pass = passes_.back();
-            pass.reversible = true;
-            pass.ends_in_air = isCleared(path.end()) || cutsNothing(path.end());
-        }
+        for (const Path& path : joinedLines(component_, variant_, pieces, tol_))
+            addPass(path, false, {path, 1, true, true});
     }
 
     void link(std::size_t first, std::size_t then) {

@@ -86,6 +86,7 @@ class FamilyMaker {
         for (const Edge& edge : component.boundary.edges())
             (isOpen(edge) ? component.open_sides : walls).push_back(edge);
         component.walls = EdgeIndex(std::move(walls));
+        if (addMiddle(component)) return component;
         const std::vector<Inset> insets = insetsOf(region);
         for (const Inset& inset : insets)
             if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
@@ -100,6 +101,21 @@ class FamilyMaker {
   private:
     bool isWanted(Pattern pattern) const {
         return task_.pattern == Pattern::Best || task_.pattern == pattern;
+    }
+
+    /// In a slot as wide as the cutter one pass along its middle is all.
+    bool addMiddle(RingFamily::Component& component) const {
+        const auto& middles = task_.slot_middles;
+        const auto middle = std::find_if(middles.begin(), middles.end(), [&](const Path& path) {
+            return contains(component.region, path.start);
+        });
+        if (middle == middles.end()) return false;
+        component.slot = true;
+        component.guarded = component.region;
+        RingFamily::Variant along;
+        along.rings.push_back({*middle, 0, false, true});
+        component.variants.push_back(std::move(along));
+        return true;
     }
 
     std::vector<Inset> insetsOf(const Region& region) const {

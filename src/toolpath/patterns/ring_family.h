@@ -16,6 +16,7 @@ class RingFamily {
         Path path;
         int level = 0;            ///< step-overs from the boundary the pattern starts at; lines: row number
         bool outside_in = false;  ///< comes before the rings of the next level, not after them
+        bool either_way = false;  ///< may as well be cut from its end
     };
     /// One way to go over a component.
     struct Variant {
@@ -37,6 +38,7 @@ class RingFamily {
         EdgeIndex boundary;
         EdgeIndex walls;               ///< of the boundary, where a disc touches what must stay
         std::vector<Edge> open_sides;  ///< of the boundary, where it only touches the target
+        bool slot = false;             ///< as wide as the cutter: its middle is the only curve
         /// Contour-parallel from inside out first; no two give the same path.
         std::vector<Variant> variants;
     };

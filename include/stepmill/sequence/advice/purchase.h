@@ -16,6 +16,7 @@ struct Purchase {
     double saved_s = 0;              ///< of the feature's time; negative where it machines more
     double saved_cost = 0;
     double more_mm3 = 0;  ///< volume it machines that stays without it; 0 where that is not worth naming
+    int holes = 0;        ///< of the feature that it serves; 0: the feature is no hole
 };
 
 struct PurchaseAdvice {

@@ -41,6 +41,22 @@ struct Ranking {
     RankedSet shortest_path;
 };
 
+/// What a drill does in the holes of some features. Drills are no rows of the ranking: each reaches only holes
+/// of its own width, so none goes before another.
+struct DrillRow {
+    std::string tool;
+    double diameter_mm = 0;
+    int makes = 0;          ///< holes that it makes by itself
+    int makes_room_in = 0;  ///< holes that it drills for a mill
+    double volume_cm3 = 0;  ///< that it takes in all of them
+    double time_min = 0;    ///< on real paths, without tool changes
+};
+
+/// The drills of a library that have data for the material, in its order; those that fit no hole have zeros.
+std::vector<DrillRow> drillTable(const std::vector<Feature>& features, const ToolLibrary& library,
+                                 const Machine& machine, const SequenceOptions& options,
+                                 const Tolerances& tol);
+
 /// The ranking of [Lim2000] and the cheapest sequence over the same table.
 ///
 /// Rank 0 is the largest cutter with full access (kFullAccessShare); each further rank the wider cutter that

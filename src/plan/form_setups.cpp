@@ -1,0 +1,133 @@
+// Form operations, setup by setup.
+
+#include "plan/form_setups.h"
+
+#include <functional>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "plan/earlier_operations.h"
+#include "plan/edge_breaking.h"
+#include "plan/form_finishing.h"
+#include "plan/make_operations.h"
+#include "plan/retract.h"
+#include "stepmill/core/error.h"
+
+namespace stepmill {
+namespace {
+
+using Finish = std::function<std::optional<FormFinishing>(const FormSources&, const FormShop&)>;
+
+/// One kind of form operations.
+struct FormKind {
+    std::string (*ground_id)(const std::string& setup_id);
+    std::optional<FormGround> PlannedSetup::*ground;
+    const char* stage;      ///< for the progress bar
+    const char* otherwise;  ///< what is so where their planning fails
+    Finish finish;
+};
+
+class FormSetups {
+  public:
+    FormSetups(const FormKind& kind, const PlanningShop& shop, std::vector<Warning>& warnings)
+        : kind_(kind), shop_(shop), warnings_(warnings) {}
+
+    void addTo(std::vector<PlannedSetup>& setups, const std::vector<PlannedStage>& stages,
+               const Progress& progress) {
+        Stock at_end = stages.back().left;
+        for (std::size_t i = 0; i < setups.size(); ++i) {
+            PlannedSetup& setup = setups[i];
+            if (progress) progress(kind_.stage + setup.setup.id, 1);
+            auto finishing = finish({setup.setup, stages[i].layers, stages[i].left, at_end});
+            if (!finishing) continue;
+            at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
+            setup.*kind_.ground = std::move(finishing->ground);
+            addOperations(finishing->operations, setup);
+        }
+    }
+
+  private:
+    /// What keeps form cutters from a setup must not lose the plan.
+    std::optional<FormFinishing> finish(const FormSources& sources) {
+        const PlanRequest& request = shop_.request;
+        const std::string id = kind_.ground_id(sources.setup.id);
+        const FormShop forms{shop_.library,
+                             shop_.machine,
+                             request.sequence.material,
+                             request.scallop_mm,
+                             retractMm(sources.setup, request.sequence.retract_mm, shop_.machine),
+                             shop_.cautionOf(id),
+                             request.patience.few_tools,
+                             shop_.tol};
+        try {
+            return kind_.finish(sources, forms);
+        } catch (const Error& error) {
+            warnings_.push_back(
+                {"planning-failed", id, fmt::format("{}: {}", kind_.otherwise, error.what())});
+            return std::nullopt;
+        }
+    }
+
+    void addOperations(std::vector<Operation>& operations, PlannedSetup& setup) {
+        EarlierOperations before(setup, shop_.request.earlier);
+        for (Operation& operation : operations) {
+            operation.id = before.idOf(operation);
+            setup.operations.push_back(std::move(operation));
+        }
+        linkOperations(setup.operations, shop_.machine);
+    }
+
+    const FormKind& kind_;
+    const PlanningShop& shop_;
+    std::vector<Warning>& warnings_;
+};
+
+/// What stays sharp, cause by cause.
+void warnOfSharpEdges(const FormGround& ground, std::vector<Warning>& warnings) {
+    std::map<std::string, std::vector<const SharpStretch*>> by_cause;
+    for (const SharpStretch& stretch : ground.sharp)
+        by_cause[stretch.why].push_back(&stretch);
+    for (const auto& [why, stretches] : by_cause) {
+        double sum_mm = 0;
+        for (const SharpStretch* stretch : stretches)
+            sum_mm += stretch->length_mm;
+        const Vec3& at = stretches.front()->at;
+        warnings.push_back(
+            {"sharp-edge", ground.id,
+             fmt::format("{:.4g} mm of edges stay sharp, the first at X{:.3f} Y{:.3f} Z{:.3f}: {}", sum_mm,
+                         at.x(), at.y(), at.z(), why),
+             static_cast<int>(stretches.size())});
+    }
+}
+
+}  // namespace
+
+std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
+                                    const PlanningShop& shop, const Progress& progress,
+                                    std::vector<Warning>& warnings) {
+    const PlanRequest& request = shop.request;
+    const bool finishes = request.scallop_mm > 0 && !request.roughing;
+    if (!finishes || !hasFormCutters(shop.library, request.sequence.material)) return setups;
+    const FormKind walls{formGroundId, &PlannedSetup::form, "leaning walls of ",
+                         "leaning walls stay as flat layers leave them", finishForms};
+    FormSetups(walls, shop, warnings).addTo(setups, stages, progress);
+    return setups;
+}
+
+std::vector<PlannedSetup> withBrokenEdges(std::vector<PlannedSetup> setups,
+                                          const std::vector<PlannedStage>& stages, const PlanningShop& shop,
+                                          const Progress& progress, std::vector<Warning>& warnings) {
+    const double width_mm = shop.request.break_edges_mm;
+    if (width_mm <= 0 || shop.request.roughing) return setups;
+    const FormKind edges{edgeGroundId, &PlannedSetup::edges, "edges of ", "edges stay sharp",
+                         [width_mm](const FormSources& sources, const FormShop& forms) {
+                             return breakEdges(sources, width_mm, forms);
+                         }};
+    FormSetups(edges, shop, warnings).addTo(setups, stages, progress);
+    for (const PlannedSetup& setup : setups)
+        if (setup.edges) warnOfSharpEdges(*setup.edges, warnings);
+    return setups;
+}
+
+}  // namespace stepmill

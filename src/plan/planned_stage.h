@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "plan/feature_planner.h"
+#include "stepmill/layers/layer_stack.h"
+#include "stepmill/plan/books.h"
+#include "stepmill/plan/plan.h"
+#include "stepmill/plan/stages.h"
+
+namespace stepmill {
+
+/// A setup that is planned, with what its books ask for.
+struct PlannedStage {
+    PlannedSetup setup;
+    std::size_t place = 0;  ///< of the setup among those that were chosen
+    LayerStack layers;
+    StageAir air;
+    std::vector<Prism> removed;
+    StockStep stock;
+    Stock left;  ///< after its feature operations
+    std::vector<Warning> warnings;
+};
+
+/// Every setup on the stock that the paths of those before it leave. What setups would cut that there is no
+/// time for stays out of reach.
+/// \param reserves  what each setup leaves for later ones, by its place
+/// \param late      warned of setups there was no time for
+std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
+                                     const PlanningShop& shop, const Progress& progress,
+                                     std::vector<Warning>& late);
+
+}  // namespace stepmill
