@@ -37,7 +37,7 @@ struct PlanningApp {
 bool namesFile(const std::string& name, const std::string& value) {
     constexpr std::array kFiles = {"tools", "machine", "fixtures", "holes", "stock", "buy"};
     const bool takes_file = std::find(kFiles.begin(), kFiles.end(), name) != kFiles.end();
-    return takes_file && !(name == "stock" && value == "box");
+    return takes_file && !(name == "stock" && (value == "box" || value == "auto"));
 }
 
 /// The name of a file stands in plan.json, its folder does not.

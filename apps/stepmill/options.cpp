@@ -58,13 +58,34 @@ Vec3 parseAxisOption(const std::string& text, const std::string& option) {
     return *axis;
 }
 
+bool isBox(const std::string& stock) {
+    return stock == "box" || stock == "auto";
+}
+
 double stockTolerance(const PlanOptions& options) {
-    if (!options.stock_tolerance_mm) return options.stock == "box" ? kSawnToleranceMm : 0;
+    if (!options.stock_tolerance_mm) return isBox(options.stock) ? kSawnToleranceMm : 0;
     const double tolerance_mm = *options.stock_tolerance_mm;
     if (!(tolerance_mm >= 0 && tolerance_mm <= kMostStockToleranceMm))
         throw Error(ErrorCode::Usage, "--stock-tolerance",
                     fmt::format("expected 0 to {:g} mm, found {:g}", kMostStockToleranceMm, tolerance_mm));
     return tolerance_mm;
+}
+
+FixtureFile fixturesOf(const PlanOptions& options) {
+    return options.fixtures_file.empty() ? FixtureFile{}
+                                         : readFixtures(options.fixtures_file, options.limits.maxFileBytes());
+}
+
+/// The margins that were asked for, or with `auto` what the shop saws, with stock for the vise below the
+/// part.
+void setMargins(const PlanOptions& options, SetupRequest& request) {
+    if (options.stock_margin) request.margin = parseMargin(*options.stock_margin);
+    if (options.stock != "auto") return;
+    const FixtureFile shop = fixturesOf(options);
+    request.stock_sizes_mm = shop.blank.sizes_mm;
+    if (!options.stock_margin)
+        request.margin = {shop.blank.side_mm, shop.blank.top_mm,
+                          shop.vise.grip_mm + shop.vise.jaw_clearance_mm + kGripOverlapMm};
 }
 
 bool isNumber(const std::string& text) {
@@ -74,10 +95,14 @@ bool isNumber(const std::string& text) {
 }  // namespace
 
 void addStockOptions(CLI::App& command, PlanOptions& options) {
-    command.add_option("--stock", options.stock, "box, or a STEP file in the part's coordinates")
+    command
+        .add_option("--stock", options.stock,
+                    "box; auto: a blank one can saw and hold, with stock for the vise below the part; or a "
+                    "STEP file in the part's coordinates")
         ->capture_default_str();
-    command.add_option("--stock-margin", options.stock_margin, "side,top,bottom over the part's box [mm]")
-        ->capture_default_str();
+    command.add_option("--stock-margin", options.stock_margin,
+                       "side,top,bottom over the part's box [mm]; default: 0,0,0, of auto what the shop's "
+                       "fixture file says");
     command
         .add_option("--stock-tolerance", options.stock_tolerance_mm,
                     "how much larger on every side the blank may be [mm]; default: 0.5 of a box, 0 of a file")
@@ -144,9 +169,9 @@ SetupRequest setupRequest(const PlanOptions& options) {
         request.forbidden.push_back(parseAxisOption(text, "--no-setup"));
     if (!request.axes.empty() && !request.forbidden.empty())
         throw Error(ErrorCode::Usage, "--no-setup", "has no meaning where --setup says every axis");
-    request.margin = parseMargin(options.stock_margin);
+    setMargins(options, request);
     request.stock_tolerance_mm = stockTolerance(options);
-    if (options.stock != "box") {
+    if (!isBox(options.stock)) {
         ReadOptions read;
         read.max_file_bytes = options.limits.maxFileBytes();
         std::vector<Part> stocks = readStep(options.stock, read);
@@ -169,9 +194,9 @@ double scallop(double scallop_mm) {
 
 double edgeBreak(double mm) {
     if (mm == 0 || (mm >= kLeastEdgeBreakMm && mm <= kMostEdgeBreakMm)) return mm;
-    throw Error(ErrorCode::Usage, "--break-edges",
-                fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastEdgeBreakMm, kMostEdgeBreakMm,
-                            mm));
+    throw Error(
+        ErrorCode::Usage, "--break-edges",
+        fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastEdgeBreakMm, kMostEdgeBreakMm, mm));
 }
 
 double allowance(double mm, const char* option) {
@@ -210,8 +235,8 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     request.sequence.cost_model = costModelFrom(options.cost_model).value();
     request.sequence.retract_mm = machine.safe_height_mm;
     request.assign = options.reserve;
-    if (!options.fixtures_file.empty())
-        request.fixtures = readFixtures(options.fixtures_file, options.limits.maxFileBytes());
+    request.fixtures = fixturesOf(options);
+    if (options.hold != "auto") request.hold = holdKindFrom(options.hold).value();
     if (!options.holes_file.empty()) {
         if (options.rough)
             throw Error(ErrorCode::Usage, "--holes", "expected none: roughing makes no hole to size");

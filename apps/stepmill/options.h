@@ -26,8 +26,9 @@ struct PlanOptions {
     std::string materials_file;  ///< feeds by what is cut of these; empty: the built-in ones
     std::string buy_file;        ///< tools that could be bought; empty: none are weighed
     std::string material = "aluminium";
-    std::string stock = "box";                 ///< "box" or a STEP file
-    std::string stock_margin = "0,0,0";        ///< side,top,bottom
+    std::string stock = "box";                ///< "box", "auto" or a STEP file
+    std::optional<std::string> stock_margin;  ///< side,top,bottom; nothing: none of a box, the shop's of auto
+    std::string hold = "auto";                ///< a HoldKind's word, or "auto": the first that will do
     std::optional<double> stock_tolerance_mm;  ///< nothing: a box is sawn, a STEP file exact
     std::vector<std::string> setups;           ///< axes in order; empty or "auto": choose
     std::vector<std::string> no_setups;        ///< axes never to be chosen
@@ -79,7 +80,8 @@ struct Shop {
 };
 Shop loadShop(const PlanOptions& options);
 
-/// Axes, margins and stock as asked for. \throws Error(Usage) naming the option; what readStep throws.
+/// Axes, margins and stock as asked for; the shop's file says what a blank of `--stock auto` is sawn from.
+/// \throws Error(Usage) naming the option; what readStep and readFixtures throw.
 SetupRequest setupRequest(const PlanOptions& options);
 
 /// What the words of the command line mean for the planner. \throws Error(Usage) naming the option.

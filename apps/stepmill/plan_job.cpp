@@ -149,8 +149,18 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
     command.add_option("--tools", options.tools_file,
                        "tool library (JSON); default: a metric shop of 24 tools");
     command.add_option("--machine", options.machine_file, "machine (JSON); default: a machining centre");
-    command.add_option("--fixtures", options.fixtures_file,
-                       "what holds the part in each setup (JSON); default: the jaws of the suggested vise");
+    command.add_option(
+        "--fixtures", options.fixtures_file,
+        "what holds the part in each setup, and the shop's vise and blanks (JSON); default: an "
+        "ordinary vise");
+    command
+        .add_option(
+            "--hold", options.hold,
+            "how setups are held that --fixtures does not name: vise, soft-jaws, screws (through its own "
+            "holes), plate (sacrificial), skin (a plate, and 0.3 mm at the bottom stay); auto: the first "
+            "that will do")
+        ->check(CLI::IsMember({"auto", "vise", "soft-jaws", "screws", "plate", "skin"}))
+        ->capture_default_str();
     command.add_option(
         "--holes", options.holes_file,
         "which holes are tapped, reamed, bored, drilled alone or left (JSON); default: nothing is said");
@@ -227,9 +237,10 @@ void addFinishOptions(CLI::App& command, PlanOptions& options) {
             "none of them is used there")
         ->capture_default_str();
     command
-        .add_option("--break-edges", options.break_edges_mm,
-                    "mm by which a 90 degree chamfer mill breaks sharp edges that look up, wherever it reaches "
-                    "them; 0: they stay sharp")
+        .add_option(
+            "--break-edges", options.break_edges_mm,
+            "mm by which a 90 degree chamfer mill breaks sharp edges that look up, wherever it reaches "
+            "them; 0: they stay sharp")
         ->capture_default_str();
 }
 

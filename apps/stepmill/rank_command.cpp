@@ -118,9 +118,10 @@ void addRankCommand(CLI::App& app, int& exit_code) {
     rank->add_option("--sensitivity", options->sensitivity,
                      "cheapest sequence of each feature for every value of this, with the break-even values")
         ->check(CLI::IsMember({"tool-change", "hourly-rate", "tool-price"}));
-    rank->add_flag("--buy", options->buy,
-                   "for each feature the tool beyond the library that would help most, and the taps, reamers and "
-                   "chamfer mills that the part asks for");
+    rank->add_flag(
+        "--buy", options->buy,
+        "for each feature the tool beyond the library that would help most, and the taps, reamers and "
+        "chamfer mills that the part asks for");
     rank->add_option("--holes", options->part.holes_file,
                      "hole table (JSON): the threads and fits that --buy looks for");
     CLI::Option* json = rank->add_flag("--json", options->part.json, "print all as JSON");

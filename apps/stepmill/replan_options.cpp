@@ -60,6 +60,8 @@ void fillRequest(PlanOptions& plan, const RecordedRequest& request) {
     plan.unit = request.unit;
     plan.stock_margin =
         fmt::format("{},{},{}", request.margin.side_mm, request.margin.top_mm, request.margin.bottom_mm);
+    if (!request.stock_sizes_mm.empty()) plan.stock = "auto";
+    if (request.hold) plan.hold = toString(*request.hold);
     plan.setups = axisWords(request.axes);
     plan.no_setups = axisWords(request.forbidden);
     plan.objective = request.objective == Objective::Cost ? "cost" : "time";

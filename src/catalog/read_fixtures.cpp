@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include "catalog/schema_check.h"
 #include "stepmill/catalog/fixture.h"
 #include "stepmill/catalog/json_text.h"
+#include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/core/units.h"
@@ -20,6 +22,11 @@ constexpr double kFarthestMm = 1e4;
 /// A fixture as thin is a slip of the pen: heights in plan.json have six decimals [mm].
 constexpr double kThinnestMm = 1e-3;
 
+constexpr EnumWord<FixtureKind> kFixtureKinds[] = {{FixtureKind::Clamp, "clamp"},
+                                                   {FixtureKind::Jaw, "jaw"},
+                                                   {FixtureKind::Screw, "screw"},
+                                                   {FixtureKind::HeldStock, "held stock"}};
+
 /// Reads a document that keeps the schema.
 class FixtureReader {
   public:
@@ -31,6 +38,9 @@ class FixtureReader {
         FixtureFile file;
         file.file = file_name_;
         file.growth = from_.value("growth", kFixtureGrowth);
+        if (from_.contains("vise")) file.vise = vise(from_["vise"]);
+        if (from_.contains("plate")) file.plate_mm = length(from_["plate"], "#/plate");
+        if (from_.contains("blank")) file.blank = blank(from_["blank"]);
         for (std::size_t i = 0; i < from_["setups"].size(); ++i) {
             const json& setup = from_["setups"][i];
             const std::string pointer = fmt::format("#/setups/{}", i);
@@ -56,6 +66,42 @@ class FixtureReader {
             fail(pointer,
                  fmt::format("expected no more than {:g} m, found {}", kFarthestMm / 1000, value.dump()));
         return length_mm;
+    }
+
+    void read(const json& from, const char* field, const std::string& pointer, double& into) const {
+        if (from.contains(field)) into = length(from[field], fmt::format("{}/{}", pointer, field));
+    }
+
+    void read(const json& from, const char* field, const std::string& pointer,
+              std::vector<double>& into) const {
+        if (!from.contains(field)) return;
+        into.clear();
+        for (std::size_t i = 0; i < from[field].size(); ++i)
+            into.push_back(length(from[field][i], fmt::format("{}/{}/{}", pointer, field, i)));
+        std::sort(into.begin(), into.end());
+    }
+
+    Vise vise(const json& from) const {
+        Vise vise;
+        read(from, "opening", "#/vise", vise.opening_mm);
+        read(from, "jaw_width", "#/vise", vise.jaw_width_mm);
+        read(from, "jaw_height", "#/vise", vise.jaw_height_mm);
+        read(from, "jaw_thickness", "#/vise", vise.jaw_thickness_mm);
+        read(from, "parallels", "#/vise", vise.parallels_mm);
+        read(from, "grip", "#/vise", vise.grip_mm);
+        read(from, "jaw_clearance", "#/vise", vise.jaw_clearance_mm);
+        if (vise.grip_mm > vise.jaw_height_mm)
+            fail("#/vise/grip", fmt::format("expected no more than the jaws' height, {:g} mm, found {:g} mm",
+                                            vise.jaw_height_mm, vise.grip_mm));
+        return vise;
+    }
+
+    BlankRule blank(const json& from) const {
+        BlankRule rule;
+        read(from, "side", "#/blank", rule.side_mm);
+        read(from, "top", "#/blank", rule.top_mm);
+        read(from, "sizes", "#/blank", rule.sizes_mm);
+        return rule;
     }
 
     Fixture fixture(const json& from, const std::string& pointer) const {
@@ -88,6 +134,14 @@ class FixtureReader {
 };
 
 }  // namespace
+
+std::string toString(FixtureKind kind) {
+    return wordOf(kFixtureKinds, kind);
+}
+
+std::optional<FixtureKind> fixtureKindFrom(std::string_view word) {
+    return valueOf(kFixtureKinds, word);
+}
 
 FixtureFile fixturesFromText(std::string_view text, const std::string& file_name) {
     const ParsedJson parsed = checkedJson(text, schemaJson(SchemaName::Fixtures));

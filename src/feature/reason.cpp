@@ -30,6 +30,7 @@ constexpr ReasonWords kWords[] = {
     {Reason::Fixture, "fixture"},
     {Reason::BelowStanding, "below material that stays in ", "", ""},
     {Reason::Allowance, "allowance"},
+    {Reason::Holding, "holding"},
     {Reason::AsAsked, "left as the hole table asks"},
     {Reason::LeftBetweenPasses, "left between passes"},
     {Reason::NotProven, "proof"},
@@ -60,6 +61,10 @@ Reason reasonOf(SlopeCause cause) {
     for (const auto& [slope, reason] : kSlopes)
         if (slope == cause) return reason;
     throw Error(ErrorCode::Internal, "slope cause", "unknown value");
+}
+
+bool isLeftUncut(const StayReason& reason) {
+    return reason == Reason::Allowance || reason == Reason::Holding;
 }
 
 bool isLeftByRoughing(const StayReason& reason) {

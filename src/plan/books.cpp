@@ -56,11 +56,11 @@ double slabGap(const Layer& layer, const PlannedSetup& setup) {
     return gap;
 }
 
-/// What stays of a setup's features: what their tools leave, and the allowance.
+/// What stays of a setup's features: what their tools leave, allowance and held stock.
 std::vector<ResidualPrism> leftIn(const PlannedSetup& setup) {
     std::vector<ResidualPrism> left = residualPrisms(setup.features);
     for (const Unplanned& entry : setup.unplanned)
-        if (entry.reason == Reason::Allowance)
+        if (isLeftUncut(entry.reason))
             left.push_back(
                 {entry.reason, entry.volume_mm3, {entry.region, entry.top_z_mm, entry.bottom_z_mm}, nullptr});
     return left;
@@ -120,7 +120,7 @@ void scale(StayingResiduals& staying, double by) {
 void addLastResiduals(const PlannedSetup& last, double residual_mm3, StayingResiduals& staying) {
     double sum_mm3 = 0;
     for (const Unplanned& entry : last.unplanned)
-        if (entry.reason == Reason::Allowance) sum_mm3 += entry.volume_mm3;
+        if (isLeftUncut(entry.reason)) sum_mm3 += entry.volume_mm3;
     for (const PlannedFeature& planned : last.features)
         sum_mm3 += residualVolumeMm3(planned.sequence);
     const double share = sum_mm3 > 0 ? residual_mm3 / sum_mm3 : 0;
@@ -191,8 +191,7 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     books.planned_mm3 = features_mm3 - sumOf(listOf(residual));
     VolumeByReason unreachable;
     for (const Unplanned& unplanned : planned.unplanned) {
-        const bool allowance = unplanned.reason == Reason::Allowance;
-        (allowance ? residual : unreachable)[unplanned.reason] += unplanned.volume_mm3;
+        (isLeftUncut(unplanned.reason) ? residual : unreachable)[unplanned.reason] += unplanned.volume_mm3;
     }
     const double residual_mm3 = sumOf(listOf(residual));
     // Where the stock's walls lean, prisms hold air that earlier setups cut from other sides: what went is

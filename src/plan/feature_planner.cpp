@@ -17,8 +17,8 @@
 #include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/grown_feature.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/reduced_feature.h"
-#include "stepmill/plan/setup_fixtures.h"
 
 namespace stepmill {
 namespace {

@@ -14,7 +14,6 @@
 #include "plan/totals.h"
 #include "stepmill/core/error.h"
 #include "stepmill/plan/plan.h"
-#include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/usable_library.h"
 #include "stepmill/plan/warning_order.h"
 

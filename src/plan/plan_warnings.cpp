@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "plan/hold_warnings.h"
 #include "stepmill/catalog/spindle.h"
 #include "stepmill/planar/edge.h"
 
@@ -285,6 +286,7 @@ std::vector<Warning> unusedFixtures(const FixtureFile& given, const std::vector<
 std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap, const Tolerances& tol) {
     Warnings warnings;
     warnOfUnreachable(plan, warnings);
+    append(warnings, holdWarnings(plan));
     warnOfResiduals(plan.setups, warnings);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup, warnings);

@@ -10,11 +10,12 @@
 #include <fmt/format.h>
 
 #include "plan/earlier_operations.h"
+#include "plan/loose_pieces.h"
 #include "plan/residual_prisms.h"
 #include "stepmill/plan/deep_bands.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/removed.h"
 #include "stepmill/plan/roughing.h"
-#include "stepmill/plan/setup_fixtures.h"
 
 namespace stepmill {
 namespace {
@@ -95,7 +96,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
         if (!stage) break;
-        setFixtures(*stage, shop.request.fixtures, shop.tol);
+        holdStage(*stage, shop.request.fixtures, shop.request.hold, shop.tol);
         if (const auto& leaves = shop.request.roughing)
             stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
                                          shop.request.sequence.material, shop.tol);
@@ -107,6 +108,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
         planned.setup.names = std::move(names);
+        append(planned.warnings, looseWarnings(*stage, planned.removed, shop.tol));
         planned.stock = walk.cut(*stage, planned.removed);
         planned.left = walk.left();
         planned.layers = std::move(stage->layers);

@@ -12,7 +12,7 @@ struct ResidualPrism {
     StayReason reason;
     double volume_mm3 = 0;
     Prism prism;
-    const Residual* of = nullptr;  ///< null: allowance, which is no feature's
+    const Residual* of = nullptr;  ///< null: allowance or held stock, which are no feature's
 };
 std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& features);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stepmill/plan/setup_fixtures.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/setup/stock_growth.h"
 
 namespace stepmill {

@@ -12,20 +12,6 @@
 namespace stepmill {
 namespace {
 
-std::vector<Prism> stockSlabs(const LayerStack& layers) {
-    std::vector<Prism> slabs;
-    for (const Layer& layer : layers.layers)
-        slabs.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
-    return slabs;
-}
-
-std::vector<bool> uprightSlabs(const LayerStack& layers) {
-    std::vector<bool> upright;
-    for (const Layer& layer : layers.layers)
-        upright.push_back(layer.stock_air_mm3 <= 0);
-    return upright;
-}
-
 /// Volumes below this are rounding [mm3].
 constexpr double kNoVolumeMm3 = 1e-9;
 
@@ -118,9 +104,6 @@ Stage makeStage(Setup setup, std::vector<Prism> reserve, const SliceOptions& sli
     stage.layers = withReserve(slice(stage.setup, tol, slicing), stage.reserve, tol);
     stage.found = recogniseFeatures(stage.layers, tol);
     nameReserve(stage.found.unplanned, stage.reserve, tol);
-    stage.clamping = suggestClamping(stockSlabs(stage.layers), uprightSlabs(stage.layers),
-                                     featurePrisms(stage.found), tol);
-    stage.setup.fixtures = stage.clamping.jaws;
     stage.air_mm3 = netOfAir(stage.found, stage.layers);
     return stage;
 }

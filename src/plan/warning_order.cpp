@@ -14,6 +14,9 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"unit-doubt", Consequence::Danger},
                                              {"input-doubt", Consequence::Danger},
                                              {"books", Consequence::Danger},
+                                             {"no-hold", Consequence::Danger},
+                                             {"below-stock", Consequence::Danger},
+                                             {"loose", Consequence::Danger},
                                              {"proof", Consequence::Danger},
                                              {"not-2.5d", Consequence::MissingOnThePart},
                                              {"unreachable", Consequence::MissingOnThePart},
@@ -22,6 +25,7 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"time-limit", Consequence::MissingOnThePart},
                                              {"no-tool", Consequence::MissingOnThePart},
                                              {"residual", Consequence::MissingOnThePart},
+                                             {"held-stock", Consequence::MissingOnThePart},
                                              {"no-allowance", Consequence::MissingOnThePart},
                                              {"thread", Consequence::MissingOnThePart},
                                              {"fit", Consequence::MissingOnThePart},
@@ -33,7 +37,8 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"tool-unusable", Consequence::Cost}};
 
 bool staysAlone(const Warning& warning) {
-    return warning.code == "travel" || warning.code == "proof";
+    return warning.code == "travel" || warning.code == "proof" || warning.code == "no-hold" ||
+           warning.code == "loose";
 }
 
 }  // namespace

@@ -22,9 +22,7 @@ Json numbersOf(const std::vector<Obstacle>& bands, FeatureTables& tables) {
 }
 
 Json sharpJson(const SharpStretch& stretch) {
-    return {{"at", json::point(stretch.at)},
-            {"length_mm", number(stretch.length_mm)},
-            {"why", stretch.why}};
+    return {{"at", json::point(stretch.at)}, {"length_mm", number(stretch.length_mm)}, {"why", stretch.why}};
 }
 
 SharpStretch sharpFrom(const Json& json) {

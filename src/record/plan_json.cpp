@@ -56,6 +56,20 @@ Json stockJson(const Stock& stock) {
             {"tolerance_mm", number(stock.tolerance_mm)}};
 }
 
+Json numbersJson(const std::vector<double>& numbers) {
+    return listOf(numbers, [](double value) { return Json(number(value)); });
+}
+
+Json viseJson(const Vise& vise) {
+    return {{"opening_mm", number(vise.opening_mm)},
+            {"jaw_width_mm", number(vise.jaw_width_mm)},
+            {"jaw_height_mm", number(vise.jaw_height_mm)},
+            {"jaw_thickness_mm", number(vise.jaw_thickness_mm)},
+            {"parallels_mm", numbersJson(vise.parallels_mm)},
+            {"grip_mm", number(vise.grip_mm)},
+            {"jaw_clearance_mm", number(vise.jaw_clearance_mm)}};
+}
+
 Json sourceJson(const std::string& file, const std::string& sha256) {
     return sha256.empty() ? Json(nullptr) : Json{{"file", file}, {"sha256", sha256}};
 }
@@ -70,6 +84,8 @@ Json requestJson(const Plan& plan) {
             {"stock_margin_mm", {number(margin.side_mm), number(margin.top_mm), number(margin.bottom_mm)}},
             {"stock", stock ? sourceJson(stock->file, stock->sha256) : Json(nullptr)},
             {"fixtures", sourceJson(request.fixtures.file, request.fixtures.sha256)},
+            {"vise", viseJson(request.fixtures.vise)},
+            {"plate_mm", number(request.fixtures.plate_mm)},
             {"finish_walls_mm", number(request.sequence.finish.walls_mm)},
             {"finish_floors_mm", number(request.sequence.finish.floors_mm)}};
 }
@@ -78,6 +94,9 @@ Json requestJson(const Plan& plan) {
 void addWishes(const PlanRequest& request, Json& json) {
     if (!request.setup.axes.empty()) json["setups"] = listOf(request.setup.axes, directionJson);
     if (!request.setup.forbidden.empty()) json["no_setups"] = listOf(request.setup.forbidden, directionJson);
+    if (!request.setup.stock_sizes_mm.empty())
+        json["stock_sizes_mm"] = numbersJson(request.setup.stock_sizes_mm);
+    if (request.hold) json["hold"] = toString(*request.hold);
     if (request.sequence.objective == Objective::Cost) json["objective"] = "cost";
     if (request.sequence.surrogates == SurrogateRule::Single) json["surrogates"] = "single";
     if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
@@ -294,18 +313,27 @@ Json arrivingStockJson(const Setup& setup) {
 }
 
 Json clampingJson(const Clamping& clamping) {
-    Json json{{"vise", clamping.vise}, {"text", clamping.text}, {"seat_mm2", number(clamping.seat_mm2)}};
-    if (!clamping.vise) return json;
+    Json json{{"kind", toString(clamping.kind)},
+              {"vise", clamping.isVise()},
+              {"text", clamping.text},
+              {"seat_mm2", number(clamping.seat_mm2)}};
+    if (clamping.held_mm > 0) {
+        json["held_mm"] = number(clamping.held_mm);
+        json["holds_all"] = clamping.holds_all;
+    }
+    if (!clamping.isVise()) return json;
     json["across"] = point(clamping.across);
     json["opening_mm"] = number(clamping.opening_mm);
     json["from_mm"] = number(clamping.from_mm);
     json["depth_mm"] = number(clamping.depth_mm);
     json["length_mm"] = number(clamping.length_mm);
+    json["parallels_mm"] = number(clamping.parallels_mm);
     return json;
 }
 
 Json fixtureJson(const Fixture& fixture, RegionTables& regions) {
     return {{"name", fixture.name},
+            {"kind", toString(fixture.kind)},
             {"bottom_z_mm", number(fixture.bottom_z_mm)},
             {"top_z_mm", number(fixture.top_z_mm)},
             {"section", regions.add(fixture.section)}};
@@ -429,8 +457,7 @@ std::string planJson(const Plan& plan) {
                  {"loops", tables.regions.loops()}};
     if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
     if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
-    if (!plan.assignment.tried.empty())
-        content["assignment"] = listOf(plan.assignment.tried, triedJson);
+    if (!plan.assignment.tried.empty()) content["assignment"] = listOf(plan.assignment.tried, triedJson);
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }

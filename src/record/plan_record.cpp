@@ -111,7 +111,26 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
 Fixture fixture(const Json& json, const std::string& pointer, ReadTables& tables) {
     record::checkUpright(json, pointer);
     return {json["name"], tables.region(json["section"], pointer + "/section"), json["bottom_z_mm"],
-            json["top_z_mm"]};
+            json["top_z_mm"], fixtureKindFrom(json.value("kind", "")).value_or(FixtureKind::Clamp)};
+}
+
+Clamping clamping(const Json& json) {
+    Clamping clamping;
+    const HoldKind older = json["vise"].get<bool>() ? HoldKind::Vise : HoldKind::None;
+    clamping.kind = anyHoldKindFrom(json.value("kind", "")).value_or(older);
+    if (json.contains("across"))
+        for (int i = 0; i < 3; ++i)
+            clamping.across[i] = json["across"][i];
+    clamping.opening_mm = json.value("opening_mm", 0.0);
+    clamping.from_mm = json.value("from_mm", 0.0);
+    clamping.depth_mm = json.value("depth_mm", 0.0);
+    clamping.length_mm = json.value("length_mm", 0.0);
+    clamping.parallels_mm = json.value("parallels_mm", 0.0);
+    clamping.seat_mm2 = json["seat_mm2"];
+    clamping.held_mm = json.value("held_mm", 0.0);
+    clamping.holds_all = json.value("holds_all", false);
+    clamping.text = json["text"];
+    return clamping;
 }
 
 Prism prism(const Json& json, const std::string& pointer, ReadTables& tables) {
@@ -139,6 +158,7 @@ RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf&
         for (std::size_t i = 0; i < json["reserve"].size(); ++i)
             setup.reserve.push_back(
                 prism(json["reserve"][i], fmt::format("{}/reserve/{}", pointer, i), tables));
+    if (json.contains("clamping")) setup.clamping = clamping(json["clamping"]);
     setup.time_s = json["time_s"];
     for (const Json& feature : json["features"])
         for (std::string& id : record::bandIds(feature, bands))
@@ -217,6 +237,16 @@ void noteTravel(const Json& plan, PlanRecord& record) {
             if (warning["code"] == "travel" && warning["subject"] == setup.id) setup.within_travel = false;
 }
 
+Vise vise(const Json& json) {
+    return {json["opening_mm"],
+            json["jaw_width_mm"],
+            json["jaw_height_mm"],
+            json["jaw_thickness_mm"],
+            json["parallels_mm"].get<std::vector<double>>(),
+            json["grip_mm"],
+            json["jaw_clearance_mm"]};
+}
+
 RecordedFile file(const Json& json) {
     return json.is_null() ? RecordedFile{} : RecordedFile{json["file"], json["sha256"]};
 }
@@ -245,7 +275,11 @@ RecordedRequest request(const Json& json) {
                             json.contains("objective") ? Objective::Cost : Objective::Time,
                             json.contains("surrogates") ? SurrogateRule::Single : SurrogateRule::Sequence,
                             json.value("scallop_mm", kUsualScallopMm),
-                            json.value("break_edges_mm", 0.0)};
+                            json.value("break_edges_mm", 0.0),
+                            json.value("stock_sizes_mm", std::vector<double>{}),
+                            json.contains("vise") ? vise(json["vise"]) : Vise{},
+                            json.value("plate_mm", kPlateThicknessMm),
+                            holdKindFrom(json.value("hold", ""))};
     if (json.contains("roughing"))
         request.roughing = {json["roughing"]["leaves_on_walls_mm"], json["roughing"]["leaves_on_floors_mm"]};
     return request;

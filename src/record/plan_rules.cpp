@@ -432,7 +432,7 @@ void checkStaying(const Json& plan, double rounding_mm3) {
     if (!told || !books.contains("residual_by_reason")) return;
     double booked_mm3 = 0;
     for (const Json& entry : books["residual_by_reason"])
-        if (!(stayReasonFrom(entry["reason"].get<std::string>()) == Reason::Allowance))
+        if (!isLeftUncut(stayReasonFrom(entry["reason"].get<std::string>())))
             booked_mm3 += entry["volume_mm3"].get<double>();
     if (std::abs(staying_mm3 - booked_mm3) > rounding_mm3)
         failAt("#/volume_balance/residual_mm3",

@@ -37,6 +37,10 @@ std::string objectiveWord(Objective objective) {
     return objective == Objective::Time ? "time" : "cost";
 }
 
+std::string holdWord(const std::optional<HoldKind>& hold) {
+    return hold ? toString(*hold) : "what will do";
+}
+
 }  // namespace
 
 std::vector<InputChange> inputChanges(const RecordedPlan& before, const RecordedPlan& after) {
@@ -53,6 +57,7 @@ std::vector<InputChange> inputChanges(const RecordedPlan& before, const Recorded
     inputs.length("stock margin at the sides", was.margin.side_mm, is.margin.side_mm);
     inputs.length("stock margin on top", was.margin.top_mm, is.margin.top_mm);
     inputs.length("stock margin below", was.margin.bottom_mm, is.margin.bottom_mm);
+    inputs.word("held by", holdWord(was.hold), holdWord(is.hold));
     inputs.length("finish of walls", was.finish.walls_mm, is.finish.walls_mm);
     inputs.length("finish of floors", was.finish.floors_mm, is.finish.floors_mm);
     inputs.word("made least", objectiveWord(was.objective), objectiveWord(is.objective));

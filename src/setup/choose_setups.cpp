@@ -102,7 +102,7 @@ class SetupMaker {
 
     Stock stockFor(const Vec3& axis) const {
         Stock stock = request_.stock_part ? setup::stepStock(*request_.stock_part)
-                                          : setup::boxStock(part_, request_.margin, setup::cleanAxis(axis));
+                                          : setup::boxStock(part_, request_, setup::cleanAxis(axis));
         if (!request_.stock_part) setup::addBoxShape(stock);
         stock.tolerance_mm = request_.stock_tolerance_mm;
         return stock;

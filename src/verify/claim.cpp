@@ -14,9 +14,9 @@
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/removed.h"
 #include "stepmill/plan/roughing.h"
-#include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/plan/stages.h"
 #include "stepmill/plan/usable_library.h"
 #include "verify/claim_form.h"
@@ -86,6 +86,7 @@ class SetupComparison {
 
     void compare(const Stage& derived, const std::vector<Feature>& features) {
         comparePlace(derived.setup);
+        compareClamping(derived.clamping);
         compareFixtures(derived.setup.fixtures);
         for (const Feature& feature : features) {
             const bool known =
@@ -134,6 +135,17 @@ class SetupComparison {
                                       record_.stock_volume_mm3, derived.stock.volume_mm3));
     }
 
+    void compareClamping(const Clamping& derived) {
+        const Clamping& recorded = setup_.clamping;
+        if (recorded.kind != derived.kind)
+            return fail(setup_.id, fmt::format("is held by {}, by the part {}", toString(recorded.kind),
+                                               toString(derived.kind)));
+        length(setup_.id, "the jaws' opening", recorded.opening_mm, derived.opening_mm);
+        length(setup_.id, "the grip's depth", recorded.depth_mm, derived.depth_mm);
+        length(setup_.id, "the parallels' height", recorded.parallels_mm, derived.parallels_mm);
+        length(setup_.id, "the held stock's height", recorded.held_mm, derived.held_mm);
+    }
+
     void compareFixtures(const std::vector<Fixture>& derived) {
         if (setup_.fixtures.size() != derived.size())
             return fail(setup_.id,
@@ -142,6 +154,8 @@ class SetupComparison {
             const std::string place = fmt::format("{} fixture {}", setup_.id, derived[i].name);
             length(place, "the bottom", setup_.fixtures[i].bottom_z_mm, derived[i].bottom_z_mm);
             length(place, "the top", setup_.fixtures[i].top_z_mm, derived[i].top_z_mm);
+            if (setup_.fixtures[i].kind != derived[i].kind)
+                fail(place, "is a " + toString(setup_.fixtures[i].kind));
             region(place, "the section", setup_.fixtures[i].section, derived[i].section);
         }
     }
@@ -184,6 +198,7 @@ SetupRequest setupRequest(const PlanRecord& record, const ClaimSources& sources)
     for (const RecordedSetup& setup : record.setups)
         request.axes.push_back(setup.axis.normalized());
     request.margin = record.request->margin;
+    request.stock_sizes_mm = record.request->stock_sizes_mm;
     request.stock_tolerance_mm = record.stock.tolerance_mm;
     request.stock_part = sources.stock;
     return request;
@@ -219,6 +234,8 @@ class ClaimWalk {
           wishes_(sources.holes, sources.part, tol) {}
 
     void run() {
+        compareShop();
+        if (!failures_.empty()) return;
         const std::vector<Setup> setups = chooseSetups(sources_.part, setupRequest(record_, sources_));
         library_ = usedLibrary(record_, sources_.library, setups);
         SetupWalk walk(setups, SliceOptions{}, tol_, reserves());
@@ -242,12 +259,29 @@ class ClaimWalk {
         return reserves;
     }
 
+    /// The vise and the plate are the shop's.
+    void compareShop() {
+        const Vise& recorded = record_.request->vise;
+        const Vise& shop = sources_.fixtures.vise;
+        const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
+            return std::equal(a.begin(), a.end(), b.begin(), b.end(), sameLength);
+        };
+        const bool alike = same({recorded.opening_mm, recorded.jaw_width_mm, recorded.jaw_height_mm,
+                                 recorded.jaw_thickness_mm, recorded.grip_mm, recorded.jaw_clearance_mm},
+                                {shop.opening_mm, shop.jaw_width_mm, shop.jaw_height_mm,
+                                 shop.jaw_thickness_mm, shop.grip_mm, shop.jaw_clearance_mm}) &&
+                           same(recorded.parallels_mm, shop.parallels_mm);
+        if (!alike) failures_.push_back({"plan.json", 0, "request", "the vise is not the shop's"});
+        if (!sameLength(record_.request->plate_mm, sources_.fixtures.plate_mm))
+            failures_.push_back({"plan.json", 0, "request", "the plate is not as thick as the shop's"});
+    }
+
     /// One setup, if it is as the record says.
     void derive(Stage stage, SetupWalk& walk) {
-        setFixtures(stage, sources_.fixtures, tol_);
+        const RecordedSetup& recorded = record_.setups[derived_.size()];
+        holdStage(stage, sources_.fixtures, record_.request->hold, tol_);
         if (const auto& leaves = record_.request->roughing)
             stage.found = withAllowance(std::move(stage.found), *leaves, library_, record_.material, tol_);
-        const RecordedSetup& recorded = record_.setups[derived_.size()];
         stage.found = renamed(std::move(stage.found), recorded.names);
         const std::vector<Feature> features =
             besideGrounds(inBands(stage.found.features, library_, record_.material), recorded);

@@ -67,8 +67,8 @@ bool coversFixtures(const Obstacle& band, const Setup& setup, const Region& wind
 
 }  // namespace
 
-void compareForm(const FormGround& ground, const EdgeBreaks* breaks, const Setup& setup, const LayerStack& layers,
-                 const Tolerances& tol, std::vector<ProofFailure>& failures) {
+void compareForm(const FormGround& ground, const EdgeBreaks* breaks, const Setup& setup,
+                 const LayerStack& layers, const Tolerances& tol, std::vector<ProofFailure>& failures) {
     const SectionCutter part(setup, tol);
     for (const Obstacle& band : ground.must_stand) {
         // Slabs thinner than a layer may come out wider than it: hulls of free-form facets are made for each.

@@ -11,12 +11,13 @@
 #include "stepmill/core/error.h"
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/grown_feature.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/reduced_feature.h"
-#include "stepmill/plan/setup_fixtures.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"
 #include "verify/prove_form.h"
+#include "verify/prove_holding.h"
 #include "verify/prove_operation.h"
 #include "verify/prove_state.h"
 
@@ -305,6 +306,7 @@ class SetupProver {
 void verifySetup(const PlanRecord& record, const RecordedSetup& setup,
                  const std::vector<ReadProgram>& programs, const Tolerances& tol, Verification& into) {
     SetupProver(record, setup, tol, into).prove(programs);
+    verify::proveHolding(record, setup, programs, tol, into);
 }
 
 bool leavesUnasked(const PlanRecord& record, const Tolerances& tol) {

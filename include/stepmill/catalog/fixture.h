@@ -2,14 +2,29 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "stepmill/catalog/blank.h"
+#include "stepmill/catalog/vise.h"
 #include "stepmill/core/file.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
+
+enum class FixtureKind {
+    Clamp,     ///< a block that the shop puts there
+    Jaw,       ///< of the vise
+    Screw,     ///< the head of one that goes through the part
+    HeldStock  ///< stock that is held and therefore not cut in this setup
+};
+
+/// "clamp", "jaw", "screw", "held stock".
+std::string toString(FixtureKind kind);
+/// The reverse; nothing for another word.
+std::optional<FixtureKind> fixtureKindFrom(std::string_view word);
 
 /// What holds the part in a setup and stays where it is while the part is cut: an upright block, in setup
 /// coordinates. Cutter, shank and holder keep clear of it.
@@ -18,18 +33,25 @@ struct Fixture {
     Region section;
     double bottom_z_mm = 0;
     double top_z_mm = 0;
+    FixtureKind kind = FixtureKind::Clamp;
 };
 
 /// Fixtures are planned with larger by this share of their size: they are measured by eye and set by hand
 /// [docs/fixtures.md, after Tripathi2005].
 inline constexpr double kFixtureGrowth = 0.05;
 
-/// How the shop clamps a part: the fixtures of each setup it names.
+/// How thick the shop's sacrificial plates are [mm]: cutters may go that deep below what lies on one.
+inline constexpr double kPlateThicknessMm = 12;
+
+/// How the shop clamps a part: the fixtures of each setup it names, and what holds the others.
 struct FixtureFile {
     std::string file;    ///< empty: no file was given
     std::string sha256;  ///< of the file
     double growth = kFixtureGrowth;
     std::map<std::string, std::vector<Fixture>> setups;  ///< by setup id; as they are, not grown
+    Vise vise;
+    double plate_mm = kPlateThicknessMm;
+    BlankRule blank;
 };
 
 /// Reads a fixture file (schemas/fixtures.schema.json) and converts it to mm. An outline may run either way.

@@ -34,6 +34,7 @@ enum class Reason {
     Fixture,            ///< a fixture stands there
     BelowStanding,      ///< below what the features above leave
     Allowance,          ///< roughing leaves it on walls and floors, as asked
+    Holding,            ///< it is held in this setup
     AsAsked,            ///< the hole table leaves it
     LeftBetweenPasses,  ///< small places that the proof found
     NotProven,          ///< no program that cuts it was proven
@@ -58,6 +59,10 @@ StayReason stayReasonFrom(std::string_view words);
 
 /// The reason of what a wall hides that is not vertical.
 Reason reasonOf(SlopeCause cause);
+
+/// Is it what a setup leaves of what it reaches, without being any feature's residual: allowance and held
+/// stock?
+bool isLeftUncut(const StayReason& reason);
 
 /// Is it what roughing leaves as it should: the allowance, and stairs on walls that lean and on curved faces?
 bool isLeftByRoughing(const StayReason& reason);

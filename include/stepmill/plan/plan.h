@@ -133,9 +133,10 @@ struct PlanRequest {
     double break_edges_mm = 0;
     /// What the cuts of this material ask for; nothing: not known, feeds are the library's.
     std::optional<Material> cut_material;
-    std::string materials_file;  ///< where that was looked for; empty: nowhere
-    FixtureFile fixtures;        ///< of setups it does not name the suggested vise's jaws stand
-    HoleTable holes;             ///< what is said of holes beyond the part's file; none: nothing
+    std::string materials_file;    ///< where that was looked for; empty: nowhere
+    FixtureFile fixtures;          ///< what holds the setups it names, and what the shop has for the others
+    std::optional<HoldKind> hold;  ///< how those others are held; nothing: as suggestClamping() finds
+    HoleTable holes;               ///< what is said of holes beyond the part's file; none: nothing
     /// Roughing alone, which leaves this on walls and floors; nothing: the plan makes size.
     std::optional<FinishAllowance> roughing;
     /// Which setup cuts what, where that is known from a plan before; nothing: it is found out. By

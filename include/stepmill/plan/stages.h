@@ -19,7 +19,7 @@ struct Stage {
     LayerStack layers;
     FeatureSet found;
     std::vector<Prism> reserve;  ///< stock that stands for later setups, which cut it; no feature holds any
-    Clamping clamping;           ///< free of all that `found` would cut
+    Clamping clamping;           ///< none before holdStage() (plan/hold_stage.h)
     /// Volume of `found.features` that earlier setups cut already from other sides, where the stock's walls
     /// lean and slabs stand for their hull [mm3]. Unplanned volumes are free of it: stock as it arrives -
     /// part = features + unplanned - air_mm3.
@@ -54,8 +54,7 @@ struct StockStep {
     double leaves_mm3 = 0;
 };
 
-/// The setups in turn, each on the stock that those before it leave: slices it, recognises features, suggests
-/// a clamping.
+/// The setups in turn, each on the stock that those before it leave: slices it, recognises features.
 ///
 ///     while (std::optional<Stage> stage = walk.next())
 ///         walk.cut(*stage, featurePrisms(stage->found));

@@ -28,6 +28,7 @@ struct RecordedSetup {
     Vec3 stock_size_mm = Vec3::Zero();
     std::vector<Fixture> fixtures;
     std::vector<Prism> reserve;  ///< stands for later setups; in setup coordinates
+    Clamping clamping;           ///< without jaws, which are fixtures; of plans of older versions none
     double time_s = 0;
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     FeatureNames names;                      ///< PlannedSetup::names
@@ -58,6 +59,10 @@ struct RecordedRequest {
     SurrogateRule surrogates = SurrogateRule::Sequence;
     double scallop_mm = kUsualScallopMm;
     double break_edges_mm = 0;
+    std::vector<double> stock_sizes_mm;  ///< SetupRequest::stock_sizes_mm
+    Vise vise;
+    double plate_mm = kPlateThicknessMm;
+    std::optional<HoldKind> hold;  ///< PlanRequest::hold
 };
 
 /// What plan.json says that programs are proven against.
@@ -77,7 +82,7 @@ struct PlanRecord {
     Machine machine;
     std::vector<RecordedSetup> setups;
     std::map<std::string, RecordedFeature> features;  ///< by id; every band is one
-    std::map<std::string, FormGround> forms;          ///< by id; a setup has one of leaning walls and one of edges at most
+    std::map<std::string, FormGround> forms;          ///< by id; at most two a setup: leaning walls, edges
     std::map<std::string, RecordedOperation> operations;
     std::map<std::string, double> operation_s;  ///< the time of each, without the change to its tool
     PlanTotals totals;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/catalog/fixture.h"
@@ -10,34 +12,91 @@
 
 namespace stepmill {
 
-/// How a setup's stock can be held: a suggestion, whose jaws the plan keeps clear of.
+/// What holds the stock in a setup [docs/algorithms/holding.md].
+enum class HoldKind {
+    None,      ///< nothing that is known
+    Given,     ///< the fixtures of the shop's file
+    Vise,      ///< two jaws; what they must not lose stays (Clamping::held_mm)
+    SoftJaws,  ///< two jaws of the vise that are bored to the stock's outline
+    Screws,    ///< through its own holes into a plate
+    Plate,     ///< a sacrificial plate under all of it, by tape or glue
+    Skin       ///< the same, and a skin at the bottom that ties all together stays
+};
+/// "none", "given", "vise", "soft-jaws", "screws", "plate", "skin".
+std::string toString(HoldKind kind);
+/// The reverse, of the kinds one can ask for: all but "none" and "given"; nothing for another word.
+std::optional<HoldKind> holdKindFrom(std::string_view word);
+/// The same of all kinds: of a plan.json.
+std::optional<HoldKind> anyHoldKindFrom(std::string_view word);
+
+/// A skin that ties part and waste together is so thick [mm]: a knife takes it off.
+inline constexpr double kSkinMm = 0.3;
+/// So far below the part profiles go into stock that a later setup faces off, so that no burr stands there
+/// [mm].
+inline constexpr double kGripOverlapMm = 1;
+/// Less of the stock's bottom that stays flat holds nothing on a plate [mm2].
+inline constexpr double kLeastPlateSeatMm2 = 400;
+
+/// How a setup's stock can be held: a suggestion, whose jaws and held stock the plan keeps clear of.
 struct Clamping {
-    bool vise = false;
+    HoldKind kind = HoldKind::None;
     /// Across the jaws, a unit vector in setup coordinates (z = 0).
     Vec3 across = Vec3::Zero();
-    double opening_mm = 0;  ///< between the jaws
-    double from_mm = 0;     ///< lower edge of the grip over the stock's bottom: parallels lift it that far
-    double depth_mm = 0;    ///< height the jaws hold, from there up
-    double length_mm = 0;   ///< of jaw that touches on both sides
-    double seat_mm2 = 0;    ///< of the stock's bottom that is flat and stays: what it rests on
-    /// Two jaws of an ordinary vise (150 mm wide, 40 mm thick and high), in the middle of what they hold and
-    /// grown by kFixtureGrowth, but not into the stock; empty without a vise.
-    std::vector<Fixture> jaws;
+    double opening_mm = 0;    ///< between the jaws
+    double from_mm = 0;       ///< lower edge of the grip over the stock's bottom
+    double depth_mm = 0;      ///< height the jaws hold, from there up
+    double length_mm = 0;     ///< of jaw that touches on both sides
+    double parallels_mm = 0;  ///< height of the parallels under the stock; 0: it lies on the vise's bed
+    double seat_mm2 = 0;      ///< of the stock's bottom that is flat and stays: what it rests on
+    /// Stock is not cut below this height over its bottom where it is held; 0: nothing is kept from cutting.
+    double held_mm = 0;
+    /// Is it all the stock below that height, holes apart? Else what the outside is cut from.
+    bool holds_all = false;
+    /// The vise's jaws, in the middle of what they hold, wider and thicker by kFixtureGrowth and higher by
+    /// the jaw clearance, but not grown into the stock; or the heads of screws, grown.
+    std::vector<Fixture> fixtures;
     /// For the setup sheet: "vise, jaws 80 mm open across x, 12 mm deep", or why none will do.
     std::string text;
+
+    /// Two jaws hold it.
+    bool isVise() const { return kind == HoldKind::Vise || kind == HoldKind::SoftJaws; }
+    /// A plate lies under all of it.
+    bool isOnPlate() const {
+        return kind == HoldKind::Screws || kind == HoldKind::Plate || kind == HoldKind::Skin;
+    }
 };
 
-/// Looks for two opposite, parallel, upright flat sides of the arriving stock with nothing sticking out
-/// farther below them, cut nowhere along the jaws' height (grown by kFixtureGrowth), that face each other
-/// over enough length. Of several pairs the one with the largest area held, and of equal ones the smaller
-/// opening.
-///
-/// Both solids are given as planar slabs, from the top down, in setup coordinates. Slabs whose walls lean
-/// stand as their hull: their sides are no flat sides and are passed over.
-/// \param arriving  the stock
-/// \param upright   by slab: are all the stock's walls in it upright?
-/// \param removed   all the setup cuts
-Clamping suggestClamping(const std::vector<Prism>& arriving, const std::vector<bool>& upright,
-                         const std::vector<Prism>& removed, const Tolerances& tol);
+/// The stock of a setup as planar slabs, from the top down, in setup coordinates, with what the setup would
+/// cut of it.
+struct StockToHold {
+    std::vector<Prism> arriving;
+    /// By slab: are all the stock's walls in it upright? Slabs whose walls lean stand as their hull: their
+    /// sides are no flat sides and are passed over.
+    std::vector<bool> upright;
+    std::vector<Prism> removed;  ///< all the setup cuts where nothing is kept from it
+    double under_part_mm = 0;    ///< height of the stock that lies below all of the part
+};
+
+/// What the shop has, and which kind was asked for; nothing: the first of the order below that will do.
+struct HoldWish {
+    Vise vise;
+    double plate_mm = kPlateThicknessMm;
+    std::optional<HoldKind> kind;
+};
+
+/// How to hold it, the first of:
+/// 1. The vise on two opposite, parallel, upright flat sides with nothing sticking out farther below them,
+///    which the setup cuts nowhere along the jaws' height and the clearance over them, that face each other
+///    over enough length and no farther apart than the vise opens. Of several pairs the one with the largest
+///    area held, of equal ones the smaller opening. The stock stands on the lowest parallels that keep the
+///    jaws clear; on some where anything is cut through it.
+/// 2. The vise on stock below the part, which is not cut in this setup.
+/// 3. Soft jaws, where the lowest outline goes up far enough and is not cut.
+/// 4. Screws through two holes or more that the stock arrives with, whose heads no cutter comes near.
+/// 5. A sacrificial plate, where enough of the bottom is flat and stays.
+/// Otherwise the reasons why none will do; of a kind that was asked for its own. A vise that was asked for
+/// may also hold the lowest part of sides that are cut above it, where the next setup could grip what this
+/// one cut: the outside is cut down to over the jaws alone.
+Clamping suggestClamping(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
 
 }  // namespace stepmill

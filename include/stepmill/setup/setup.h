@@ -48,6 +48,10 @@ struct SetupRequest {
     /// Tool axes never to be chosen, unit vectors in part coordinates.
     std::vector<Vec3> forbidden;
     StockMargin margin;
+    /// Sizes that thickness and width of a box are rounded up to once it has its margins, ascending; its
+    /// length, and what is over the last, to whole millimetres; empty: the box is as large as the margins
+    /// make it.
+    std::vector<double> stock_sizes_mm;
     /// How much larger on every side the blank may be than it is said to be [mm].
     double stock_tolerance_mm = 0;
     /// A solid to start from instead of a box, in the part's coordinates.

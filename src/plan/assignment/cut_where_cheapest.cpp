@@ -20,7 +20,14 @@ constexpr double kMoreMayStayShare = 0.005;
 /// A plan must be shorter by so much to be taken: feeds and leaning walls, which come later, are not in it.
 constexpr double kWorthChanging = 0.99;
 
-/// Is it clearly shorter, or cheaper if plans are made by cost, with no more setups and no more that stays?
+/// How many setups nothing is known that would hold them.
+auto unheld(const CutSetups& cut) {
+    return std::count_if(cut.setups.begin(), cut.setups.end(),
+                         [](const PlannedSetup& setup) { return setup.clamping.kind == HoldKind::None; });
+}
+
+/// Is it clearly shorter, or cheaper if plans are made by cost, with no more setups, held as well, and no
+/// more that stays?
 bool isBetter(const CutSetups& cut, const CutSetups& than, Objective objective) {
     const auto weight = [&](const PlanTotals& totals) {
         return objective == Objective::Time ? totals.motion_s : totals.cost;
@@ -28,7 +35,7 @@ bool isBetter(const CutSetups& cut, const CutSetups& than, Objective objective) 
     const double noise_mm3 =
         std::max(kVolumeRoundingMm3, kBooksNoiseShare * than.balance.stock_minus_part_mm3);
     const double may_stay_mm3 = than.leftMm3() + std::max(noise_mm3, kMoreMayStayShare * than.leftMm3());
-    return cut.setups.size() <= than.setups.size() &&
+    return cut.setups.size() <= than.setups.size() && unheld(cut) <= unheld(than) &&
            weight(cut.totals) < kWorthChanging * weight(than.totals) && cut.leftMm3() <= may_stay_mm3 &&
            std::abs(cut.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
 }

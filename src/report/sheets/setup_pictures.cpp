@@ -42,30 +42,85 @@ Prism prismOf(const Fixture& fixture) {
     return {fixture.section, fixture.top_z_mm, fixture.bottom_z_mm};
 }
 
-std::vector<Body> bodiesOf(const PlannedSetup& planned, const Tolerances& tol) {
+/// How thick parallels are drawn [mm].
+constexpr double kParallelThicknessMm = 8;
+
+/// Where the stock ends along a direction, by its box.
+double endAlong(const Setup& setup, const Vec2& direction) {
+    double end_mm = -1e300;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 at = setup.stock_bbox_mm.corner(static_cast<Box3::CornerType>(corner));
+        end_mm = std::max(end_mm, direction.dot(at.head<2>()));
+    }
+    return end_mm;
+}
+
+/// A pair of parallels under the stock, each along a jaw.
+std::vector<Prism> parallelsOf(const PlannedSetup& planned) {
+    const Setup& setup = planned.setup;
+    const Vec2 across = planned.clamping.across.head<2>();
+    const Vec2 along(-across.y(), across.x());
+    const double to_mm = endAlong(setup, along);
+    const double from_mm = -endAlong(setup, -along);
+    const double top_mm = setup.stock_bbox_mm.min().z();
+    std::vector<Prism> pair;
+    for (const Vec2& out : {across, Vec2(-across)}) {
+        const double face_mm = endAlong(setup, out);
+        const Vec2 outer = face_mm * out;
+        const Vec2 inner = (face_mm - kParallelThicknessMm) * out;
+        pair.push_back({makePolygon({outer + from_mm * along, outer + to_mm * along, inner + to_mm * along,
+                                     inner + from_mm * along}),
+                        top_mm, top_mm - planned.clamping.parallels_mm});
+    }
+    return pair;
+}
+
+/// What the stock rests on; it lies below all that is proven, so that it is no fixture of the plan's.
+std::vector<Prism> restsOf(const PlannedSetup& planned, double plate_mm) {
+    const Clamping& held = planned.clamping;
+    if (held.kind == HoldKind::Vise)
+        return held.parallels_mm > 0 ? parallelsOf(planned) : std::vector<Prism>{};
+    if (!held.isOnPlate()) return {};
+    const Box3& stock = planned.setup.stock_bbox_mm;
+    const Vec2 rim = Vec2::Constant(plate_mm);
+    return {{makeRectangle(snapToGrid(Vec2(stock.min().head<2>() - rim)),
+                           snapToGrid(Vec2(stock.max().head<2>() + rim))),
+             stock.min().z(), stock.min().z() - plate_mm}};
+}
+
+/// What stands beside and under the stock. Held stock is drawn as stock.
+std::vector<Prism> holdersOf(const PlannedSetup& planned, double plate_mm) {
+    std::vector<Prism> holders = restsOf(planned, plate_mm);
+    for (const Fixture& fixture : planned.setup.fixtures)
+        if (fixture.kind != FixtureKind::HeldStock) holders.push_back(prismOf(fixture));
+    return holders;
+}
+
+std::vector<Body> bodiesOf(const PlannedSetup& planned, double plate_mm, const Tolerances& tol) {
     const Setup& setup = planned.setup;
     const double chord_mm = std::max(kFinestChordMm, kChordShare * setup.stock_bbox_mm.diagonal().norm());
     const Eigen::Isometry3d here = Eigen::Isometry3d::Identity();
     std::vector<Body> bodies = arrivingStock(setup, chord_mm);
     for (const Prism& prism : removedBy(planned.features, tol))
         bodies.push_back(prismBody(BodyKind::CutHere, prism, here, chord_mm));
-    for (const Fixture& fixture : setup.fixtures)
-        bodies.push_back(prismBody(BodyKind::Fixture, prismOf(fixture), here, chord_mm));
+    for (const Prism& holder : holdersOf(planned, plate_mm))
+        bodies.push_back(prismBody(BodyKind::Fixture, holder, here, chord_mm));
     return bodies;
 }
 
 /// The stock, what of the fixtures stands near to it, and the tool's arrow.
-Box3 shownBox(const Setup& setup) {
+Box3 shownBox(const PlannedSetup& planned, double plate_mm) {
+    const Setup& setup = planned.setup;
     const Box3& stock = setup.stock_bbox_mm;
     const Vec3 near = Vec3::Constant(kFixturesShown * stock.diagonal().norm());
     const Box3 around(stock.min() - near, stock.max() + near);
     // The outline is drawn between cells of the stock and empty ones.
     const Vec3 rim = Vec3::Constant(kRim * stock.diagonal().norm());
     Box3 shown(stock.min() - rim, stock.max() + rim);
-    for (const Fixture& fixture : setup.fixtures) {
-        const Box2 flat = boundingBox(fixture.section);
-        const Box3 block(Vec3(flat.min().x(), flat.min().y(), fixture.bottom_z_mm),
-                         Vec3(flat.max().x(), flat.max().y(), fixture.top_z_mm));
+    for (const Prism& prism : holdersOf(planned, plate_mm)) {
+        const Box2 flat = boundingBox(prism.region);
+        const Box3 block(Vec3(flat.min().x(), flat.min().y(), prism.bottom_z_mm),
+                         Vec3(flat.max().x(), flat.max().y(), prism.top_z_mm));
         if (block.intersects(around)) shown.extend(block.intersection(around));
     }
     return shown;
@@ -167,12 +222,12 @@ Element picture(const Image& image, const Sight& sight, double top, const std::s
     return svg;
 }
 
-SetupPictures draw(const PlannedSetup& planned, const Setup* before, const Tolerances& tol) {
+SetupPictures draw(const PlannedSetup& planned, const Setup* before, double plate_mm, const Tolerances& tol) {
     const Setup& setup = planned.setup;
     const double diagonal_mm = setup.stock_bbox_mm.diagonal().norm();
-    const Sight sight(towardsViewer(), toTheRight(), shownBox(setup), kCells);
+    const Sight sight(towardsViewer(), toTheRight(), shownBox(planned, plate_mm), kCells);
     const double top = overTop(sight, setup, kArrowFrom).y();
-    const StockImages images = stockImages(bodiesOf(planned, tol), sight);
+    const StockImages images = stockImages(bodiesOf(planned, plate_mm, tol), sight);
     SetupPictures pictures{
         picture(images.arriving, sight, top, setup.id + " as it arrives, from above a corner"),
         picture(images.leaving, sight, top, setup.id + " when all is cut, from above a corner")};
@@ -184,10 +239,11 @@ SetupPictures draw(const PlannedSetup& planned, const Setup* before, const Toler
 
 }  // namespace
 
-SetupPictures setupPictures(const PlannedSetup& setup, const Setup* before, const Tolerances& tol) {
+SetupPictures setupPictures(const PlannedSetup& setup, const Setup* before, double plate_mm,
+                            const Tolerances& tol) {
     std::optional<SetupPictures> pictures;
     guardOcct(ErrorCode::GeometryKernel, "picture of " + setup.setup.id,
-              [&] { pictures = draw(setup, before, tol); });
+              [&] { pictures = draw(setup, before, plate_mm, tol); });
     return std::move(*pictures);
 }
 

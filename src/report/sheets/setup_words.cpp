@@ -1,5 +1,6 @@
 // Datum, flip, blank and clamping of a setup, in words.
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -76,17 +77,68 @@ std::string acrossWords(const Vec3& across) {
     return fmt::format("{:.2f}° from X", std::atan2(across.y(), across.x()) * 180 / kPi);
 }
 
+std::string seatWords(const Measures& in, const Clamping& held) {
+    return held.parallels_mm > 0
+               ? fmt::format("on parallels {} high, clear of what goes through", in.length(held.parallels_mm))
+               : std::string("on the vise's bed");
+}
+
 std::string viseWords(const Measures& in, const PlannedSetup& planned) {
     const Clamping& held = planned.clamping;
-    const double to_mm = held.from_mm + held.depth_mm;
-    const double jaw_top_mm = planned.setup.stock_bbox_mm.min().z() + to_mm;
+    const double jaw_top_mm = planned.setup.stock_bbox_mm.min().z() + held.from_mm + held.depth_mm;
     std::string words =
         fmt::format("vise, {} open across {}, grip {} deep on {} of length, ", in.length(held.opening_mm),
                     acrossWords(held.across), in.length(held.depth_mm), in.length(held.length_mm));
     if (held.from_mm > kAlongAxis)
         words += fmt::format("from {} over the bottom up, ", in.length(held.from_mm));
-    return words + fmt::format("jaw tops at Z {}. Parallels: as high as the jaws less {}. Stop: at the left.",
-                               in.length(jaw_top_mm), in.length(to_mm));
+    return words + fmt::format("{}; jaw tops at Z {}. Stop: at the left.", seatWords(in, held),
+                               in.length(jaw_top_mm));
+}
+
+/// The setup that cuts what this one holds; null where none does.
+const Setup* takerOf(const Plan& plan, const PlannedSetup& planned) {
+    const auto self = std::find_if(plan.setups.begin(), plan.setups.end(),
+                                   [&](const PlannedSetup& one) { return one.setup.id == planned.setup.id; });
+    for (auto later = self == plan.setups.end() ? self : self + 1; later != plan.setups.end(); ++later)
+        if (later->setup.axis.dot(planned.setup.axis) < 0 && !later->operations.empty()) return &later->setup;
+    return nullptr;
+}
+
+std::string heldWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
+    const Clamping& held = planned.clamping;
+    if (held.held_mm <= 0) return {};
+    const Setup* taker = takerOf(plan, planned);
+    return fmt::format(" {} up to Z {} is held and not cut here; {}.",
+                       held.holds_all ? "All stock" : "The outside",
+                       in.length(planned.setup.stock_bbox_mm.min().z() + held.held_mm),
+                       taker != nullptr ? taker->id + " takes it" : "it stays");
+}
+
+std::string plateWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
+    const std::string skin = planned.clamping.kind == HoldKind::Skin ? " Cut the skin by hand." : "";
+    return fmt::format(
+        "sacrificial plate, {} thick, under all of it: by tape, glue, or screws where nothing is cut.{}",
+        in.length(plan.request.fixtures.plate_mm), skin);
+}
+
+std::string softJawWords(const Measures& in, const PlannedSetup& planned) {
+    const Clamping& held = planned.clamping;
+    return fmt::format(
+        "vise, soft jaws bored {} deep to the stock's outline, {} wide across {}; jaw tops at Z {}.",
+        in.length(held.depth_mm), in.length(held.opening_mm), acrossWords(held.across),
+        in.length(planned.setup.stock_bbox_mm.min().z() + held.depth_mm));
+}
+
+std::string screwWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
+    std::string words = fmt::format("plate, {} thick, screwed to it through its own holes:",
+                                    in.length(plan.request.fixtures.plate_mm));
+    for (const Fixture& fixture : planned.setup.fixtures) {
+        const Vec2 at = centroid(fixture.section);
+        words += fmt::format(" {} at X {} Y {}, head up to Z {};", fixture.name, in.length(at.x()),
+                             in.length(at.y()), in.length(fixture.top_z_mm));
+    }
+    words.back() = '.';
+    return words;
 }
 
 std::string fixtureWords(const Measures& in, const Plan& plan, const Setup& setup) {
@@ -99,8 +151,21 @@ std::string fixtureWords(const Measures& in, const Plan& plan, const Setup& setu
 }
 
 std::string clampingWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
-    if (plan.request.fixtures.setups.contains(planned.setup.id)) return fixtureWords(in, plan, planned.setup);
-    if (planned.clamping.vise) return viseWords(in, planned);
+    switch (planned.clamping.kind) {
+        case HoldKind::Given:
+            return fixtureWords(in, plan, planned.setup);
+        case HoldKind::Vise:
+            return viseWords(in, planned) + heldWords(in, plan, planned);
+        case HoldKind::SoftJaws:
+            return softJawWords(in, planned);
+        case HoldKind::Screws:
+            return screwWords(in, plan, planned);
+        case HoldKind::Plate:
+        case HoldKind::Skin:
+            return plateWords(in, plan, planned) + heldWords(in, plan, planned);
+        case HoldKind::None:
+            break;
+    }
     return planned.clamping.text + ". To be held otherwise: ______________________________";
 }
 

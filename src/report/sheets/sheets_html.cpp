@@ -44,7 +44,8 @@ Element jobLine(const SheetSubject& subject) {
 }
 
 Element picturesOf(const SheetSubject& subject, const PlannedSetup& setup, const Setup* before) {
-    SetupPictures pictures = setupPictures(setup, before, subject.tol);
+    SetupPictures pictures =
+        setupPictures(setup, before, subject.plan().request.fixtures.plate_mm, subject.tol);
     return Element("div.pictures",
                    Element("figure", std::move(pictures.arriving),
                            Element("figcaption", "As it arrives; shaded: is cut here")),

@@ -47,14 +47,9 @@ std::string warningText(const Warning& warning) {
 
 std::vector<Squawk> ownSquawks(const SheetSubject& subject, const PlannedSetup& setup) {
     std::vector<Squawk> own;
-    const Plan& plan = subject.plan();
     if (programOf(subject.proven, setup) == nullptr)
         own.push_back(
             {SquawkGrade::Danger, "No program is written for this setup: run none that lies about."});
-    if (!setup.clamping.vise && !plan.request.fixtures.setups.contains(setup.setup.id))
-        own.push_back(
-            {SquawkGrade::Caution,
-             "No way to hold it is known; the paths keep clear of no clamp (" + setup.clamping.text + ")."});
     if (setup.setup.indexed)
         own.push_back(
             {SquawkGrade::Caution, "The tool axis is not along the part's box: sine vise or rotary axis."});

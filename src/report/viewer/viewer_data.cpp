@@ -136,20 +136,25 @@ class SetupsData {
     }
 
   private:
+    /// Held stock is shown as stock.
+    static Json fixturesJson(const Setup& setup, double chord_mm) {
+        Json fixtures = Json::array();
+        for (const Fixture& fixture : setup.fixtures)
+            if (fixture.kind != FixtureKind::HeldStock)
+                fixtures.push_back({{"name", plainLine(fixture.name)},
+                                    {"bottom", json::number(fixture.bottom_z_mm)},
+                                    {"top", json::number(fixture.top_z_mm)},
+                                    {"loops", packed(fixture.section, chord_mm).text()}});
+        return fixtures;
+    }
+
     Json setupJson(const PlannedSetup& planned) const {
         const Setup& setup = planned.setup;
         const double chord_mm = kChordShare * setup.stock_bbox_mm.diagonal().norm();
         return {{"id", setup.id},
                 {"placement", placementJson(setup.part_to_setup)},
                 {"stock", stockJson(setup)},
-                {"fixtures", json::listOf(setup.fixtures,
-                                          [&](const Fixture& fixture) {
-                                              return Json{
-                                                  {"name", plainLine(fixture.name)},
-                                                  {"bottom", json::number(fixture.bottom_z_mm)},
-                                                  {"top", json::number(fixture.top_z_mm)},
-                                                  {"loops", packed(fixture.section, chord_mm).text()}};
-                                          })},
+                {"fixtures", fixturesJson(setup, chord_mm)},
                 {"features", json::listOf(wholeFeatures(planned.features),
                                           [&](const WholeFeature<PlannedFeature>& whole) {
                                               return featureJson(whole, chord_mm);

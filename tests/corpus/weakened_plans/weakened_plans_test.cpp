@@ -393,6 +393,16 @@ const std::vector<Weakening> kWeakenings{
      }},
     {"fixture smaller",
      [](Json& plan) { scale(plan, first(plan, "setups")["fixtures"][0]["section"], 0.9); }},
+    {"a jaw that is said to be a clamp",
+     [](Json& plan) { first(plan, "setups")["fixtures"][0]["kind"] = "clamp"; }},
+    {"no way to hold it", [](Json& plan) { first(plan, "setups")["clamping"]["kind"] = "none"; }},
+    {"no clamping", [](Json& plan) { first(plan, "setups").erase("clamping"); }},
+    {"less grip", [](Json& plan) { first(plan, "setups")["clamping"]["depth_mm"] = 4.9; }},
+    {"a vise that opens wider", [](Json& plan) { plan["request"]["vise"]["opening_mm"] = 900; }},
+    {"a vise with less grip", [](Json& plan) { plan["request"]["vise"]["grip_mm"] = 1; }},
+    {"a thicker plate", [](Json& plan) { plan["request"]["plate_mm"] = 90; }},
+    {"held by other means", [](Json& plan) { plan["request"]["hold"] = "plate"; }},
+    {"another blank", [](Json& plan) { plan["request"]["stock_sizes_mm"] = {37.0}; }},
     {"fixture file as it were",
      [](Json& plan) {
          plan["request"]["fixtures"] = {{"file", "clamps.json"}, {"sha256", std::string(64, 'a')}};

@@ -58,5 +58,38 @@ TEST(ReadFixtures, NamesThePlaceOfWhatIsWrong) {
               std::string::npos);
 }
 
+TEST(ReadFixtures, TakesTheShopsViseAndBlanks) {
+    const FixtureFile file = fixturesFromText(
+        R"({"format": 1, "unit": "inch", "setups": [], "plate": 0.5,
+            "vise": {"opening": 6, "parallels": [1.5, 0.5], "grip": 0.25},
+            "blank": {"side": 0.1, "sizes": [2, 1]}})",
+        "shop.json");
+    EXPECT_DOUBLE_EQ(file.vise.opening_mm, 152.4);
+    EXPECT_EQ(file.vise.parallels_mm, (std::vector<double>{12.7, 1.5 * 25.4}));
+    EXPECT_DOUBLE_EQ(file.vise.grip_mm, 6.35);
+    EXPECT_DOUBLE_EQ(file.vise.jaw_height_mm, Vise{}.jaw_height_mm);
+    EXPECT_DOUBLE_EQ(file.plate_mm, 12.7);
+    EXPECT_DOUBLE_EQ(file.blank.side_mm, 2.54);
+    EXPECT_EQ(file.blank.sizes_mm, (std::vector<double>{25.4, 50.8}));
+}
+
+TEST(ReadFixtures, HasAnOrdinaryViseWhereTheShopSaysNothing) {
+    const FixtureFile file = fixturesFromText(R"({"format": 1, "unit": "mm", "setups": []})", "shop.json");
+    EXPECT_EQ(file.vise, Vise{});
+    EXPECT_EQ(file.blank, BlankRule{});
+    EXPECT_EQ(file.plate_mm, kPlateThicknessMm);
+}
+
+TEST(ReadFixtures, RefusesAViseThatCannotBe) {
+    const auto with = [](const std::string& vise) {
+        return R"({"format": 1, "unit": "mm", "setups": [], "vise": {)" + vise + "}}";
+    };
+    EXPECT_NE(
+        refusal(with(R"("grip": 41)")).find("#/vise/grip: expected no more than the jaws' height, 40 mm"),
+        std::string::npos);
+    EXPECT_NE(refusal(with(R"("opening": 0)")).find("#/vise/opening"), std::string::npos);
+    EXPECT_NE(refusal(with(R"("jaws": 2)")).find("#/vise"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace stepmill

@@ -13,7 +13,7 @@ using test::kTol;
 const Region kBlock = makeRectangle(Vec2(0, 0), Vec2(80, 50));
 
 Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
-    return suggestClamping(arriving, std::vector<bool>(arriving.size(), true), removed, kTol);
+    return suggestClamping({arriving, std::vector<bool>(arriving.size(), true), removed}, {}, kTol);
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>
 TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(20, 20), Vec2(60, 30)), 0, -10}});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.opening_mm, 50, 1e-9);
     EXPECT_NEAR(clamping.length_mm, 80, 1e-9);
     EXPECT_NEAR(clamping.depth_mm, 28, 1e-9);  // grown jaws end at the stock's top
@@ -31,9 +31,9 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
 TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
-    ASSERT_EQ(clamping.jaws.size(), 2U);
+    ASSERT_EQ(clamping.fixtures.size(), 2U);
     double side = 0;
-    for (const Fixture& jaw : clamping.jaws) {
+    for (const Fixture& jaw : clamping.fixtures) {
         EXPECT_LE(jaw.top_z_mm, -18 + 1e-9);
         EXPECT_EQ(area(intersect(jaw.section, kBlock, kTol)), 0);
         const Box2 box = boundingBox(jaw.section);
@@ -48,14 +48,14 @@ TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
 TEST(SuggestClamping, StaysBelowAnOpenStep) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.depth_mm, 10, 1e-9);
 }
 
 TEST(SuggestClamping, TakesTheOtherSidesWhereTwoAreCutToTheBottom) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(20, 0), Vec2(60, 10)), 0, -30}});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.opening_mm, 80, 1e-9);
     EXPECT_NEAR(clamping.seat_mm2, 80 * 50 - 40 * 10, 1e-6);
 }
@@ -63,17 +63,161 @@ TEST(SuggestClamping, TakesTheOtherSidesWhereTwoAreCutToTheBottom) {
 TEST(SuggestClamping, SaysWhyNoViseWillDo) {
     const Region ring = subtract(kBlock, makeRectangle(Vec2(5, 5), Vec2(75, 45)), kTol);
     const Clamping cut = clampingOf({{kBlock, 0, -30}}, {{ring, 0, -30}});
-    EXPECT_FALSE(cut.vise);
+    EXPECT_FALSE(cut.isVise());
     EXPECT_NE(cut.text.find("cutting reaches down"), std::string::npos) << cut.text;
     const Clamping round = clampingOf({{makeCircle(Vec2(0, 0), 20), 0, -30}}, {});
-    EXPECT_FALSE(round.vise);
+    EXPECT_EQ(round.kind, HoldKind::SoftJaws);
     EXPECT_NE(round.text.find("no two flat parallel sides"), std::string::npos) << round.text;
 }
 
 TEST(SuggestClamping, GripsAboveNarrowPadsAtTheBottom) {
     const Clamping clamping =
         clampingOf({{kBlock, 0, -30}, {makeRectangle(Vec2(10, 10), Vec2(30, 40)), -30, -34}}, {});
-    ASSERT_TRUE(clamping.vise) << clamping.text;
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
     EXPECT_NEAR(clamping.from_mm, 4, 1e-9);
     EXPECT_NEAR(clamping.opening_mm, 50, 1e-9);
+}
+
+namespace {
+
+StockToHold upright(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
+    return {arriving, std::vector<bool>(arriving.size(), true), removed};
+}
+
+const Region kRing = subtract(kBlock, makeRectangle(Vec2(5, 5), Vec2(75, 45)), kTol);
+
+}  // namespace
+
+TEST(SuggestClamping, AsksForNoWiderJawsThanTheViseHas) {
+    HoldWish wish;
+    wish.vise.opening_mm = 60;
+    const Clamping narrow = suggestClamping(upright({{kBlock, 0, -30}}, {}), wish, kTol);
+    ASSERT_TRUE(narrow.isVise()) << narrow.text;
+    EXPECT_NEAR(narrow.opening_mm, 50, 1e-9);
+    wish.vise.opening_mm = 49;
+    const Clamping none = suggestClamping(upright({{kBlock, 0, -30}}, {}), wish, kTol);
+    EXPECT_EQ(none.kind, HoldKind::Plate);
+    EXPECT_NE(none.text.find("it opens 49 mm, the stock is 50 mm wide"), std::string::npos) << none.text;
+}
+
+TEST(SuggestClamping, StandsOnParallelsThatTheShopHas) {
+    HoldWish wish;
+    wish.vise.parallels_mm = {15, 33};
+    const StockToHold stock =
+        upright({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
+    const Clamping clamping = suggestClamping(stock, wish, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_NEAR(clamping.parallels_mm, 33, 1e-9);
+    EXPECT_NEAR(clamping.depth_mm, 40 - 33, 1e-9);
+    wish.vise.grip_mm = 8;  // neither the bed, nor these parallels hold so much and keep clear
+    EXPECT_NE(suggestClamping(stock, wish, kTol).kind, HoldKind::Vise);
+}
+
+TEST(SuggestClamping, HoldsStockBelowThePart) {
+    StockToHold stock = upright({{kBlock, 0, -42}}, {{kRing, 0, -42}});
+    stock.under_part_mm = 12;
+    const Clamping clamping = suggestClamping(stock, {}, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_TRUE(clamping.holds_all);
+    // The overlap below the part, the clearance, and parallels in steps of 2 mm: 12 - 1 - 2 is 9.
+    EXPECT_NEAR(clamping.depth_mm, 8, 1e-9);
+    EXPECT_NEAR(clamping.held_mm, 12 - kGripOverlapMm, 1e-9);
+    EXPECT_NEAR(clamping.seat_mm2, area(kBlock), 1e-6);
+    stock.under_part_mm = 6.9;  // less than grip and clearance
+    EXPECT_EQ(suggestClamping(stock, {}, kTol).kind, HoldKind::Plate);
+}
+
+TEST(SuggestClamping, HoldsSidesThatAreCutAboveWhereThatIsAskedFor) {
+    StockToHold stock = upright({{kBlock, 0, -30}}, {{kRing, 0, -30}});
+    HoldWish wish;
+    EXPECT_EQ(suggestClamping(stock, wish, kTol).kind, HoldKind::Plate);
+    wish.kind = HoldKind::Vise;
+    const Clamping clamping = suggestClamping(stock, wish, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_FALSE(clamping.holds_all);
+    EXPECT_NEAR(clamping.depth_mm, 5, 1e-9);
+    EXPECT_NEAR(clamping.held_mm, 7, 1e-9);
+    // What is left above must do for the next setup's jaws.
+    stock.arriving = {{kBlock, 0, -13}};
+    stock.removed = {{kRing, 0, -13}};
+    EXPECT_EQ(suggestClamping(stock, wish, kTol).kind, HoldKind::None);
+}
+
+TEST(SuggestClamping, TakesThePlateOrTheViseThatWasAskedFor) {
+    const StockToHold cut_around = upright({{kBlock, 0, -30}}, {{kRing, 0, -30}});
+    HoldWish wish;
+    const StockToHold block = upright({{kBlock, 0, -30}}, {});
+    wish.kind = HoldKind::Plate;
+    EXPECT_EQ(suggestClamping(block, wish, kTol).kind, HoldKind::Plate);
+    wish.kind = HoldKind::Skin;
+    const Clamping skin = suggestClamping(cut_around, wish, kTol);
+    EXPECT_EQ(skin.kind, HoldKind::Skin);
+    EXPECT_NEAR(skin.held_mm, kSkinMm, 1e-9);
+    EXPECT_TRUE(skin.fixtures.empty());
+}
+
+TEST(SuggestClamping, LiesOnNoBedWhereAnythingGoesThrough) {
+    const Region hole = makeCircle(Vec2(40, 25), 4);
+    EXPECT_EQ(clampingOf({{kBlock, 0, -45}}, {{hole, 0, -20}}).parallels_mm, 0);
+    const Clamping on_parallels = clampingOf({{kBlock, 0, -45}}, {{hole, 0, -45}});
+    EXPECT_NEAR(on_parallels.parallels_mm, 6, 1e-9);
+    EXPECT_NEAR(on_parallels.depth_mm, 34, 1e-9);
+}
+
+TEST(SuggestClamping, BoresSoftJawsToARoundOutline) {
+    const Region disc = makeCircle(Vec2(30, 30), 30);
+    const Clamping clamping = clampingOf({{disc, 0, -20}}, {{makeCircle(Vec2(30, 30), 12), 0, -20}});
+    ASSERT_EQ(clamping.kind, HoldKind::SoftJaws) << clamping.text;
+    EXPECT_NEAR(clamping.depth_mm, 15, 1e-9);
+    EXPECT_NEAR(clamping.opening_mm, 60, 1e-9);
+    ASSERT_EQ(clamping.fixtures.size(), 2U);
+    for (const Fixture& jaw : clamping.fixtures) {
+        EXPECT_EQ(jaw.kind, FixtureKind::Jaw);
+        EXPECT_NEAR(jaw.top_z_mm, -20 + 15 + Vise{}.jaw_clearance_mm, 1e-9);
+        EXPECT_NEAR(area(intersect(jaw.section, disc, kTol)), 0, 1e-6);
+        EXPECT_NEAR(distanceToBoundary(jaw.section, disc.loops.front().start), 0, 31);
+    }
+    EXPECT_TRUE(intersect(clamping.fixtures[0].section, clamping.fixtures[1].section, kTol).empty());
+    // Cut beside the jaws it must be held otherwise.
+    const Region rim = subtract(disc, makeCircle(Vec2(30, 30), 28), kTol);
+    EXPECT_EQ(clampingOf({{disc, 0, -20}}, {{rim, 0, -16}}).kind, HoldKind::Plate);
+}
+
+TEST(SuggestClamping, ScrewsThroughItsOwnHolesIntoAPlate) {
+    // A lens: no flat sides, and its outline is cut.
+    Region lens = makeCircle(Vec2(50, 50), 50);
+    for (const Vec2& at : {Vec2(15, 50), Vec2(85, 50)})
+        lens = subtract(lens, makeCircle(at, 3.3), kTol);
+    const Region rim = subtract(makeCircle(Vec2(50, 50), 50), makeCircle(Vec2(50, 50), 49), kTol);
+    const Region top = makeCircle(Vec2(50, 50), 10);
+    const Clamping clamping = clampingOf({{lens, 0, -12}}, {{top, 0, -12}, {rim, 0, -12}});
+    EXPECT_NE(clamping.kind, HoldKind::Screws) << "a cutter on the rim would meet the heads";
+    const Region far_rim = subtract(makeCircle(Vec2(50, 50), 80), makeCircle(Vec2(50, 50), 70), kTol);
+    Region wide = makeCircle(Vec2(50, 50), 80);
+    wide = subtract(wide, subtract(makeCircle(Vec2(50, 50), 50), lens, kTol), kTol);
+    const Clamping screwed = clampingOf({{wide, 0, -12}}, {{top, 0, -12}, {far_rim, 0, -12}});
+    ASSERT_EQ(screwed.kind, HoldKind::Screws) << screwed.text;
+    ASSERT_EQ(screwed.fixtures.size(), 2U);
+    EXPECT_EQ(screwed.fixtures.front().name, "screw M6");
+    EXPECT_EQ(screwed.fixtures.front().kind, FixtureKind::Screw);
+    EXPECT_EQ(screwed.fixtures.front().bottom_z_mm, 0);
+    HoldWish wish;
+    wish.kind = HoldKind::Screws;
+    EXPECT_EQ(suggestClamping({{{kBlock, 0, -30}}, {true}, {}}, wish, kTol).kind, HoldKind::None);
+}
+
+TEST(SuggestClamping, HasNothingForAPartWithoutASeat) {
+    const Region stub = makeRectangle(Vec2(0, 0), Vec2(80, 4));  // 320 mm2
+    const Clamping clamping = clampingOf({{stub, 0, -4}}, {});
+    EXPECT_EQ(clamping.kind, HoldKind::None) << clamping.text;
+    EXPECT_NE(clamping.text.find("no plate"), std::string::npos) << clamping.text;
+}
+
+TEST(HoldKinds, HaveAWordEach) {
+    for (const HoldKind kind : {HoldKind::None, HoldKind::Given, HoldKind::Vise, HoldKind::SoftJaws,
+                                HoldKind::Screws, HoldKind::Plate, HoldKind::Skin})
+        EXPECT_EQ(anyHoldKindFrom(toString(kind)), kind);
+    EXPECT_EQ(holdKindFrom("plate"), HoldKind::Plate);
+    EXPECT_FALSE(holdKindFrom("none"));
+    EXPECT_FALSE(holdKindFrom("glue"));
 }

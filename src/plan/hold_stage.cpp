@@ -1,12 +1,13 @@
 // What holds the part in a setup, as the plan keeps clear of it.
 
-#include "stepmill/plan/setup_fixtures.h"
+#include "stepmill/plan/hold_stage.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "plan/held_stock.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -67,31 +68,65 @@ void growWithStock(Fixture& fixture, const StockGrowth& growth, const Tolerances
 }
 
 /// What the file says of the setup stands there instead of a vise.
-void setGiven(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
-    const auto found = given.setups.find(stage.setup.id);
-    if (found == given.setups.end()) return;
-    stage.setup.fixtures.clear();
-    std::vector<std::string> names;
-    for (const Fixture& fixture : found->second) {
+std::vector<Fixture> givenFixtures(const Stage& stage, const FixtureFile& given, const Tolerances& tol) {
+    std::vector<Fixture> fixtures;
+    for (const Fixture& fixture : given.setups.at(stage.setup.id)) {
         requireOutside(fixture, given, stage.layers, stage.setup.id, tol);
         Fixture larger = grown(fixture, given.growth, tol);
         capUnderStock(fixture, stage.layers, tol, larger);
-        stage.setup.fixtures.push_back(std::move(larger));
-        names.push_back(fixture.name);
+        fixtures.push_back(std::move(larger));
     }
-    stage.clamping = {};
-    stage.clamping.text =
+    return fixtures;
+}
+
+Clamping givenClamping(const FixtureFile& given, const std::string& setup_id) {
+    std::vector<std::string> names;
+    for (const Fixture& fixture : given.setups.at(setup_id))
+        names.push_back(fixture.name);
+    Clamping clamping;
+    clamping.kind = HoldKind::Given;
+    clamping.text =
         fmt::format("as {} says: {}", given.file,
                     names.empty() ? "nothing in the way" : fmt::format("{}", fmt::join(names, ", ")));
+    return clamping;
+}
+
+StockToHold stockToHold(const Stage& stage) {
+    StockToHold stock;
+    const LayerStack& layers = stage.layers;
+    for (const Layer& layer : layers.layers) {
+        stock.arriving.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
+        stock.upright.push_back(layer.stock_air_mm3 <= 0);
+    }
+    stock.removed = featurePrisms(stage.found);
+    const auto lowest = std::find_if(layers.layers.rbegin(), layers.layers.rend(),
+                                     [](const Layer& layer) { return !layer.part.empty(); });
+    if (lowest != layers.layers.rend()) stock.under_part_mm = lowest->bottom_z_mm - layers.stock_bottom_z_mm;
+    return stock;
 }
 
 }  // namespace
 
-void setFixtures(Stage& stage, const FixtureFile& given, const Tolerances& tol) {
-    setGiven(stage, given, tol);
+Clamping clampingOf(const Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind,
+                    const Tolerances& tol) {
+    if (shop.setups.contains(stage.setup.id)) return givenClamping(shop, stage.setup.id);
+    return suggestClamping(stockToHold(stage), {shop.vise, shop.plate_mm, kind}, tol);
+}
+
+void holdStage(Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind, const Tolerances& tol) {
+    stage.clamping = clampingOf(stage, shop, kind, tol);
+    std::vector<Fixture>& fixtures = stage.setup.fixtures;
+    fixtures =
+        stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, tol) : stage.clamping.fixtures;
+    const HeldStock held = heldStock(stage);
+    stage.found = withHeldStock(std::move(stage.found), held, tol);
+    Region section = heldSection(stage.layers, stage.found, held, tol);
+    if (!section.empty())
+        fixtures.push_back(
+            {"held stock", std::move(section), held.bottom_z_mm, held.top_z_mm, FixtureKind::HeldStock});
     const StockGrowth growth = growthOf(stage.setup.stock, stage.setup.part_to_setup);
     if (!growth.any()) return;
-    for (Fixture& fixture : stage.setup.fixtures)
+    for (Fixture& fixture : fixtures)
         growWithStock(fixture, growth, tol);
 }
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// What the setter must know of how setups are held: nothing is known that holds one; cutters come into what
+/// one rests on; held stock stays on the part.
+std::vector<Warning> holdWarnings(const Plan& plan);
+
+}  // namespace stepmill

@@ -1,0 +1,342 @@
+// Two jaws that hold the stock at flat sides.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "setup/ways_to_hold.h"
+#include "stepmill/planar/edge.h"
+
+namespace stepmill::setup {
+
+namespace {
+
+/// Less length than this holds nothing [mm].
+constexpr double kLeastLengthMm = 5;
+/// Holds within this share are as good as each other.
+constexpr double kSameHold = 1e-6;
+/// Directions this near are one.
+constexpr double kSameSine = 1e-4;
+
+struct Interval {
+    double from = 0;
+    double to = 0;
+};
+
+/// Furthest a segment reaches in a direction.
+double reachOf(const Vec2& from, const Segment& segment, const Vec2& direction) {
+    double reach = std::max(direction.dot(from), direction.dot(segment.to));
+    if (!segment.arc) return reach;
+    const Vec2 top = segment.arc->centre + segment.arc->radius_mm * direction;
+    if (distanceTo(top, from, segment) < kGridMm) reach = std::max(reach, direction.dot(top));
+    return reach;
+}
+
+/// Stretches of straight side on the line `normal . p = offset`, along the line.
+std::vector<Interval> sidesOn(const Region& region, const Vec2& normal, double offset_mm) {
+    const Vec2 along(-normal.y(), normal.x());
+    std::vector<Interval> found;
+    for (const auto& [from, segment] : eachEdge(region)) {
+        const bool on = std::abs(normal.dot(from) - offset_mm) < kPlaneMm &&
+                        std::abs(normal.dot(segment.to) - offset_mm) < kPlaneMm;
+        if (!segment.arc && on) {
+            const double one = along.dot(from);
+            const double other = along.dot(segment.to);
+            found.push_back({std::min(one, other), std::max(one, other)});
+        }
+    }
+    return found;
+}
+
+/// What two jaws hold: how long, and from where to where along them.
+struct Hold {
+    double length_mm = 0;
+    Interval span{1e300, -1e300};
+};
+
+/// Where both sides have material. Stretches of one side do not overlap.
+Hold facing(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    Hold hold;
+    for (const Interval& one : a) {
+        for (const Interval& other : b) {
+            const Interval both{std::max(one.from, other.from), std::min(one.to, other.to)};
+            if (both.to <= both.from) continue;
+            hold.length_mm += both.to - both.from;
+            hold.span = {std::min(hold.span.from, both.from), std::max(hold.span.to, both.to)};
+        }
+    }
+    return hold;
+}
+
+/// Heights over the stock's bottom at which the jaws can end, with what the stock stands on, from the
+/// highest.
+struct JawTop {
+    double over_bottom_mm = 0;
+    double parallels_mm = 0;
+};
+
+/// \param on_bed  may the stock lie on the bed?
+std::vector<JawTop> jawTops(const Vise& vise, bool on_bed) {
+    std::vector<JawTop> tops;
+    if (on_bed || vise.parallels_mm.empty()) tops.push_back({vise.jaw_height_mm, 0});
+    for (const double parallels_mm : vise.parallels_mm)
+        if (parallels_mm < vise.jaw_height_mm)
+            tops.push_back({vise.jaw_height_mm - parallels_mm, parallels_mm});
+    return tops;
+}
+
+/// Adds the directions across straight sides that are not known yet.
+void addDirections(const Region& region, std::vector<Vec2>& found) {
+    for (const auto& [from, segment] : eachEdge(region)) {
+        const Vec2 edge = segment.to - from;
+        if (segment.arc || edge.norm() < kLeastLengthMm) continue;
+        Vec2 across = Vec2(edge.y(), -edge.x()).normalized();
+        if (across.x() < -kSameSine || (across.x() < kSameSine && across.y() < 0)) across = -across;
+        const bool known = std::any_of(found.begin(), found.end(), [&](const Vec2& other) {
+            return std::abs(cross(other, across)) < kSameSine;
+        });
+        if (!known) found.push_back(across);
+    }
+}
+
+/// The slabs between which jaws could close: each side's furthest reach and from which height on.
+struct Grip {
+    double right_mm = 0;
+    double left_mm = 0;
+    double from_mm = 0;  ///< over the stock's bottom
+    double to_mm = 0;
+};
+
+/// What keeps the jaws from going higher.
+enum class ViseUse {
+    Free,       ///< nothing is cut beside them
+    GripStock,  ///< they hold stock below the part
+    GripSides   ///< they hold as little as they may of sides that are cut above them
+};
+
+class ViseFinder {
+  public:
+    ViseFinder(const StockToHold& stock, const Vise& vise)
+        : stock_(stock),
+          vise_(vise),
+          bottom_mm_(stock.arriving.back().bottom_z_mm),
+          tops_(jawTops(vise, !cutsThrough())),
+          height_mm_(stock.arriving.front().top_z_mm - bottom_mm_) {}
+
+    Clamping best(ViseUse use) {
+        std::vector<Vec2> directions;
+        for (std::size_t i = stock_.arriving.size(); i-- > 0;)
+            if (stock_.upright[i]) addDirections(stock_.arriving[i].region, directions);
+        Clamping best;
+        for (const Vec2& across : directions)
+            for (const Grip& grip : gripsAlong(across))
+                consider(across, grip, use, best);
+        return best;
+    }
+
+    /// Why the last use that was asked for will not do.
+    const std::string& why() const { return why_; }
+
+  private:
+    /// Jaws meet what sticks out furthest so far, going up; where something sticks out farther still they
+    /// end, and higher ones could begin.
+    std::vector<Grip> gripsAlong(const Vec2& across) const {
+        std::vector<Grip> grips;
+        Grip now{-1e300, -1e300, 0, 0};
+        bool open = false;
+        for (std::size_t i = stock_.arriving.size(); i-- > 0;) {
+            const Prism& slab = stock_.arriving[i];
+            const double right = furthest(slab.region, across);
+            const double left = furthest(slab.region, -across);
+            if (right > now.right_mm + kPlaneMm || left > now.left_mm + kPlaneMm) {
+                if (open) grips.push_back(now);
+                now = {std::max(right, now.right_mm), std::max(left, now.left_mm),
+                       slab.bottom_z_mm - bottom_mm_, 0};
+                open = true;
+            }
+            const bool touches = right > now.right_mm - kPlaneMm && left > now.left_mm - kPlaneMm;
+            if (open && touches) now.to_mm = slab.top_z_mm - bottom_mm_;
+            if (open && !touches) {
+                grips.push_back(now);
+                open = false;
+            }
+        }
+        if (open) grips.push_back(now);
+        std::erase_if(grips,
+                      [&](const Grip& grip) { return grip.to_mm - grip.from_mm < vise_.grip_mm - kPlaneMm; });
+        return grips;
+    }
+
+    bool cutsThrough() const {
+        return std::any_of(stock_.removed.begin(), stock_.removed.end(),
+                           [&](const Prism& prism) { return prism.bottom_z_mm < bottom_mm_ + kPlaneMm; });
+    }
+
+    /// Lowest cutting that comes to the jaw on this side, over the stock's bottom.
+    double lowestCut(const Vec2& out, double offset_mm) const {
+        double lowest = 1e300;
+        for (const Prism& prism : stock_.removed)
+            if (furthest(prism.region, out) > offset_mm - kPlaneMm)
+                lowest = std::min(lowest, prism.bottom_z_mm - bottom_mm_);
+        return lowest;
+    }
+
+    /// What faces the other jaw at every height of the grip.
+    Hold held(const Vec2& across, const Grip& grip, double to_mm) const {
+        Hold least;
+        least.length_mm = 1e300;
+        for (std::size_t i = 0; i < stock_.arriving.size(); ++i) {
+            const Prism& slab = stock_.arriving[i];
+            const double low = slab.bottom_z_mm - bottom_mm_;
+            const double high = slab.top_z_mm - bottom_mm_;
+            if (!stock_.upright[i] || high <= grip.from_mm + kPlaneMm || low >= to_mm - kPlaneMm) continue;
+            // Along -across the stretches run the other way round.
+            std::vector<Interval> opposite = sidesOn(slab.region, -across, grip.left_mm);
+            for (Interval& interval : opposite)
+                interval = {-interval.to, -interval.from};
+            const Hold hold = facing(sidesOn(slab.region, across, grip.right_mm), opposite);
+            if (hold.length_mm < least.length_mm) least = hold;
+        }
+        return least.length_mm < 1e300 ? least : Hold{};
+    }
+
+    /// The jaws reach no higher over the stock's bottom.
+    double highestJaws(const Vec2& across, const Grip& grip, ViseUse use) const {
+        const double clear_mm = std::min(grip.to_mm, height_mm_ - vise_.jaw_clearance_mm);
+        if (use == ViseUse::GripStock) {
+            const double spare_mm = stock_.under_part_mm - vise_.jaw_clearance_mm - vise_.grip_mm;
+            return std::min(clear_mm, stock_.under_part_mm - vise_.jaw_clearance_mm -
+                                          std::clamp(spare_mm, 0.0, kGripOverlapMm));
+        }
+        if (use == ViseUse::GripSides) return clear_mm;
+        const double cut_mm = std::min(lowestCut(across, grip.right_mm), lowestCut(-across, grip.left_mm));
+        return std::min(clear_mm, cut_mm - vise_.jaw_clearance_mm);
+    }
+
+    /// The highest jaws that hold enough; of sides that are cut above them the lowest.
+    std::optional<JawTop> jawTop(const Grip& grip, double highest_mm, ViseUse use) const {
+        std::optional<JawTop> found;
+        for (const JawTop& top : tops_) {
+            if (top.over_bottom_mm > highest_mm + kPlaneMm) continue;
+            if (top.over_bottom_mm - grip.from_mm < vise_.grip_mm - kPlaneMm) continue;
+            if (!found || use == ViseUse::GripSides) found = top;
+        }
+        return found;
+    }
+
+    /// Is there enough above held sides for the next setup's jaws to hold what this one cut?
+    bool canBeTurnedOver(double held_mm) const {
+        return height_mm_ - held_mm >= vise_.grip_mm + vise_.jaw_clearance_mm - kPlaneMm;
+    }
+
+    void consider(const Vec2& across, const Grip& grip, ViseUse use, Clamping& best) {
+        const double opening = grip.right_mm + grip.left_mm;
+        if (opening > vise_.opening_mm) {
+            if (why_ == kNoSides)
+                why_ =
+                    fmt::format("it opens {:.4g} mm, the stock is {:.4g} mm wide", vise_.opening_mm, opening);
+            return;
+        }
+        const std::optional<JawTop> top = jawTop(grip, highestJaws(across, grip, use), use);
+        if (!top || (use == ViseUse::GripSides && !canBeTurnedOver(heldTo(*top, use)))) {
+            why_ = "the cutting reaches down the sides that jaws could hold";
+            return;
+        }
+        const Hold hold = held(across, grip, top->over_bottom_mm);
+        if (hold.length_mm < kLeastLengthMm) return;
+        const double depth = top->over_bottom_mm - grip.from_mm;
+        const double area = hold.length_mm * depth;
+        const double most = best.length_mm * best.depth_mm;
+        if (best.isVise() && area < most * (1 - kSameHold)) return;
+        if (best.isVise() && area < most * (1 + kSameHold) && opening >= best.opening_mm) return;
+        best = made(across, grip, *top, hold, use);
+    }
+
+    /// Up to where stock is kept from cutting, over the stock's bottom; 0: it is not.
+    double heldTo(const JawTop& top, ViseUse use) const {
+        const double over_jaws_mm = top.over_bottom_mm + vise_.jaw_clearance_mm;
+        if (use == ViseUse::Free) return 0;
+        return use == ViseUse::GripSides ? over_jaws_mm
+                                         : std::max(over_jaws_mm, stock_.under_part_mm - kGripOverlapMm);
+    }
+
+    Clamping made(const Vec2& across, const Grip& grip, const JawTop& top, const Hold& hold,
+                  ViseUse use) const {
+        Clamping made;
+        made.kind = HoldKind::Vise;
+        made.across = Vec3(across.x(), across.y(), 0);
+        made.opening_mm = grip.right_mm + grip.left_mm;
+        made.from_mm = grip.from_mm;
+        made.depth_mm = top.over_bottom_mm - grip.from_mm;
+        made.length_mm = hold.length_mm;
+        made.parallels_mm = top.parallels_mm;
+        made.held_mm = heldTo(top, use);
+        made.holds_all = use == ViseUse::GripStock;
+        const double middle = (hold.span.from + hold.span.to) / 2;
+        const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
+        made.fixtures = {viseJaw(vise_, across, grip.right_mm, middle, top_z_mm),
+                         viseJaw(vise_, -across, grip.left_mm, -middle, top_z_mm)};
+        made.text = viseText(made);
+        return made;
+    }
+
+    static std::string viseText(const Clamping& vise) {
+        std::string text = fmt::format("vise, jaws {:.4g} mm open across {}, {:.3g} mm deep", vise.opening_mm,
+                                       directionName(vise.across.head<2>()), vise.depth_mm);
+        if (vise.from_mm > kPlaneMm) text += fmt::format(" from {:.3g} mm over the bottom", vise.from_mm);
+        if (vise.parallels_mm > 0) text += fmt::format(", on parallels of {:.4g} mm", vise.parallels_mm);
+        if (vise.held_mm > 0)
+            text += fmt::format("; {}the lowest {:.4g} mm stay in this setup",
+                                vise.holds_all ? "" : "at the outside ", vise.held_mm);
+        return text;
+    }
+
+    static constexpr const char* kNoSides = "no two flat parallel sides face each other";
+
+    const StockToHold& stock_;
+    const Vise& vise_;
+    double bottom_mm_ = 0;
+    std::vector<JawTop> tops_;
+    double height_mm_ = 0;
+    std::string why_ = kNoSides;
+};
+
+}  // namespace
+
+double furthest(const Region& region, const Vec2& direction) {
+    double reach = -1e300;
+    for (const auto& [from, segment] : eachEdge(region))
+        reach = std::max(reach, reachOf(from, segment, direction));
+    return reach;
+}
+
+Fixture viseJaw(const Vise& vise, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm) {
+    const Vec2 along(-out.y(), out.x());
+    const double half_mm = (1 + kFixtureGrowth) * vise.jaw_width_mm / 2;
+    const double far_mm = offset_mm + (1 + kFixtureGrowth) * vise.jaw_thickness_mm;
+    const Vec2 from = (middle_mm - half_mm) * along;
+    const Vec2 to = (middle_mm + half_mm) * along;
+    return {
+        "vise jaw",
+        makePolygon({from + offset_mm * out, from + far_mm * out, to + far_mm * out, to + offset_mm * out}),
+        top_z_mm - vise.jaw_height_mm, top_z_mm + vise.jaw_clearance_mm, FixtureKind::Jaw};
+}
+
+std::string directionName(const Vec2& across) {
+    if (std::abs(across.y()) < kSameSine) return "x";
+    if (std::abs(across.x()) < kSameSine) return "y";
+    return fmt::format("a line {:.1f} degrees from x", std::atan2(across.y(), across.x()) * 180 / M_PI);
+}
+
+WayToHold inVise(const StockToHold& stock, const HoldWish& wish) {
+    ViseFinder finder(stock, wish.vise);
+    Clamping found = finder.best(ViseUse::Free);
+    const std::string why_not = finder.why();
+    const Vise& vise = wish.vise;
+    const bool grip_stock = stock.under_part_mm >= vise.grip_mm + vise.jaw_clearance_mm - kPlaneMm;
+    if (!found.isVise() && grip_stock) found = finder.best(ViseUse::GripStock);
+    if (!found.isVise() && wish.kind == HoldKind::Vise) found = finder.best(ViseUse::GripSides);
+    return found.isVise() ? WayToHold{std::move(found), {}} : WayToHold{{}, "no vise: " + why_not};
+}
+
+}  // namespace stepmill::setup

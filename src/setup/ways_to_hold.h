@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stepmill/setup/clamping.h"
+
+namespace stepmill::setup {
+
+/// Sides this near to one plane are one [mm]: a hundredth is what jaws take up.
+inline constexpr double kPlaneMm = 0.01;
+
+/// One way to hold a stock, or why it will not do.
+struct WayToHold {
+    std::optional<Clamping> clamping;
+    std::string why_not;
+};
+
+/// On two flat sides, on stock below the part, or, where it was asked for, on sides that are cut above.
+WayToHold inVise(const StockToHold& stock, const HoldWish& wish);
+/// In jaws that are bored to the lowest outline of the stock, which is cut nowhere beside them.
+WayToHold inSoftJaws(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
+/// By screws through upright holes that the stock arrives with, into a plate.
+WayToHold onScrews(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
+
+/// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it, wider and thicker by
+/// kFixtureGrowth and higher by the clearance.
+Fixture viseJaw(const Vise& vise, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm);
+/// Furthest a region reaches in a direction.
+double furthest(const Region& region, const Vec2& direction);
+/// "x", "y", or the angle from x.
+std::string directionName(const Vec2& across);
+
+}  // namespace stepmill::setup
