@@ -70,6 +70,7 @@ void fillRequest(PlanOptions& plan, const RecordedRequest& request) {
     plan.finish_floors_mm = request.finish.floors_mm;
     plan.scallop_mm = request.scallop_mm;
     plan.break_edges_mm = request.break_edges_mm;
+    plan.reserve = request.reserve;
     if (!request.roughing) return;
     plan.rough = true;
     plan.allowance_mm = request.roughing->walls_mm;

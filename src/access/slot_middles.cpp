@@ -8,6 +8,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge.h"
+#include "stepmill/planar/indexed_region.h"
 
 namespace stepmill::access {
 namespace {
@@ -57,10 +58,12 @@ std::optional<Vec2> outInTheAir(const FeatureGround& ground, double radius_mm, c
     const Tolerances& tol = ground.tolerances();
     if (ground.walledIn()) return std::nullopt;
     const Feature& feature = ground.feature();
+    const IndexedRegion walls(feature.obstruction);
+    const double near_mm = radius_mm - tol.fit_mm - tol.linear_mm;
     const double farthest_mm = 2 * radius_mm + kFarthestMm;
     for (double out_mm = kBeyondMm; out_mm <= farthest_mm; out_mm += kStepRadii * radius_mm) {
         const Vec2 at = snapToGrid(Vec2(end + outward * out_mm));
-        if (distanceToRegion(feature.obstruction, at) < radius_mm - tol.fit_mm - tol.linear_mm)
+        if (walls.contains(at) || walls.boundary().anyNearer(makeEdge(end, {at, std::nullopt}), near_mm))
             return std::nullopt;
         if (distanceToRegion(feature.target, at) >= radius_mm + tol.guard_mm) return at;
     }
@@ -103,8 +106,7 @@ void openEnds(const FeatureGround& ground, double radius_mm, SlotCentres& slot) 
 std::vector<SlotCentres> slotCentres(const FeatureGround& ground, double radius_mm, const Region& usual,
                                      const Region& narrow) {
     const Tolerances& tol = ground.tolerances();
-    const Region rest =
-        usual.empty() ? narrow : subtract(narrow, offset(usual, 2 * tol.fit_mm, tol), tol);
+    const Region rest = usual.empty() ? narrow : subtract(narrow, offset(usual, 2 * tol.fit_mm, tol), tol);
     std::vector<SlotCentres> slots;
     for (const Region& component : components(rest)) {
         if (boundingBox(component).sizes().norm() < kShortestSlotRadii * radius_mm) continue;

@@ -14,7 +14,8 @@ struct SlotCentres {
 };
 
 /// The slots that are as wide as the cutter, within the fit tolerance, and that its `usual` centres, those
-/// wider than slivers, do not lead into. \param narrow  the centres of a disc whose radius is as much less
+/// wider than slivers, do not lead into.
+/// \param narrow  the centres of a disc whose radius is as much less
 std::vector<SlotCentres> slotCentres(const FeatureGround& ground, double radius_mm, const Region& usual,
                                      const Region& narrow);
 

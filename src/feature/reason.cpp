@@ -19,6 +19,7 @@ struct ReasonWords {
 /// Those of walls that are not vertical have their cause's words.
 constexpr ReasonWords kWords[] = {
     {Reason::Undercut, "undercut"},
+    {Reason::LeftForLater, "left for later setups"},
     {Reason::Sliver, "sliver"},
     {Reason::LeftByEarlierSetups, "left by earlier setups, no face to finish from here"},
     {Reason::CornerRadius, "corner radius"},

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plan/make_operations.h"
+#include "plan/plan_warnings.h"
 #include "plan/stick_outs.h"
 #include "plan/threads.h"
 #include "plan/totals.h"

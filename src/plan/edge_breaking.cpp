@@ -79,6 +79,7 @@ class EdgeWalls : public SiteWalls {
             bands.push_back({bottom_mm, top_mm});
             bottom_mm = top_mm;
         }
+        if (bands.empty()) return {{layer.bottom_z_mm, layer.top_z_mm}};
         bands.back().top_mm = layer.top_z_mm;
         return bands;
     }

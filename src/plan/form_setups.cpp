@@ -13,6 +13,7 @@
 #include "plan/make_operations.h"
 #include "plan/retract.h"
 #include "stepmill/core/error.h"
+#include "stepmill/layers/reserve.h"
 
 namespace stepmill {
 namespace {
@@ -26,7 +27,16 @@ struct FormKind {
     const char* stage;      ///< for the progress bar
     const char* otherwise;  ///< what is so where their planning fails
     Finish finish;
+    bool over_fixtures = false;  ///< do cutters come over fixtures that end within a layer?
 };
+
+/// Where layers end that fixtures stand beside: above them cutters have room.
+std::vector<double> fixtureTops(const Setup& setup) {
+    std::vector<double> heights_mm;
+    for (const Fixture& fixture : setup.fixtures)
+        heights_mm.push_back(fixture.top_z_mm);
+    return heights_mm;
+}
 
 class FormSetups {
   public:
@@ -39,7 +49,9 @@ class FormSetups {
         for (std::size_t i = 0; i < setups.size(); ++i) {
             PlannedSetup& setup = setups[i];
             if (progress) progress(kind_.stage + setup.setup.id, 1);
-            auto finishing = finish({setup.setup, stages[i].layers, stages[i].left, at_end});
+            const LayerStack& cut = stages[i].layers;
+            const LayerStack layers = kind_.over_fixtures ? partedAt(cut, fixtureTops(setup.setup)) : cut;
+            auto finishing = finish({setup.setup, layers, stages[i].left, at_end});
             if (!finishing) continue;
             at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
             setup.*kind_.ground = std::move(finishing->ground);
@@ -95,8 +107,8 @@ void warnOfSharpEdges(const FormGround& ground, std::vector<Warning>& warnings) 
         const Vec3& at = stretches.front()->at;
         warnings.push_back(
             {"sharp-edge", ground.id,
-             fmt::format("{:.4g} mm of edges stay sharp, the first at X{:.3f} Y{:.3f} Z{:.3f}: {}", sum_mm,
-                         at.x(), at.y(), at.z(), why),
+             fmt::format("{:.4g} mm of edges stay sharp here, the first at X{:.3f} Y{:.3f} Z{:.3f}: {}",
+                         sum_mm, at.x(), at.y(), at.z(), why),
              static_cast<int>(stretches.size())});
     }
 }
@@ -120,10 +132,14 @@ std::vector<PlannedSetup> withBrokenEdges(std::vector<PlannedSetup> setups,
                                           const Progress& progress, std::vector<Warning>& warnings) {
     const double width_mm = shop.request.break_edges_mm;
     if (width_mm <= 0 || shop.request.roughing) return setups;
-    const FormKind edges{edgeGroundId, &PlannedSetup::edges, "edges of ", "edges stay sharp",
+    const FormKind edges{edgeGroundId,
+                         &PlannedSetup::edges,
+                         "edges of ",
+                         "edges stay sharp",
                          [width_mm](const FormSources& sources, const FormShop& forms) {
                              return breakEdges(sources, width_mm, forms);
-                         }};
+                         },
+                         true};
     FormSetups(edges, shop, warnings).addTo(setups, stages, progress);
     for (const PlannedSetup& setup : setups)
         if (setup.edges) warnOfSharpEdges(*setup.edges, warnings);

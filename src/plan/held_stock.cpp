@@ -8,6 +8,7 @@
 
 #include "stepmill/feature/describe_boundary.h"
 #include "stepmill/feature/heights.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -42,8 +43,9 @@ class Withholder {
 
     bool stops(const Feature& feature) const {
         if (feature.floor_z_mm >= held_.top_z_mm - kSameHeightMm) return false;
-        if (feature.top_z_mm <= held_.top_z_mm + kSameHeightMm) return true;
-        if (held_.all) return !(feature.through && isHole(feature.feature_class));
+        if (held_.all)
+            return feature.top_z_mm <= held_.top_z_mm + kSameHeightMm ||
+                   !(feature.through && isHole(feature.feature_class));
         return feature.open_length_mm > 0 ||
                std::any_of(feature.parents.begin(), feature.parents.end(),
                            [&](const std::string& parent) { return stopped_.count(parent) > 0; });
@@ -63,13 +65,23 @@ class Withholder {
         return feature;
     }
 
-    /// Lower bands may be gone.
+    /// Lower bands may be gone; what is left is numbered anew.
     static void countBands(std::vector<Feature>& features) {
         std::map<std::string, int> count;
         for (const Feature& feature : features)
             if (feature.band) ++count[feature.band->of];
+        std::map<std::string, std::string> names;
+        for (Feature& feature : features) {
+            if (!feature.band) continue;
+            feature.band->count = count.at(feature.band->of);
+            std::string id = bandId(feature.band->of, feature.band->number, feature.band->count);
+            names[feature.id] = id;
+            feature.id = std::move(id);
+            if (feature.band->count == 1) feature.band.reset();
+        }
         for (Feature& feature : features)
-            if (feature.band) feature.band->count = count.at(feature.band->of);
+            for (std::string& parent : feature.parents)
+                if (const auto found = names.find(parent); found != names.end()) parent = found->second;
     }
 
     const HeldStock& held_;

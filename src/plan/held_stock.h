@@ -21,7 +21,8 @@ HeldStock heldStock(const Stage& stage);
 FeatureSet withHeldStock(FeatureSet found, const HeldStock& held, const Tolerances& tol);
 
 /// The held stock as cutters, shanks and holders keep clear of it: without the features that go into it;
-/// empty where none is held. \param found  withHeldStock()
+/// empty where none is held.
+/// \param found  withHeldStock()
 Region heldSection(const LayerStack& layers, const FeatureSet& found, const HeldStock& held,
                    const Tolerances& tol);
 

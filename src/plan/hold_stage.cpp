@@ -19,6 +19,9 @@ namespace {
 /// A fixture may reach that far into the stock: that much is taken for touching [mm].
 constexpr double kTouchMm = 0.01;
 
+/// The tip of a mill that breaks edges goes so far below the break [mm].
+constexpr double kTipBelowBreakMm = 1;
+
 /// Larger by a share of its size: half of that on each side, all of it upwards.
 Fixture grown(const Fixture& fixture, double share, const Tolerances& tol) {
     Fixture larger = fixture;
@@ -91,8 +94,9 @@ Clamping givenClamping(const FixtureFile& given, const std::string& setup_id) {
     return clamping;
 }
 
-StockToHold stockToHold(const Stage& stage) {
+StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
     StockToHold stock;
+    if (break_edges_mm > 0) stock.round_top_mm = break_edges_mm + kTipBelowBreakMm;
     const LayerStack& layers = stage.layers;
     for (const Layer& layer : layers.layers) {
         stock.arriving.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
@@ -107,14 +111,15 @@ StockToHold stockToHold(const Stage& stage) {
 
 }  // namespace
 
-Clamping clampingOf(const Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind,
+Clamping clampingOf(const Stage& stage, const FixtureFile& shop, const HoldRequest& asked,
                     const Tolerances& tol) {
     if (shop.setups.contains(stage.setup.id)) return givenClamping(shop, stage.setup.id);
-    return suggestClamping(stockToHold(stage), {shop.vise, shop.plate_mm, kind}, tol);
+    return suggestClamping(stockToHold(stage, asked.break_edges_mm), {shop.vise, shop.plate_mm, asked.kind},
+                           tol);
 }
 
-void holdStage(Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind, const Tolerances& tol) {
-    stage.clamping = clampingOf(stage, shop, kind, tol);
+void holdStage(Stage& stage, const FixtureFile& shop, const HoldRequest& asked, const Tolerances& tol) {
+    stage.clamping = clampingOf(stage, shop, asked, tol);
     std::vector<Fixture>& fixtures = stage.setup.fixtures;
     fixtures =
         stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, tol) : stage.clamping.fixtures;

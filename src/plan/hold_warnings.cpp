@@ -22,6 +22,7 @@ struct RoomBelow {
 
 std::optional<RoomBelow> roomBelow(const Clamping& clamping, const FixtureFile& shop) {
     if (clamping.kind == HoldKind::Vise) return RoomBelow{clamping.parallels_mm, "the vise's bed"};
+    if (clamping.kind == HoldKind::SoftJaws) return RoomBelow{0, "the step of the soft jaws"};
     if (clamping.isOnPlate()) return RoomBelow{shop.plate_mm, "what lies under the plate"};
     return std::nullopt;
 }

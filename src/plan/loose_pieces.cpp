@@ -82,17 +82,29 @@ class Pieces {
 
     void addSlab(double top_mm, double bottom_mm) {
         const double middle_mm = (top_mm + bottom_mm) / 2;
-        std::vector<Region> gone;
-        for (const Prism& prism : removed_)
-            if (prism.top_z_mm > middle_mm && prism.bottom_z_mm < middle_mm) gone.push_back(prism.region);
+        const Region& gone = goneAt(middle_mm);
         for (const Layer& layer : stage_.layers.layers) {
             if (layer.top_z_mm < middle_mm || layer.bottom_z_mm > middle_mm || layer.stock.empty()) continue;
-            const Region left = gone.empty() ? layer.stock : subtract(layer.stock, unite(gone, tol_), tol_);
+            const Region left = gone.empty() ? layer.stock : subtract(layer.stock, gone, tol_);
             for (Region& piece : components(left)) {
                 const Box2 box = boundingBox(piece);
                 slices_.push_back({std::move(piece), box, top_mm, bottom_mm});
             }
         }
+    }
+
+    /// What is removed there; many slabs in turn have the same.
+    const Region& goneAt(double z_mm) {
+        std::vector<std::size_t> prisms;
+        for (std::size_t i = 0; i < removed_.size(); ++i)
+            if (removed_[i].top_z_mm > z_mm && removed_[i].bottom_z_mm < z_mm) prisms.push_back(i);
+        if (prisms == gone_prisms_) return gone_;
+        std::vector<Region> regions;
+        for (const std::size_t i : prisms)
+            regions.push_back(removed_[i].region);
+        gone_ = regions.empty() ? Region{} : unite(regions, tol_);
+        gone_prisms_ = std::move(prisms);
+        return gone_;
     }
 
     std::size_t rootOf(std::size_t i) const {
@@ -133,6 +145,8 @@ class Pieces {
     const Stage& stage_;
     const std::vector<Prism>& removed_;
     const Tolerances& tol_;
+    std::vector<std::size_t> gone_prisms_;  ///< those that gone_ unites
+    Region gone_;
     std::vector<Slice> slices_;
     std::vector<std::size_t> joined_;  ///< by slice: one it hangs together with, itself at the root
 };
@@ -146,12 +160,11 @@ std::vector<LoosePiece> loosePieces(const Stage& stage, const std::vector<Prism>
     return Pieces(stage, removed, tol).loose();
 }
 
-std::vector<Warning> looseWarnings(const Stage& stage, const std::vector<Prism>& removed,
-                                   const Tolerances& tol) {
+std::vector<Warning> looseWarnings(const std::vector<LoosePiece>& pieces, const std::string& setup_id) {
     std::vector<Warning> warnings;
-    for (const LoosePiece& piece : loosePieces(stage, removed, tol))
+    for (const LoosePiece& piece : pieces)
         warnings.push_back(
-            {"loose", stage.setup.id,
+            {"loose", setup_id,
              fmt::format("{:.4g} mm3 fall loose at X{:.1f} Y{:.1f} Z{:.1f}: nothing that is held ties "
                          "them; screw or tape that piece down (--fixtures), or leave it to another setup",
                          piece.volume_mm3, piece.at.x(), piece.at.y(), piece.at.z())});

@@ -14,13 +14,13 @@ struct LoosePiece {
 };
 
 /// The pieces that are loose once the stage is cut, the largest first; crumbs are none. On a plate all is
-/// held that touches it; nothing is said of stages whose holding is not known or the shop's own. \param stage
-/// after holdStage() \param removed  what the stage takes from its stock
+/// held that touches it; nothing is said of stages whose holding is not known or the shop's own.
+/// \param stage    after holdStage()
+/// \param removed  what the stage takes from its stock
 std::vector<LoosePiece> loosePieces(const Stage& stage, const std::vector<Prism>& removed,
                                     const Tolerances& tol);
 
 /// A warning of each.
-std::vector<Warning> looseWarnings(const Stage& stage, const std::vector<Prism>& removed,
-                                   const Tolerances& tol);
+std::vector<Warning> looseWarnings(const std::vector<LoosePiece>& pieces, const std::string& setup_id);
 
 }  // namespace stepmill

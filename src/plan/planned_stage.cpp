@@ -11,6 +11,7 @@
 
 #include "plan/earlier_operations.h"
 #include "plan/loose_pieces.h"
+#include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/hold_stage.h"
@@ -96,7 +97,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
         if (!stage) break;
-        holdStage(*stage, shop.request.fixtures, shop.request.hold, shop.tol);
+        holdStage(*stage, shop.request.fixtures, {shop.request.hold, shop.request.break_edges_mm}, shop.tol);
         if (const auto& leaves = shop.request.roughing)
             stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
                                          shop.request.sequence.material, shop.tol);
@@ -108,7 +109,8 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         const bool optional = !stages.empty() && stage->setup.chosen;
         if (optional && repeatsResiduals(planned.setup, stages)) continue;
         planned.setup.names = std::move(names);
-        append(planned.warnings, looseWarnings(*stage, planned.removed, shop.tol));
+        planned.loose = loosePieces(*stage, planned.removed, shop.tol);
+        append(planned.warnings, looseWarnings(planned.loose, stage->setup.id));
         planned.stock = walk.cut(*stage, planned.removed);
         planned.left = walk.left();
         planned.layers = std::move(stage->layers);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plan/feature_planner.h"
+#include "plan/loose_pieces.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/plan.h"
@@ -19,7 +20,8 @@ struct PlannedStage {
     StageAir air;
     std::vector<Prism> removed;
     StockStep stock;
-    Stock left;  ///< after its feature operations
+    Stock left;                     ///< after its feature operations
+    std::vector<LoosePiece> loose;  ///< of that
     std::vector<Warning> warnings;
 };
 

@@ -8,6 +8,9 @@
 namespace stepmill {
 namespace {
 
+/// Trials that are turned down come between plans that are alike.
+constexpr int kPlansKept = 4;
+
 /// All that a sequence follows from, byte by byte: equal bytes, equal sequences.
 class Key {
   public:
@@ -124,7 +127,7 @@ ToolSequence SequenceMemory::sequence(const Feature& feature, const ToolLibrary&
 
 void SequenceMemory::beginPlan() {
     const std::lock_guard lock(mutex_);
-    std::erase_if(known_, [&](const auto& entry) { return entry.second.asked_in + 1 < plan_; });
+    std::erase_if(known_, [&](const auto& entry) { return entry.second.asked_in + kPlansKept <= plan_; });
     ++plan_;
 }
 

@@ -35,7 +35,8 @@ class SiteWalls {
     virtual std::vector<double> leans(const Heights& band) const = 0;
 };
 
-/// The ground of these walls with what must stand beside them. \param widest_mm  radius of the widest cutter
+/// The ground of these walls with what must stand beside them.
+/// \param widest_mm  radius of the widest cutter
 /// \return nothing where nothing is to go
 std::optional<FormSite> siteOf(const FormSources& sources, const SiteWalls& walls, double skin_mm,
                                double widest_mm, const Tolerances& tol);

@@ -15,15 +15,15 @@ namespace {
 /// Volumes below this are rounding [mm3].
 constexpr double kNoVolumeMm3 = 1e-9;
 
-bool isUndercut(const Unplanned& unplanned) {
-    return unplanned.reason == Reason::Undercut;
+bool isHidden(const Unplanned& unplanned) {
+    return unplanned.reason == Reason::Undercut || unplanned.reason == Reason::LeftForLater;
 }
 
 /// Takes air off the unplanned volumes that span a slab; returns what of it is left.
-double takeAir(std::vector<Unplanned>& unplanned, const Layer& layer, double air_mm3, bool undercuts) {
+double takeAir(std::vector<Unplanned>& unplanned, const Layer& layer, double air_mm3, bool hidden) {
     const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
     for (Unplanned& entry : unplanned) {
-        if (isUndercut(entry) != undercuts) continue;
+        if (isHidden(entry) != hidden) continue;
         if (entry.bottom_z_mm > middle || entry.top_z_mm < middle) continue;
         const double taken = std::min(air_mm3, entry.volume_mm3);
         entry.volume_mm3 -= taken;
@@ -47,8 +47,8 @@ double netOfAir(FeatureSet& found, const LayerStack& layers) {
     double left_mm3 = 0;
     for (const Layer& layer : layers.layers) {
         double air = scale * layer.stock_air_mm3;
-        for (const bool undercuts : {false, true})
-            air = takeAir(found.unplanned, layer, air, undercuts);
+        for (const bool hidden : {false, true})
+            air = takeAir(found.unplanned, layer, air, hidden);
         left_mm3 += air;
     }
     std::erase_if(found.unplanned, [](const Unplanned& entry) { return entry.volume_mm3 <= 0; });
@@ -80,14 +80,14 @@ void nameReserve(std::vector<Unplanned>& unplanned, const std::vector<Prism>& re
     if (reserve.empty()) return;
     std::vector<Unplanned> left;
     for (Unplanned& entry : unplanned) {
-        if (!isUndercut(entry)) continue;
+        if (entry.reason != Reason::Undercut) continue;
         Region in_reserve = inReserve(entry, reserve, tol);
         if (area(in_reserve) <= tol.area_mm2) continue;
         const double height_mm = entry.top_z_mm - entry.bottom_z_mm;
         const double volume_mm3 = std::min(entry.volume_mm3, area(in_reserve) * height_mm);
         entry.region = subtract(entry.region, in_reserve, tol);
         entry.volume_mm3 -= volume_mm3;
-        left.push_back({{Reason::Undercut, kLeftForLater},
+        left.push_back({{Reason::LeftForLater, {}},
                         volume_mm3,
                         entry.top_z_mm,
                         entry.bottom_z_mm,

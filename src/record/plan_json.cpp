@@ -100,6 +100,7 @@ void addWishes(const PlanRequest& request, Json& json) {
     if (request.sequence.objective == Objective::Cost) json["objective"] = "cost";
     if (request.sequence.surrogates == SurrogateRule::Single) json["surrogates"] = "single";
     if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
+    if (!request.assign) json["reserve"] = false;
     if (request.break_edges_mm > 0) json["break_edges_mm"] = number(request.break_edges_mm);
 }
 
@@ -384,9 +385,12 @@ Json workJson(const WeighedWork& work) {
 }
 
 Json triedJson(const TriedReserve& tried) {
-    return {{"setup", tried.setup},           {"before_s", number(tried.before_s)},
-            {"with_s", number(tried.with_s)}, {"more_stays_mm3", number(tried.stays_mm3)},
-            {"taken", tried.taken},           {"work", listOf(tried.proposal.work, workJson)}};
+    return {{"setup", tried.setup},
+            {"before_s", number(tried.before_s)},
+            {"with_s", number(tried.with_s)},
+            {"more_stays_mm3", number(tried.stays_mm3)},
+            {"verdict", toString(tried.verdict)},
+            {"work", listOf(tried.proposal.work, workJson)}};
 }
 
 Json formsJson(const Plan& plan, record::FeatureTables& tables) {

@@ -276,8 +276,9 @@ RecordedRequest request(const Json& json) {
                             json.contains("surrogates") ? SurrogateRule::Single : SurrogateRule::Sequence,
                             json.value("scallop_mm", kUsualScallopMm),
                             json.value("break_edges_mm", 0.0),
+                            json.value("reserve", true),
                             json.value("stock_sizes_mm", std::vector<double>{}),
-                            json.contains("vise") ? vise(json["vise"]) : Vise{},
+                            json.contains("vise") ? std::optional(vise(json["vise"])) : std::nullopt,
                             json.value("plate_mm", kPlateThicknessMm),
                             holdKindFrom(json.value("hold", ""))};
     if (json.contains("roughing"))

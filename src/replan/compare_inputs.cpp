@@ -37,6 +37,10 @@ std::string objectiveWord(Objective objective) {
     return objective == Objective::Time ? "time" : "cost";
 }
 
+std::string reserveWord(bool reserve) {
+    return reserve ? "where it pays" : "none";
+}
+
 std::string holdWord(const std::optional<HoldKind>& hold) {
     return hold ? toString(*hold) : "what will do";
 }
@@ -60,6 +64,8 @@ std::vector<InputChange> inputChanges(const RecordedPlan& before, const Recorded
     inputs.word("held by", holdWord(was.hold), holdWord(is.hold));
     inputs.length("finish of walls", was.finish.walls_mm, is.finish.walls_mm);
     inputs.length("finish of floors", was.finish.floors_mm, is.finish.floors_mm);
+    inputs.length("edges broken by", was.break_edges_mm, is.break_edges_mm);
+    inputs.word("stock left for later setups", reserveWord(was.reserve), reserveWord(is.reserve));
     inputs.word("made least", objectiveWord(was.objective), objectiveWord(is.objective));
     return inputs.changes;
 }

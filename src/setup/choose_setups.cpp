@@ -1,5 +1,7 @@
 // Which ways up the part is machined, in which order, and from what.
 
+#include <algorithm>
+
 #include "setup/candidates.h"
 #include "setup/containment.h"
 #include "setup/cover.h"
@@ -68,9 +70,15 @@ class SetupMaker {
     std::vector<Setup> chosen() const {
         const std::vector<Vec3> axes = setup::candidateAxes(part_, request_.forbidden);
         // Which side gets the top margin depends on the first axis, and that on the stock: ask again once.
+        // Margins are told for the first axis, so it stays first.
         Choice choice = choose(axes, stockFor(axes.front()));
-        const Stock stock = stockFor(axes[choice.order.front()]);
-        if (!stock.bbox_mm.isApprox(stockFor(axes.front()).bbox_mm)) choice = choose(axes, stock);
+        const int first = choice.order.front();
+        const Stock stock = stockFor(axes[first]);
+        if (!stock.bbox_mm.isApprox(stockFor(axes.front()).bbox_mm)) {
+            choice = choose(axes, stock);
+            const auto found = std::find(choice.order.begin(), choice.order.end(), first);
+            if (found != choice.order.end()) std::rotate(choice.order.begin(), found, found + 1);
+        }
         std::vector<Setup> setups;
         for (const int index : choice.order) {
             setups.push_back(make(axes[index], stock));

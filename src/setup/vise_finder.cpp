@@ -202,7 +202,8 @@ class ViseFinder {
 
     /// The jaws reach no higher over the stock's bottom.
     double highestJaws(const Vec2& across, const Grip& grip, ViseUse use) const {
-        const double clear_mm = std::min(grip.to_mm, height_mm_ - vise_.jaw_clearance_mm);
+        const double clear_mm =
+            std::min(grip.to_mm, height_mm_ - stock_.round_top_mm - vise_.jaw_clearance_mm);
         if (use == ViseUse::GripStock) {
             const double spare_mm = stock_.under_part_mm - vise_.jaw_clearance_mm - vise_.grip_mm;
             return std::min(clear_mm, stock_.under_part_mm - vise_.jaw_clearance_mm -

@@ -42,8 +42,7 @@ class Inspector {
             remember(share, found.features[share.feature]);
         for (const std::string& remark : stage.layers.remarks)
             inspection_.warnings.push_back(stage.setup.id + ": " + remark);
-        InspectedSetup inspected{
-            stage.setup, clampingOf(stage, {}, std::nullopt, tol_), {}, found.unplanned, {}, 0};
+        InspectedSetup inspected{stage.setup, clampingOf(stage, {}, {}, tol_), {}, found.unplanned, {}, 0};
         inspected.features.resize(found.features.size());
         std::vector<std::string> failures(found.features.size());
         tbb::parallel_for(std::size_t{0}, found.features.size(), [&](std::size_t i) {

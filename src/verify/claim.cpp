@@ -238,7 +238,7 @@ class ClaimWalk {
         if (!failures_.empty()) return;
         const std::vector<Setup> setups = chooseSetups(sources_.part, setupRequest(record_, sources_));
         library_ = usedLibrary(record_, sources_.library, setups);
-        SetupWalk walk(setups, SliceOptions{}, tol_, reserves());
+        SetupWalk walk(setups, SliceOptions{}, tol_, reserves(setups));
         while (std::optional<Stage> stage = walk.next()) {
             derive(std::move(*stage), walk);
             if (!failures_.empty()) return;
@@ -251,17 +251,21 @@ class ClaimWalk {
     }
 
   private:
-    /// What is left for later setups is up to the plan: the books say whether they take it.
-    std::vector<CutPrisms> reserves() const {
+    /// What is left for later setups is up to the plan: the books say whether they take it. Their frames turn
+    /// as the setups do: in the record slanted axes are rounded.
+    std::vector<CutPrisms> reserves(const std::vector<Setup>& setups) const {
         std::vector<CutPrisms> reserves;
-        for (const RecordedSetup& setup : record_.setups)
-            reserves.push_back({setup.part_to_setup, setup.reserve});
+        for (std::size_t i = 0; i < std::min(setups.size(), record_.setups.size()); ++i) {
+            Eigen::Isometry3d frame = setups[i].part_to_setup;
+            frame.translation() = record_.setups[i].part_to_setup.translation();
+            reserves.push_back({frame, record_.setups[i].reserve});
+        }
         return reserves;
     }
 
     /// The vise and the plate are the shop's.
     void compareShop() {
-        const Vise& recorded = record_.request->vise;
+        const Vise& recorded = *record_.request->vise;
         const Vise& shop = sources_.fixtures.vise;
         const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
             return std::equal(a.begin(), a.end(), b.begin(), b.end(), sameLength);
@@ -279,7 +283,7 @@ class ClaimWalk {
     /// One setup, if it is as the record says.
     void derive(Stage stage, SetupWalk& walk) {
         const RecordedSetup& recorded = record_.setups[derived_.size()];
-        holdStage(stage, sources_.fixtures, record_.request->hold, tol_);
+        holdStage(stage, sources_.fixtures, {record_.request->hold, record_.request->break_edges_mm}, tol_);
         if (const auto& leaves = record_.request->roughing)
             stage.found = withAllowance(std::move(stage.found), *leaves, library_, record_.material, tol_);
         stage.found = renamed(std::move(stage.found), recorded.names);
@@ -305,19 +309,28 @@ class ClaimWalk {
                 derived.planned.operations.emplace_back();
                 derived.planned.operations.back().takes = record_.operations.at(id).takes;
             }
-        const auto form = record_.forms.find(formGroundId(recorded.id));
-        if (form != record_.forms.end()) {
-            verify::compareForm(form->second, nullptr, stage.setup, stage.layers, tol_, failures_);
-            derived.planned.form = form->second;
-        }
-        const auto edges = record_.forms.find(edgeGroundId(recorded.id));
-        if (edges != record_.forms.end()) {
-            const EdgeBreaks breaks(stage.layers, record_.request->break_edges_mm, tol_);
-            verify::compareForm(edges->second, &breaks, stage.setup, stage.layers, tol_, failures_);
-        }
+        compareForms(stage, recorded.id, derived.planned);
         derived.planned.setup = stage.setup;
         derived.planned.unplanned = stage.found.unplanned;
         derived.layers = std::move(stage.layers);
+    }
+
+    void compareForms(const Stage& stage, const std::string& setup_id, PlannedSetup& derived) {
+        const auto form = record_.forms.find(formGroundId(setup_id));
+        if (form != record_.forms.end()) {
+            verify::compareForm(form->second, nullptr, stage.setup, stage.layers, tol_, failures_);
+            derived.form = form->second;
+        }
+        const auto edges = record_.forms.find(edgeGroundId(setup_id));
+        if (edges == record_.forms.end()) return;
+        const double width_mm = record_.request->break_edges_mm;
+        if (width_mm <= 0 || !sameLength(edges->second.edges_mm, width_mm)) {
+            failures_.push_back(
+                {"plan.json", 0, edges->first, "breaks edges by another width than was asked for"});
+            return;
+        }
+        const EdgeBreaks breaks(stage.layers, width_mm, tol_);
+        verify::compareForm(edges->second, &breaks, stage.setup, stage.layers, tol_, failures_);
     }
 
     /// The features with the grounds that the record takes out of them: which ground is up to the plan, as
@@ -374,6 +387,9 @@ std::vector<ProofFailure> compareWithPart(const PlanRecord& record, const ClaimS
     if (!record.request)
         throw Error(ErrorCode::InvalidCatalog, "plan.json#/request",
                     "expected what was asked for; without it nothing can be derived from the part");
+    if (!record.request->vise)
+        throw Error(ErrorCode::InvalidCatalog, "plan.json#/request",
+                    "expected the shop's vise; the plan was made by an older version: plan it again");
     std::vector<ProofFailure> failures;
     if (!sameVolume(record.part_volume_mm3, sources.part.volume_mm3))
         failures.push_back({"plan.json", 0, "part",

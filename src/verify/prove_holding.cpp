@@ -56,7 +56,7 @@ class HoldingProver {
     double jawTopMm() const { return bottom_mm_ + clamping_.from_mm + clamping_.depth_mm; }
 
     void proveVise() {
-        const Vise& vise = record_.request->vise;
+        const Vise& vise = *record_.request->vise;
         if (clamping_.opening_mm > vise.opening_mm + kSameWrittenHeightMm)
             fail(fmt::format("asks for jaws {:.6g} mm open, the vise opens {:.6g} mm", clamping_.opening_mm,
                              vise.opening_mm));
@@ -76,7 +76,7 @@ class HoldingProver {
         if (clamping_.held_mm <= 0) return;
         const double top_mm = bottom_mm_ + clamping_.held_mm;
         if (clamping_.isVise() &&
-            top_mm < jawTopMm() + record_.request->vise.jaw_clearance_mm - kSameWrittenHeightMm)
+            top_mm < jawTopMm() + record_.request->vise->jaw_clearance_mm - kSameWrittenHeightMm)
             fail("holds stock that ends below the clearance over the jaws");
         const std::vector<const Fixture*> held = of(FixtureKind::HeldStock);
         const bool there = std::any_of(held.begin(), held.end(), [&](const Fixture* fixture) {
@@ -129,7 +129,7 @@ class HoldingProver {
 
 void proveHolding(const PlanRecord& record, const RecordedSetup& setup,
                   const std::vector<ReadProgram>& programs, const Tolerances& tol, Verification& into) {
-    if (!record.request || setup.clamping.text.empty()) return;
+    if (!record.request || !record.request->vise || setup.clamping.text.empty()) return;
     HoldingProver(record, setup, tol, into).prove(programs);
 }
 

@@ -42,6 +42,14 @@ inline Feature makePocket(const Region& target, double depth_mm,
     return feature;
 }
 
+/// A round hole in a block, as makePocket.
+inline Feature holeOf(double diameter_mm, double depth_mm, bool through) {
+    Feature hole = makePocket(makeCircle(Vec2(20, 20), diameter_mm / 2), depth_mm,
+                              through ? FeatureClass::HoleThrough : FeatureClass::HoleBlind);
+    hole.through = through;
+    return hole;
+}
+
 /// 70 x 50 mm, corner radius 6, a round island of 16 mm; 12 mm deep.
 inline Feature makeIslandPocket() {
     const Tolerances tol;

@@ -22,6 +22,7 @@ enum class Reason {
     Overhang,
     // In no feature otherwise.
     Undercut,             ///< the part hides it from above
+    LeftForLater,         ///< it stands for later setups, which cut it, or under what does
     Sliver,               ///< too thin for a region
     LeftByEarlierSetups,  ///< stands where no face of the part is finished from here
     // In a feature.

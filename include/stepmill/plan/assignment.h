@@ -24,6 +24,16 @@ struct ReserveProposal {
     std::vector<WeighedWork> work;  ///< by feature, then setup
 };
 
+/// What became of a proposal that was planned, by the first that is so.
+enum class Verdict {
+    SavesTooLittle,  ///< or takes longer
+    MoreSetups,
+    HeldWorse,  ///< a setup or a piece of it
+    MoreStays,
+    Taken
+};
+std::string toString(Verdict verdict);
+
 /// A proposal that was planned.
 struct TriedReserve {
     std::string setup;  ///< that would leave stock
@@ -31,7 +41,7 @@ struct TriedReserve {
     double before_s = 0;   ///< the whole plan without it, with setup times
     double with_s = 0;     ///< and with it
     double stays_mm3 = 0;  ///< more than without it
-    bool taken = false;
+    Verdict verdict = Verdict::SavesTooLittle;
 };
 
 /// Which setup cuts what.

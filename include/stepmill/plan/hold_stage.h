@@ -8,16 +8,21 @@
 
 namespace stepmill {
 
+/// What is asked for of how setups are held that the shop's file does not name.
+struct HoldRequest {
+    std::optional<HoldKind> kind;  ///< nothing: the first that will do
+    double break_edges_mm = 0;     ///< edges that are broken want room above the jaws; 0: they stay sharp
+};
+
 /// How the stage is to be held: as the shop's file says of its setup, else as suggestClamping() finds.
-/// \param kind  asked for; nothing: the first that will do
-Clamping clampingOf(const Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind,
+Clamping clampingOf(const Stage& stage, const FixtureFile& shop, const HoldRequest& asked,
                     const Tolerances& tol);
 
 /// Holds the stage: its clamping; its fixtures as the file says of its setup, grown, or the vise's jaws and
 /// the stock they hold; its features without what is held (withHeldStock()). Fixtures stand beside and on the
-/// stock as it is said to be and as large as it may be. \throws Error(Usage) for a fixture that stands in the
-/// stock.
-void holdStage(Stage& stage, const FixtureFile& shop, std::optional<HoldKind> kind, const Tolerances& tol);
+/// stock as it is said to be and as large as it may be.
+/// \throws Error(Usage) for a fixture that stands in the stock
+void holdStage(Stage& stage, const FixtureFile& shop, const HoldRequest& asked, const Tolerances& tol);
 
 /// Height of the highest over the stock's top; 0 where none stands over it [mm].
 double highestFixtureMm(const std::vector<Fixture>& fixtures);

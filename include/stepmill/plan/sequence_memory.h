@@ -20,13 +20,13 @@ class SequenceMemory {
     using Make = std::function<ToolSequence()>;
 
     /// What `make` gives, or gave for a feature with the same geometry, the same tools and options; the names
-    /// of features and the deadline may differ. \throws what `make` does, which is then asked again the next
-    /// time
+    /// of features and the deadline may differ.
+    /// \throws what `make` does, which is then asked again the next time
     ToolSequence sequence(const Feature& feature, const ToolLibrary& library, const SequenceOptions& options,
                           const Make& make);
 
-    /// Forgets what neither of the last two plans asked for: sequences hold all that was weighed for them,
-    /// megabytes each. Two, as one that is turned down comes between two that are alike.
+    /// Forgets what none of the last few plans asked for: sequences hold all that was weighed for them,
+    /// megabytes each.
     void beginPlan();
 
   private:

@@ -26,9 +26,6 @@ struct Stage {
     double air_mm3 = 0;
 };
 
-/// Of the undercut volumes of a stage those that its reserve hides have this detail.
-inline constexpr const char* kLeftForLater = "by what is left for later setups";
-
 /// Air among a stage's volumes: what slabs of stock whose walls lean cover beyond the stock [mm3].
 struct StageAir {
     double hull_mm3 = 0;       ///< all of it
@@ -70,13 +67,15 @@ class SetupWalk {
     SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol,
               std::vector<CutPrisms> reserves = {});
 
-    /// The next setup; nothing after the last. \throws what slice and recogniseFeatures do
+    /// The next setup; nothing after the last.
+    /// \throws what slice and recogniseFeatures do
     std::optional<Stage> next();
     /// How many setups it has not looked at yet.
     std::size_t setupsLeft() const { return setups_.size() - next_; }
 
     /// Cuts from the stock what the stage really takes away. A stock that cannot be made stays as it arrived,
-    /// with a remark. \param removed  in setup coordinates
+    /// with a remark.
+    /// \param removed  in setup coordinates
     StockStep cut(const Stage& stage, const std::vector<Prism>& removed);
 
     /// What is left of the stock so far, in part coordinates.

@@ -59,8 +59,9 @@ struct RecordedRequest {
     SurrogateRule surrogates = SurrogateRule::Sequence;
     double scallop_mm = kUsualScallopMm;
     double break_edges_mm = 0;
+    bool reserve = true;                 ///< PlanRequest::assign
     std::vector<double> stock_sizes_mm;  ///< SetupRequest::stock_sizes_mm
-    Vise vise;
+    std::optional<Vise> vise;            ///< of plans of older versions none
     double plate_mm = kPlateThicknessMm;
     std::optional<HoldKind> hold;  ///< PlanRequest::hold
 };

@@ -4,14 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <optional>
 #include <utility>
 
 #include "plan/assignment/propose_reserve.h"
-#include "stepmill/core/error.h"
+#include "stepmill/core/enum_words.h"
 
 namespace stepmill {
 namespace {
+
+constexpr EnumWord<Verdict> kVerdicts[] = {{Verdict::SavesTooLittle, "saves too little"},
+                                           {Verdict::MoreSetups, "more setups"},
+                                           {Verdict::HeldWorse, "held worse"},
+                                           {Verdict::MoreStays, "more stays"},
+                                           {Verdict::Taken, "taken"}};
 
 /// Two plans' books differ by so much of stock minus part where cuts are seen from the side, whatever stays.
 constexpr double kBooksNoiseShare = 1e-6;
@@ -26,18 +33,36 @@ auto unheld(const CutSetups& cut) {
                          [](const PlannedSetup& setup) { return setup.clamping.kind == HoldKind::None; });
 }
 
-/// Is it clearly shorter, or cheaper if plans are made by cost, with no more setups, held as well, and no
-/// more that stays?
-bool isBetter(const CutSetups& cut, const CutSetups& than, Objective objective) {
+std::size_t loosePieces(const CutSetups& cut) {
+    std::size_t sum = 0;
+    for (const PlannedStage& stage : cut.stages)
+        sum += stage.loose.size();
+    return sum;
+}
+
+/// Do clamps that a shop's file gives by the setups' numbers stand in the same setups?
+bool clampedAlike(const CutSetups& cut, const CutSetups& than, const FixtureFile& shop) {
+    if (shop.setups.empty()) return true;
+    return std::equal(cut.stages.begin(), cut.stages.end(), than.stages.begin(), than.stages.end(),
+                      [](const PlannedStage& a, const PlannedStage& b) { return a.place == b.place; });
+}
+
+/// A trial is taken if it is clearly shorter, or cheaper if plans are made by cost, with no more setups, held
+/// as well, and if no more stays.
+Verdict verdictOn(const CutSetups& cut, const CutSetups& than, const PlanRequest& request) {
     const auto weight = [&](const PlanTotals& totals) {
-        return objective == Objective::Time ? totals.motion_s : totals.cost;
+        return request.sequence.objective == Objective::Time ? totals.motion_s : totals.cost;
     };
     const double noise_mm3 =
         std::max(kVolumeRoundingMm3, kBooksNoiseShare * than.balance.stock_minus_part_mm3);
     const double may_stay_mm3 = than.leftMm3() + std::max(noise_mm3, kMoreMayStayShare * than.leftMm3());
-    return cut.setups.size() <= than.setups.size() && unheld(cut) <= unheld(than) &&
-           weight(cut.totals) < kWorthChanging * weight(than.totals) && cut.leftMm3() <= may_stay_mm3 &&
-           std::abs(cut.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
+    if (weight(cut.totals) >= kWorthChanging * weight(than.totals)) return Verdict::SavesTooLittle;
+    if (cut.setups.size() > than.setups.size()) return Verdict::MoreSetups;
+    if (unheld(cut) > unheld(than) || loosePieces(cut) > loosePieces(than) ||
+        !clampedAlike(cut, than, request.fixtures))
+        return Verdict::HeldWorse;
+    const bool books_close = std::abs(cut.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
+    return cut.leftMm3() > may_stay_mm3 || !books_close ? Verdict::MoreStays : Verdict::Taken;
 }
 
 /// The setups as they would be cut if one of them left stock.
@@ -47,15 +72,22 @@ struct Trial {
     CutSetups cut;
 };
 
+/// Trials end when few tools would begin to be weighed: what comes after the choice needs that time.
+PlanRequest withoutSpareTime(PlanRequest request) {
+    request.patience.few_tools = request.patience.all_tools;
+    return request;
+}
+
+PlanningShop tryingOut(const PlanRequest& request, const PlanningShop& shop) {
+    return {request,     shop.library, shop.smaller, shop.wishes,
+            shop.drills, shop.machine, shop.tol,     shop.memory};
+}
+
 class Trials {
   public:
-    Trials(const std::vector<Setup>& setups, double stock_minus_part_mm3, const PlanningShop& shop,
+    Trials(const std::vector<Setup>& setups, double stock_minus_part_mm3, PlanningShop shop,
            const Progress& progress)
         : setups_(setups), stock_minus_part_mm3_(stock_minus_part_mm3), shop_(shop), progress_(progress) {}
-
-    CutSetups cut(const std::vector<CutPrisms>& reserves) const {
-        return cutSetups(setups_, reserves, stock_minus_part_mm3_, shop_, progress_);
-    }
 
     /// What the i-th of the setups that cut might leave; nothing where it is not worth a trial. A trial that
     /// cannot be planned must not lose the plan there is.
@@ -64,12 +96,16 @@ class Trials {
         const std::size_t place = best.stages[i].place;
         if (progress_) progress_("what " + best.setups[i].setup.id + " might leave for later setups", 1);
         try {
-            auto proposal = proposeReserve(best.setups[i], best.stages[i].layers, setups_, place, shop_);
+            // A setup that has nothing to cut would be one more.
+            std::vector<std::size_t> later;
+            for (std::size_t after = i + 1; after < best.stages.size(); ++after)
+                later.push_back(best.stages[after].place);
+            auto proposal = proposeReserve(best.setups[i], best.stages[i].layers, setups_, later, shop_);
             if (!proposal) return std::nullopt;
             reserves[place] = proposal->reserve;
-            CutSetups made = cut(reserves);
+            CutSetups made = cutSetups(setups_, reserves, stock_minus_part_mm3_, shop_, progress_);
             return Trial{std::move(*proposal), std::move(reserves), std::move(made)};
-        } catch (const Error&) {
+        } catch (const std::exception&) {
             return std::nullopt;
         }
     }
@@ -77,27 +113,32 @@ class Trials {
   private:
     const std::vector<Setup>& setups_;
     double stock_minus_part_mm3_;
-    const PlanningShop& shop_;
+    PlanningShop shop_;
     const Progress& progress_;
 };
 
 }  // namespace
 
+std::string toString(Verdict verdict) {
+    return wordOf(kVerdicts, verdict);
+}
+
 CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_part_mm3,
                            const PlanningShop& shop, const Progress& progress, Assignment& assignment) {
     const PlanRequest& request = shop.request;
-    const Trials trials(setups, stock_minus_part_mm3, shop, progress);
     assignment.reserves.resize(setups.size());
-    CutSetups best = trials.cut(assignment.reserves);
+    CutSetups best = cutSetups(setups, assignment.reserves, stock_minus_part_mm3, shop, progress);
     if (request.assignment || !request.assign || request.roughing) return best;
+    const PlanRequest hasty = withoutSpareTime(request);
+    const Trials trials(setups, stock_minus_part_mm3, tryingOut(hasty, shop), progress);
     for (std::size_t i = 0; i < best.stages.size() && !request.patience.all_tools.passed(); ++i) {
         std::optional<Trial> trial = trials.leaving(best, i, assignment.reserves);
         if (!trial) continue;
-        const bool taken = isBetter(trial->cut, best, request.sequence.objective);
+        const Verdict verdict = verdictOn(trial->cut, best, request);
         assignment.tried.push_back({best.setups[i].setup.id, std::move(trial->proposal), best.totals.motion_s,
                                     trial->cut.totals.motion_s, trial->cut.leftMm3() - best.leftMm3(),
-                                    taken});
-        if (!taken) continue;
+                                    verdict});
+        if (verdict != Verdict::Taken) continue;
         best = std::move(trial->cut);
         assignment.reserves = std::move(trial->reserves);
     }

@@ -1,6 +1,7 @@
 #include "plan/assignment/propose_reserve.h"
 
 #include <algorithm>
+#include <exception>
 #include <map>
 #include <set>
 #include <tuple>
@@ -10,7 +11,6 @@
 #include "plan/assignment/best_closure.h"
 #include "plan/assignment/shared_cells.h"
 #include "plan/retract.h"
-#include "stepmill/core/error.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/stages.h"
 
@@ -39,18 +39,21 @@ bool isDrilled(const ToolSequence& sequence) {
                        [](const SequenceStep& step) { return step.role == Role::Drill; });
 }
 
-/// The setups after a place, as they would find the stock if that setup cut nothing.
-std::vector<LateBand> lateBands(const Stock& arrives, const std::vector<Setup>& setups, std::size_t place,
-                                const PlanningShop& shop) {
-    std::vector<Setup> later(setups.begin() + static_cast<std::ptrdiff_t>(place) + 1, setups.end());
-    later.front() = onStock(later.front(), arrives);
-    SetupWalk walk(later, shop.request.slicing, shop.tol);
+/// The later setups, as they would find the stock if it came to them as it arrives at an earlier one.
+std::vector<LateBand> lateBands(const Stock& arrives, const std::vector<Setup>& setups,
+                                const std::vector<std::size_t>& later, const PlanningShop& shop) {
+    std::vector<Setup> walked;
+    for (const std::size_t place : later)
+        walked.push_back(setups[place]);
+    walked.front() = onStock(walked.front(), arrives);
+    SetupWalk walk(std::move(walked), shop.request.slicing, shop.tol);
     std::vector<LateBand> bands;
     while (const std::optional<Stage> stage = walk.next()) {
+        shop.request.patience.all_tools.check(stage->setup.id);
         const double least_mm3 = kLeastBandShare * stage->setup.removable_mm3;
         for (Feature& band : inBands(stage->found.features, shop.library, shop.request.sequence.material))
             if (band.volume_mm3 >= least_mm3)
-                bands.push_back({place + 1 + stage->place, stage->setup.part_to_setup, std::move(band), 0});
+                bands.push_back({later[stage->place], stage->setup.part_to_setup, std::move(band), 0});
         walk.cut(*stage, featurePrisms(stage->found));
     }
     return bands;
@@ -68,7 +71,7 @@ bool weigh(LateBand& band, const Setup& setup, const PlanningShop& shop) {
         band.weight = pathSeconds(sequence, shop.machine);
         return !sequence.steps.empty() && !isDrilled(sequence) &&
                residualVolumeMm3(sequence) <= kMostLeftShare * band.feature.volume_mm3;
-    } catch (const Error&) {
+    } catch (const std::exception&) {
         return false;  // a setup that cannot is not asked to
     }
 }
@@ -145,9 +148,10 @@ std::vector<WeighedWork> workOf(const std::vector<SharedCell>& cells, const std:
 }  // namespace
 
 std::optional<ReserveProposal> proposeReserve(const PlannedSetup& planned, const LayerStack& layers,
-                                              const std::vector<Setup>& setups, std::size_t place,
+                                              const std::vector<Setup>& setups,
+                                              const std::vector<std::size_t>& later,
                                               const PlanningShop& shop) {
-    if (place + 1 >= setups.size()) return std::nullopt;
+    if (later.empty()) return std::nullopt;
     std::vector<EarlyBand> early;
     double most_s = 0;
     for (const PlannedFeature& feature : planned.features) {
@@ -158,8 +162,9 @@ std::optional<ReserveProposal> proposeReserve(const PlannedSetup& planned, const
     }
     if (most_s < kLeastGainS) return std::nullopt;
     const std::vector<LateBand> late =
-        weighed(lateBands(planned.setup.stock, setups, place, shop), setups, shop);
-    const std::vector<SharedCell> cells = sharedCells(planned.setup, layers, early, late, shop.tol);
+        weighed(lateBands(planned.setup.stock, setups, later, shop), setups, shop);
+    const std::vector<SharedCell> cells =
+        sharedCells(planned.setup, layers, early, late, shop.request.patience.all_tools, shop.tol);
     const std::vector<bool> left = worthLeaving(cells, late);
     ReserveProposal proposal;
     proposal.gain_s = gainOf(cells, left);

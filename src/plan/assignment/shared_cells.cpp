@@ -61,8 +61,13 @@ Region wideComponents(const Region& region, const Tolerances& tol) {
 class CellFinder {
   public:
     CellFinder(const Setup& setup, const LayerStack& layers, const std::vector<EarlyBand>& early,
-               const std::vector<LateBand>& late, const Tolerances& tol)
-        : early_(early), late_(late), tol_(tol), by_price_(late.size()) {
+               const std::vector<LateBand>& late, const Deadline& deadline, const Tolerances& tol)
+        : setup_id_(setup.id),
+          early_(early),
+          late_(late),
+          deadline_(deadline),
+          tol_(tol),
+          by_price_(late.size()) {
         std::vector<double> heights;
         for (const EarlyBand& band : early)
             heights.insert(heights.end(), {band.feature->top_z_mm, band.feature->floor_z_mm});
@@ -82,6 +87,7 @@ class CellFinder {
         Region must_go;  // of the layers below, this setup alone
         std::vector<SharedCell> from_below;
         for (std::size_t i = layers_.layers.size(); i-- > 0;) {
+            deadline_.check("what " + setup_id_ + " might leave");
             const Layer& layer = layers_.layers[i];
             std::vector<SharedCell> cells = cellsIn(layer, must_go);
             must_go = withOwn(std::move(must_go), layer, cells);
@@ -89,8 +95,7 @@ class CellFinder {
         }
         std::vector<SharedCell> cells(std::make_move_iterator(from_below.rbegin()),
                                       std::make_move_iterator(from_below.rend()));
-        for (std::size_t i = 0; i < cells.size(); ++i)
-            cells[i].below = below(cells, i);
+        findBelow(cells);
         return cells;
     }
 
@@ -135,31 +140,43 @@ class CellFinder {
                 {}};
     }
 
-    /// What must go with what of the layer no cell holds.
+    /// What must go with what the setup's bands take of the layer and no cell holds.
     Region withOwn(Region must_go, const Layer& layer, const std::vector<SharedCell>& cells) const {
-        Region own = subtract(layer.stock, layer.shadow, tol_);
+        std::vector<Region> taken;
+        for (const EarlyBand& band : early_)
+            if (holdsLayer(*band.feature, layer)) taken.push_back(band.feature->target);
+        if (taken.empty()) return must_go;
+        Region own = intersect(subtract(layer.stock, layer.shadow, tol_), unite(taken, tol_), tol_);
         for (const SharedCell& cell : cells)
             own = subtract(own, cell.prism.region, tol_);
         if (feature::isSliver(own, tol_)) return must_go;
         return must_go.empty() ? own : unite(must_go, own, tol_);
     }
 
-    /// All cells under the one at that place.
-    std::vector<std::size_t> below(const std::vector<SharedCell>& cells, std::size_t at) const {
-        const Prism& over = cells[at].prism;
-        const Box2 box = boundingBox(over.region);
-        std::vector<std::size_t> found;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const Prism& under = cells[i].prism;
-            if (under.top_z_mm > over.bottom_z_mm + kSameHeightMm) continue;
-            if (!box.intersects(boundingBox(under.region))) continue;
-            if (!feature::isSliver(intersect(over.region, under.region, tol_), tol_)) found.push_back(i);
+    /// Says of each which cells are under it: those that others of them are under are left out, as these stay
+    /// where they stay.
+    void findBelow(std::vector<SharedCell>& cells) const {
+        std::vector<Box2> boxes;
+        for (const SharedCell& cell : cells)
+            boxes.push_back(boundingBox(cell.prism.region));
+        for (std::size_t over = 0; over < cells.size(); ++over) {
+            Region bare = cells[over].prism.region;
+            for (std::size_t i = over + 1; i < cells.size() && !bare.empty(); ++i) {
+                const Prism& under = cells[i].prism;
+                if (under.top_z_mm > cells[over].prism.bottom_z_mm + kSameHeightMm) continue;
+                if (!boxes[over].intersects(boxes[i])) continue;
+                if (feature::isSliver(intersect(bare, under.region, tol_), tol_)) continue;
+                cells[over].below.push_back(i);
+                bare = subtract(bare, under.region, tol_);
+                if (feature::isSliver(bare, tol_)) bare = {};
+            }
         }
-        return found;
     }
 
+    std::string setup_id_;
     const std::vector<EarlyBand>& early_;
     const std::vector<LateBand>& late_;
+    Deadline deadline_;
     const Tolerances& tol_;
     LayerStack layers_;
     std::vector<StockSections> without_;  ///< of each later band
@@ -170,8 +187,8 @@ class CellFinder {
 
 std::vector<SharedCell> sharedCells(const Setup& setup, const LayerStack& layers,
                                     const std::vector<EarlyBand>& early, const std::vector<LateBand>& late,
-                                    const Tolerances& tol) {
-    return CellFinder(setup, layers, early, late, tol).run();
+                                    const Deadline& deadline, const Tolerances& tol) {
+    return CellFinder(setup, layers, early, late, deadline, tol).run();
 }
 
 std::vector<Prism> prismsOf(const std::vector<SharedCell>& cells, const std::vector<bool>& chosen,

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "stepmill/core/deadline.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/layers/layer_stack.h"
@@ -13,7 +14,7 @@ namespace stepmill {
 /// A band of the setup that comes first, with what its paths take.
 struct EarlyBand {
     const Feature* feature = nullptr;
-    double weight = 0;     ///< seconds or money, without tool changes
+    double weight = 0;     ///< seconds, without tool changes
     bool drilled = false;  ///< a drill makes it, from one side
 };
 
@@ -22,7 +23,7 @@ struct LateBand {
     std::size_t setup = 0;  ///< its place among all setups
     Eigen::Isometry3d part_to_setup = Eigen::Isometry3d::Identity();
     Feature feature;
-    double weight = 0;  ///< seconds or money of its paths, without tool changes
+    double weight = 0;  ///< seconds of its paths, without tool changes
 };
 
 /// A piece of removal that two setups reach: of one layer of the earlier one, in one band of each.
@@ -32,18 +33,21 @@ struct SharedCell {
     std::size_t late = 0;   ///< place of the later one's
     double early_weight = 0;
     double late_weight = 0;
-    std::vector<std::size_t> below;  ///< cells under it: they stay where it stays
+    /// Cells under it that stay where it stays; without those that are under one of them.
+    std::vector<std::size_t> below;
 };
 
 /// The cells of a setup, from above to below. Each has its share of its bands' weights, by volume; where
 /// several later bands reach a place it is the one's that takes least for its volume.
 ///
 /// No cell lies over what the setup alone must cut, drilled holes among it: a cutter from above would not get
-/// there. Cells nowhere wider than kThinnestReserveMm are none: what stands must stand firmly. \param layers
-/// of the earlier setup, without a reserve \note O(layers x bands of both) Booleans.
+/// there. Cells nowhere wider than kThinnestReserveMm are none: what stands must stand firmly.
+/// \param layers  of the earlier setup, without a reserve
+/// \throws Error(TimedOut) after the deadline
+/// \note O(layers x bands of both + pairs of cells over one another) Booleans.
 std::vector<SharedCell> sharedCells(const Setup& setup, const LayerStack& layers,
                                     const std::vector<EarlyBand>& early, const std::vector<LateBand>& late,
-                                    const Tolerances& tol);
+                                    const Deadline& deadline, const Tolerances& tol);
 
 /// What stands for later setups must be this wide somewhere [mm].
 inline constexpr double kThinnestReserveMm = 2;

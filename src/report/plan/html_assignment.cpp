@@ -5,7 +5,6 @@
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/plan/html_sections.h"
-#include "stepmill/plan/stages.h"
 
 namespace stepmill::report {
 namespace {
@@ -13,7 +12,7 @@ namespace {
 double leftForLaterMm3(const PlannedSetup& setup) {
     double sum_mm3 = 0;
     for (const Unplanned& entry : setup.unplanned)
-        if (entry.reason == StayReason{Reason::Undercut, kLeftForLater}) sum_mm3 += entry.volume_mm3;
+        if (entry.reason == Reason::LeftForLater) sum_mm3 += entry.volume_mm3;
     return sum_mm3;
 }
 
@@ -29,8 +28,8 @@ Element setupsTable(const ReportSubject& subject) {
 }
 
 std::string outcomeWords(const TriedReserve& tried) {
-    if (tried.taken) return "taken";
-    return tried.with_s < tried.before_s ? "turned down: more would stay" : "turned down: it takes longer";
+    const std::string verdict = toString(tried.verdict);
+    return tried.verdict == Verdict::Taken ? verdict : "turned down: " + verdict;
 }
 
 /// A plan with and without it, and each piece of work that it is about.

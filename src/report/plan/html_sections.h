@@ -29,13 +29,16 @@ Anchor operationAnchor(const std::string& operation_id);
 /// The section of what an operation works on: its feature, or its setup's leaning walls.
 Anchor workAnchor(const Operation& operation);
 
-/// What each setup cuts and what it leaves for later ones, and what of that was weighed; nothing of one setup.
+/// What each setup cuts and what it leaves for later ones, and what of that was weighed; nothing of one
+/// setup.
 std::optional<Element> assignmentSection(const ReportSubject& subject);
 
-/// What form cutters take off leaning walls, and their passes. \pre setup.form
+/// What form cutters take off leaning walls, and their passes.
+/// \pre setup.form
 Element formSection(const ReportSubject& subject, const PlannedSetup& setup);
 
-/// Which edges are broken, and which stay sharp. \pre setup.edges
+/// Which edges are broken, and which stay sharp.
+/// \pre setup.edges
 Element edgeSection(const ReportSubject& subject, const PlannedSetup& setup);
 
 /// Views, the setup sheet with its features, tools and operations, then each feature.

@@ -90,8 +90,11 @@ TEST_P(SameBytes, ForOneThreadAndForAll) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(SampleParts, SameBytes, testing::ValuesIn(expectedOf("step_parts")),
-                         [](const auto& row) { return testName(row.param); });
+const auto kPartName = [](const auto& row) { return testName(row.param); };
+INSTANTIATE_TEST_SUITE_P(SampleParts, SameBytes,
+                         testing::ValuesIn(withSlowProofs(expectedOf("step_parts"), false)), kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, SameBytes, testing::ValuesIn(withSlowProofs(expectedOf("step_parts"), true)),
+                         kPartName);
 
 TEST_F(CommandLine, RefusesAMissingFile) {
     expectRefused(plan({file("no.step").string(), "-o", out_.string()}), out_, {"no.step"});

@@ -127,7 +127,7 @@ class HeldRun {
         const Clamping& held = setup_.clamping;
         if (!held.isVise()) return;
         EXPECT_GE(gripLeft(stock_, setup_),
-                  held.from_mm + held.depth_mm + record_.request->vise.jaw_clearance_mm - kFlushMm)
+                  held.from_mm + held.depth_mm + record_.request->vise->jaw_clearance_mm - kFlushMm)
             << after;
         EXPECT_EQ(pieces(stock_, bottomMm()).size(), 1U) << "something falls loose in " << after;
     }

@@ -402,7 +402,7 @@ const std::vector<Weakening> kWeakenings{
     {"a vise with less grip", [](Json& plan) { plan["request"]["vise"]["grip_mm"] = 1; }},
     {"a thicker plate", [](Json& plan) { plan["request"]["plate_mm"] = 90; }},
     {"held by other means", [](Json& plan) { plan["request"]["hold"] = "plate"; }},
-    {"another blank", [](Json& plan) { plan["request"]["stock_sizes_mm"] = {37.0}; }},
+    {"another blank", [](Json& plan) { plan["request"]["stock_sizes_mm"] = {45.0}; }},
     {"fixture file as it were",
      [](Json& plan) {
          plan["request"]["fixtures"] = {{"file", "clamps.json"}, {"sha256", std::string(64, 'a')}};

@@ -97,14 +97,16 @@ TEST(DecomposedArea, OfASlotWiderThanOnlyTheSecondToolIsTheSlot) {
 TEST(DecomposedArea, CountsNoGroundAsClearedThatNoPassReaches) {
     // Beside the island's corner the way narrows to the first tool's own width, 2 mm, at x = 20. Its strip of
     // centres is half a sliver wide 0.09 mm before that: no pass goes on from there.
+    Tolerances no_fit = kTol;
+    no_fit.fit_mm = 0;  // else the way is a slot, and the tool goes along its middle
     const Region island = makeRoundedRectangle({16, 10}, {50, 28}, 4);
     const Region pocket = subtract(makeRectangle({0, 0}, {66, 30}), island, kTol);
-    const CutterArea m = access(FeatureGround(closedPocket(pocket), kTol), 2);
+    const CutterArea m = access(FeatureGround(closedPocket(pocket), no_fit), 2);
     ASSERT_TRUE(contains(m.free_centres, {20 - 0.03, 29 - 4e-5})) << "reached on paper";
     for (const double open_mm : {0.0, 10.0}) {
         Feature feature = closedPocket(pocket);
         feature.open_length_mm = open_mm;
-        const FeatureGround ground(feature, kTol);
+        const FeatureGround ground(feature, no_fit);
         const CutterArea first = access(ground, 2);
         const DecomposedArea d = decomposedArea(ground, &first, access(ground, 1.5));
         const Vec2 beside_the_island(20, 28.7501);

@@ -78,11 +78,16 @@ TEST(ToolReach, IsEmptyWhenToolIsWiderThanSlot) {
     EXPECT_NEAR(ground.widestCutterMm(), 10, 1e-3);
 }
 
-TEST(ToolReach, IsEmptyWhenToolIsExactlyAsWideAsASlot) {
-    const FeatureGround ground(closedPocket(makeRoundedRectangle({0, 0}, {60, 10}, 2)), kTol);
-    const ToolReach found = access(ground, endMill(10));
-    ASSERT_TRUE(found.exclusion());
-    EXPECT_EQ(found.exclusion()->reason, ExclusionReason::TooWide);
+TEST(ToolReach, IsTheMiddleOfASlotExactlyAsWideAsTheTool) {
+    const Feature slot = closedPocket(makeRoundedRectangle({0, 0}, {60, 10}, 2));
+    const ToolReach found = access(FeatureGround(slot, kTol), endMill(10));
+    ASSERT_FALSE(found.exclusion());
+    EXPECT_EQ(found.cutter.slot_middles.size(), 1U);
+    Tolerances no_fit = kTol;
+    no_fit.fit_mm = 0;
+    const ToolReach none = access(FeatureGround(slot, no_fit), endMill(10));
+    ASSERT_TRUE(none.exclusion());
+    EXPECT_EQ(none.exclusion()->reason, ExclusionReason::TooWide);
 }
 
 TEST(ToolReach, CoversAShoulderNarrowerThanTheCutterFromOutside) {

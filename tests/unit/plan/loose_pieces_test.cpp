@@ -12,7 +12,7 @@ namespace {
 
 using test::kTol;
 
-const Region kBlock = makeRectangle({0, 0}, {80, 50});
+const Region kBlank = makeRectangle({0, 0}, {80, 50});
 const Region kRing = subtract(makeRectangle({20, 15}, {60, 35}), makeRectangle({25, 20}, {55, 30}), kTol);
 
 /// A block of 80 x 50 x 20 mm between jaws at y = 0 and y = 50.
@@ -21,7 +21,7 @@ Stage inVise() {
     stage.setup.id = "S1";
     stage.layers.layers.resize(1);
     stage.layers.layers[0].bottom_z_mm = -20;
-    stage.layers.layers[0].stock = kBlock;
+    stage.layers.layers[0].stock = kBlank;
     stage.layers.stock_bottom_z_mm = -20;
     stage.clamping.kind = HoldKind::Vise;
     stage.clamping.fixtures = {{"vise jaw", makeRectangle({-30, -40}, {110, 0}), -50, -10, FixtureKind::Jaw},
@@ -39,7 +39,7 @@ TEST(LoosePieces, AreWhatARingCutsOut) {
     ASSERT_EQ(loose.size(), 1U);
     EXPECT_NEAR(loose.front().volume_mm3, 30 * 10 * 20, 1e-6);
     EXPECT_NEAR(loose.front().at.x(), 40, 1e-6);
-    const std::vector<Warning> warnings = looseWarnings(inVise(), {{kRing, 0, -20}}, kTol);
+    const std::vector<Warning> warnings = looseWarnings(loose, "S1");
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_EQ(warnings.front().code, "loose");
     EXPECT_EQ(warnings.front().subject, "S1");

@@ -60,15 +60,17 @@ TEST_F(SequenceMemoryTest, TellsFeaturesToolsAndOptionsApart) {
     EXPECT_FALSE(isMade(pocket_));
 }
 
-TEST_F(SequenceMemoryTest, ForgetsWhatTwoPlansDidNotAskFor) {
-    memory_.beginPlan();
+TEST_F(SequenceMemoryTest, ForgetsWhatTheLastPlansDidNotAskFor) {
+    constexpr int kKept = 4;
+    const auto plans = [&](int count) {
+        for (int i = 0; i < count; ++i)
+            memory_.beginPlan();
+    };
+    plans(1);
     EXPECT_TRUE(isMade(pocket_));
-    memory_.beginPlan();
-    memory_.beginPlan();
+    plans(kKept);
     EXPECT_FALSE(isMade(pocket_));
-    memory_.beginPlan();
-    memory_.beginPlan();
-    memory_.beginPlan();
+    plans(kKept + 1);
     EXPECT_TRUE(isMade(pocket_));
 }
 

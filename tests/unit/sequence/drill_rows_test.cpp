@@ -11,13 +11,6 @@
 namespace stepmill::test {
 namespace {
 
-Feature holeOf(double diameter_mm, double depth_mm, bool through) {
-    Feature hole = makePocket(makeCircle(Vec2(20, 20), diameter_mm / 2), depth_mm,
-                              through ? FeatureClass::HoleThrough : FeatureClass::HoleBlind);
-    hole.through = through;
-    return hole;
-}
-
 TEST(DrillRows, TellWhichHolesADrillMakesAndWhichItStarts) {
     const std::vector<Feature> features{holeOf(8, 10, true), holeOf(8, 10, false), holeOf(20, 10, true),
                                         makePocket(makeRectangle(Vec2(0, 0), Vec2(30, 30)), 5)};

@@ -13,13 +13,6 @@
 namespace stepmill::test {
 namespace {
 
-Feature holeOf(double diameter_mm, double depth_mm, bool through) {
-    Feature hole = makePocket(makeCircle(Vec2(20, 20), diameter_mm / 2), depth_mm,
-                              through ? FeatureClass::HoleThrough : FeatureClass::HoleBlind);
-    hole.through = through;
-    return hole;
-}
-
 ToolSequence sequenceOf(const Feature& hole, std::vector<ToolAssembly> tools) {
     return sequenceTools(hole, makeLibrary(std::move(tools)), makeMachine(), inAluminium(), kTol);
 }

@@ -64,8 +64,10 @@ TEST(SequenceTools, NamesTheEndOfANeckThatNoPassReaches) {
     // gets there; passes end where the strip of centres is a sliver wide.
     const Region island = makeRoundedRectangle({16, 10}, {50, 28}, 4);
     const Feature pocket = makePocket(subtract(makeRectangle({0, 0}, {66, 30}), island, kTol), 2);
+    Tolerances no_fit = kTol;
+    no_fit.fit_mm = 0;  // else the neck is a slot, and the cutter goes along its middle
     const ToolSequence sequence =
-        sequenceTools(pocket, makeLibrary({makeMill(2)}), makeMachine(), inAluminium(), kTol);
+        sequenceTools(pocket, makeLibrary({makeMill(2)}), makeMachine(), inAluminium(), no_fit);
     const auto names = [&](const Vec2& at) {
         return std::any_of(sequence.residual.begin(), sequence.residual.end(),
                            [&](const Residual& residual) { return contains(residual.region, at); });

@@ -165,3 +165,14 @@ TEST(ChooseSetups, MachinesAllRoundAStockWithMargins) {
     const std::vector<stepmill::Setup> setups = chooseSetups(part(box(0, 0, 0, 60, 50, 30)), request);
     EXPECT_EQ(axesOf(setups), (Names{"+z", "-z"}));
 }
+
+TEST(ChooseSetups, GivesTheTopMarginToTheFirstSetup) {
+    SetupRequest request;
+    request.margin = {2, 1, 10};  // there is more to cut from below
+    const Part block = part(box(0, 0, 0, 60, 50, 30));
+    const std::vector<stepmill::Setup> setups = chooseSetups(block, request);
+    ASSERT_EQ(setups.size(), 2U);
+    const auto& to_setup = setups.front().part_to_setup;
+    const double top_mm = std::max((to_setup * Vec3(30, 25, 0)).z(), (to_setup * Vec3(30, 25, 30)).z());
+    EXPECT_NEAR(top_mm, -1, 1e-6);
+}

@@ -44,8 +44,8 @@ double levelMm(const Toolpath& path) {
 
 Toolpath pathIn(const Feature& feature, const FeatureGround& ground, const CutterArea& area) {
     ClearingTask task = test::taskOf(feature, area, decomposedArea(ground, nullptr, area), kMachine);
-    const Toolpath path = clearArea(task, endMill(2 * area.radius_mm), test::cuttingData(0.4 * area.radius_mm, 3),
-                                    kMachine, kTol);
+    const Toolpath path = clearArea(task, endMill(2 * area.radius_mm),
+                                    test::cuttingData(0.4 * area.radius_mm, 3), kMachine, kTol);
     EXPECT_GE(prove(path, task, area.radius_mm, kTol).least_clearance_mm, -kTol.gouge_mm);
     EXPECT_TRUE(prove(path, task, area.radius_mm, kTol).rapids_clear);
     return path;
@@ -98,7 +98,11 @@ TEST(SlotMiddles, ARingSlotIsGoneRoundOnce) {
     const Region ring = subtract(makeCircle({0, 0}, 12), makeCircle({0, 0}, 8), kTol);
     const Feature feature = closedPocket(ring, 2);
     const FeatureGround ground(feature, kTol);
-    const CutterArea area = reached(ground, 4);
+    EXPECT_TRUE(reached(ground, 4).free_centres.empty()) << "no straight stretch to ramp down";
+    ToolAssembly plunging = endMill(4);
+    plunging.centre_cutting = true;
+    plunging.max_plunge_mm = 2;
+    const CutterArea area = toolReach(ground, plunging, kMaterial).cutter;
     ASSERT_EQ(area.slot_middles.size(), 1U);
     EXPECT_NEAR(length(area.slot_middles.front()), 20 * kPi, 0.1);
 }
@@ -116,8 +120,8 @@ TEST(SlotMiddles, AWiderSlotIsCutAsEver) {
 
 TEST(SlotMiddles, ACornerOrAHoleIsNoSlot) {
     EXPECT_TRUE(reached(FeatureGround(closedPocket(makeCircle({0, 0}, 3)), kTol), 6).slot_middles.empty());
-    EXPECT_TRUE(
-        reached(FeatureGround(closedPocket(makePolygon({{0, 0}, {40, 0}, {20, 10}})), kTol), 4).slot_middles.empty());
+    EXPECT_TRUE(reached(FeatureGround(closedPocket(makePolygon({{0, 0}, {40, 0}, {20, 10}})), kTol), 4)
+                    .slot_middles.empty());
 }
 
 TEST(SlotMiddles, WithoutAFitToleranceNoneIsEntered) {
