@@ -79,7 +79,8 @@ std::string submitTasks(const fs::path& round_folder, const TaskGroup& group, st
     return submitWherePossible(job);
 }
 
-/// \param parts  of the whole batch \return the job's number
+/// \param parts  of the whole batch
+/// \return the job's number
 std::string submitCollecting(const fs::path& round_folder, const ClusterTask& any,
                              const std::vector<std::string>& arrays, std::size_t parts) {
     SlurmJob job = slurmJob(round_folder, any);
@@ -103,7 +104,8 @@ void makeRound(const fs::path& round_folder, const std::vector<TaskGroup>& group
     if (why) throw Error(ErrorCode::OutputUnwritable, round_folder.string(), why.message());
 }
 
-/// \param parts  of the whole batch \pre some group has tasks
+/// \param parts  of the whole batch
+/// \pre some group has tasks
 void submitRound(const fs::path& round_folder, const std::vector<TaskGroup>& groups, std::size_t parts) {
     makeRound(round_folder, groups);
     std::vector<std::string> arrays;

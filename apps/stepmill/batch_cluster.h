@@ -10,7 +10,8 @@ namespace stepmill {
 /// Returns the exit code: 0 submitted, or as every batch where nothing is left to do.
 int submitBatch(const BatchOptions& options);
 
-/// On a node: plans the parts of one task of a round. \param number  from 0
+/// On a node: plans the parts of one task of a round.
+/// \param number  from 0
 int runTask(const std::filesystem::path& round_folder, int number);
 
 /// On a node, once all tasks of a round have ended: enters in the ledger what they recorded. What the first

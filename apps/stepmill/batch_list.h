@@ -24,7 +24,8 @@ struct BatchPlan {
 };
 
 /// Reads the folder or list, and every file of it once. A file that cannot be read is a part with its
-/// trouble. \param program  version and build
+/// trouble.
+/// \param program  version and build
 /// \throws Error(Usage), Error(InvalidCatalog), Error(FileUnreadable) where list or options make no sense
 BatchPlan listBatch(const BatchOptions& options, const std::string& program);
 

@@ -27,17 +27,20 @@ int numberOfRound(const std::filesystem::path& round_folder);
 /// Folder of what tasks print, for whoever looks for a cause.
 std::filesystem::path toldFolder(const std::filesystem::path& batch);
 
-/// Writes the tasks of a round, numbered from 0. \throws Error(OutputUnwritable)
+/// Writes the tasks of a round, numbered from 0.
+/// \throws Error(OutputUnwritable)
 void writeTasks(const std::filesystem::path& round_folder, const std::vector<ClusterTask>& tasks);
 /// \throws Error(FileUnreadable)
 ClusterTask readTask(const std::filesystem::path& round_folder, std::size_t number);
-/// All, by number. \throws Error(FileUnreadable)
+/// All, by number.
+/// \throws Error(FileUnreadable)
 std::vector<ClusterTask> readTasks(const std::filesystem::path& round_folder);
 
 /// Under which Slurm knows the jobs of this batch.
 std::string slurmName(const std::filesystem::path& batch);
 
-/// Removes rounds whose tasks have all ended, and what these told. \pre the batch's folder is locked
+/// Removes rounds whose tasks have all ended, and what these told.
+/// \pre the batch's folder is locked
 /// \throws Error(Usage) where some wait or run, or Slurm does not say
 void endOldRounds(const std::filesystem::path& batch);
 

@@ -19,7 +19,8 @@ struct DrawingWords {
 /// Adds --depth, --outline and --thickness.
 void addDrawingOptions(CLI::App& command, DrawingWords& words);
 
-/// The part of a drawing. \param unit  empty: as the file says
+/// The part of a drawing.
+/// \param unit  empty: as the file says
 /// \throws Error(Usage) naming the option; what readDrawing() throws
 Part readDrawnPart(const std::string& file, const DrawingWords& words, const std::string& unit,
                    std::uintmax_t max_bytes);

@@ -14,13 +14,15 @@ using OptionWords = std::map<std::string, std::vector<std::string>>;
 /// Those that the command got: one that addPlanningOptions() and addOfferOptions() gave its options.
 OptionWords optionWords(const CLI::App& command);
 
-/// Those in a line of a list, as typed behind `stepmill plan`. \throws Error(Usage)
+/// Those in a line of a list, as typed behind `stepmill plan`.
+/// \throws Error(Usage)
 OptionWords optionWords(const std::string& line);
 
 /// Takes the second where both say something.
 OptionWords merged(OptionWords all, const OptionWords& own);
 
-/// What the words mean. \throws Error(Usage)
+/// What the words mean.
+/// \throws Error(Usage)
 PlanOptions planOptions(const OptionWords& words);
 
 /// SHA-256 of all that a plan is told: the words, and of files that they name the content. Words that say the

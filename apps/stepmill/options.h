@@ -44,10 +44,10 @@ struct PlanOptions {
     std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
     double scallop_mm = kUsualScallopMm;
     double break_edges_mm = 0;  ///< 0: edges stay sharp
-    std::string solid;     ///< empty: the only one; a number; "all"
-    std::string unit;      ///< empty: as the file says
-    DrawingWords drawing;  ///< of a part that is drawn
-    int jobs = 0;          ///< 0: one per core
+    std::string solid;          ///< empty: the only one; a number; "all"
+    std::string unit;           ///< empty: as the file says
+    DrawingWords drawing;       ///< of a part that is drawn
+    int jobs = 0;               ///< 0: one per core
     RunLimits limits;
     std::string job_file;        ///< what the shop says of the job; empty: nothing
     std::string display = "mm";  ///< of report and setup sheets
@@ -72,7 +72,8 @@ void addImportOption(CLI::App& command, PlanOptions& options);
 /// stderr where --json has stdout.
 void reportImport(const std::vector<Part>& parts, const PlanOptions& options);
 
-/// Library and machine a run uses. \throws Error as readToolLibrary and readMachine do; Error(Usage) when
+/// Library and machine a run uses.
+/// \throws Error as readToolLibrary and readMachine do; Error(Usage) when
 /// no tool has cutting data for the material.
 struct Shop {
     ToolLibrary library;
@@ -84,10 +85,12 @@ Shop loadShop(const PlanOptions& options);
 /// \throws Error(Usage) naming the option; what readStep and readFixtures throw.
 SetupRequest setupRequest(const PlanOptions& options);
 
-/// What the words of the command line mean for the planner. \throws Error(Usage) naming the option.
+/// What the words of the command line mean for the planner.
+/// \throws Error(Usage) naming the option.
 PlanRequest planRequest(const PlanOptions& options, const Machine& machine);
 
-/// The parts of the file that were asked for. \throws Error(Usage) when the file holds several solids and
+/// The parts of the file that were asked for.
+/// \throws Error(Usage) when the file holds several solids and
 /// none was chosen, or the chosen one does not exist.
 std::vector<Part> chooseParts(const PlanOptions& options);
 

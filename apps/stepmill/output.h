@@ -9,13 +9,16 @@ namespace stepmill {
 
 // Every text of a command leaves by these: names from part, tool and machine files cannot steer a terminal.
 
-/// Prints words for people on standard output. \throws Error(OutputUnwritable) when that fails
+/// Prints words for people on standard output.
+/// \throws Error(OutputUnwritable) when that fails
 void printOut(std::string_view text);
 
-/// Prints data for programs on standard output as they are. \throws Error(OutputUnwritable) when that fails
+/// Prints data for programs on standard output as they are.
+/// \throws Error(OutputUnwritable) when that fails
 void printData(std::string_view text);
 
-/// Hands over what standard output still holds. \throws Error(OutputUnwritable) when it cannot take it: a
+/// Hands over what standard output still holds.
+/// \throws Error(OutputUnwritable) when it cannot take it: a
 /// full disk must not pass for success
 void flushOut();
 

@@ -49,7 +49,8 @@ fs::path asGiven(const JobFolder& folder, const PlanOptions& options) {
     return fs::equivalent(folder.path(), given, ignored) ? given : given / name;
 }
 
-/// What the words of the command line mean for setup sheets. \throws what readJobDetails does
+/// What the words of the command line mean for setup sheets.
+/// \throws what readJobDetails does
 SheetOptions sheetOptions(const PlanOptions& options) {
     SheetOptions sheets;
     if (!options.job_file.empty())

@@ -42,7 +42,8 @@ int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Toler
 void tellFailures(const Verification& verification);
 
 /// Plans, proves and writes the parts of the file that were asked for into the workplace's folder; prints
-/// what came of it. Returns the exit code. \throws Error as the stages do
+/// what came of it. Returns the exit code.
+/// \throws Error as the stages do
 int planFile(const PlanOptions& options, Workplace& place, const PlanListener& listener = {});
 
 /// The same in a child process.

@@ -37,7 +37,8 @@ void writeQuote(const Quote& quote, const fs::path& folder) {
     writeFile(folder / "quote.html", quoteHtml(quote));
 }
 
-/// Plans a part and quotes the plan. \param folder  to write to; empty: none
+/// Plans a part and quotes the plan.
+/// \param folder  to write to; empty: none
 int quoteOne(const Part& part, const QuoteOptions& options, const PlanRequest& request, const Shop& shop,
              const fs::path& folder, ProgressLine& line) {
     const Tolerances tol;

@@ -21,7 +21,8 @@ struct ReplanOptions {
 void fillFromJob(ReplanOptions& options, const PlanRecord& before);
 
 /// The library that is given anew or the job's, and the same of the machine and of what is known of the
-/// material. \pre fillFromJob()
+/// material.
+/// \pre fillFromJob()
 Shop shopOf(const ReplanOptions& options, const PlanRecord& before);
 PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Machine& machine);
 

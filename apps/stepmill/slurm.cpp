@@ -40,7 +40,8 @@ std::string readAll(int file) {
     }
 }
 
-/// Starts a program whose streams go to `out`. \return why it did not start, 0 where it did
+/// Starts a program whose streams go to `out`.
+/// \return why it did not start, 0 where it did
 int start(const Words& words, int out, pid_t& child) {
     std::vector<char*> argv;
     for (const std::string& word : words)

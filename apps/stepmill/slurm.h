@@ -33,7 +33,8 @@ struct SlurmJob {
 /// \throws Error(Usage) with sbatch's words where it is not taken, or there is no Slurm here
 std::string submitToSlurm(const SlurmJob& job);
 
-/// Jobs of this user and name that wait or run. \throws Error(Usage) where Slurm (squeue) does not say
+/// Jobs of this user and name that wait or run.
+/// \throws Error(Usage) where Slurm (squeue) does not say
 std::vector<std::string> slurmJobsNamed(const std::string& name);
 
 }  // namespace stepmill

@@ -54,7 +54,8 @@ class Sampler {
         return std::abs(middle.area_mm2 - (low.area_mm2 + high.area_mm2) / 2) <= max_error_mm2_ / 2;
     }
 
-    /// Appends probes after `low` up to and with `high`. \pre probes_.back() is `low`
+    /// Appends probes after `low` up to and with `high`.
+    /// \pre probes_.back() is `low`
     void refine(const Probe low, const Probe& high) {
         const bool changes = low.pieces != high.pieces || low.loops != high.loops;
         if (high.diameter_mm - low.diameter_mm <= 2 * tol_.linear_mm) {

@@ -14,7 +14,8 @@ struct FarthestRoom {
 /// twentieth of a millimetre or the number of squares is what an offset costs.
 ///
 /// \param disc_mm  radius of the disc that `reached_mm` speaks of
-/// \return  {0, 0} for an empty place. \pre `standing` is not empty
+/// \return  {0, 0} for an empty place.
+/// \pre `standing` is not empty
 FarthestRoom farthestRoom(const Region& place, const Region& standing, double disc_mm);
 
 }  // namespace stepmill::access

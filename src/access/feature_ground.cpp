@@ -124,9 +124,8 @@ Region FeatureGround::obstacleOffset(std::size_t index, double distance_mm) cons
 bool FeatureGround::hasSlotOf(double radius_mm) const {
     const Tolerances& tol = impl_->tol;
     if (tol.fit_mm <= 0 || impl_->feature.target.empty()) return false;
-    std::call_once(impl_->slots_once, [&] {
-        impl_->slots_mm = evenWidths(impl_->targetDiagram().medialAxis(), tol);
-    });
+    std::call_once(impl_->slots_once,
+                   [&] { impl_->slots_mm = evenWidths(impl_->targetDiagram().medialAxis(), tol); });
     const auto& slots = impl_->slots_mm;
     return std::any_of(slots.begin(), slots.end(), [&](double clearance_mm) {
         return clearance_mm > radius_mm - tol.fit_mm && clearance_mm < radius_mm + tol.sliver_mm / 2;

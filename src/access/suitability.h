@@ -11,7 +11,8 @@ namespace stepmill::access {
 std::optional<Exclusion> unsuitable(const FeatureGround& ground, const ToolAssembly& tool,
                                     const std::string& material);
 
-/// The drill's own rules, its length and holder at the hole's centre included. \pre tool.isDrill()
+/// The drill's own rules, its length and holder at the hole's centre included.
+/// \pre tool.isDrill()
 std::optional<Exclusion> unsuitableDrill(const FeatureGround& ground, const ToolAssembly& tool,
                                          const std::string& material);
 

@@ -22,7 +22,8 @@ class Statement {
     Statement& bind(std::int64_t number);
     Statement& bind(double number);
 
-    /// To the next row; false behind the last. \throws Error as Database does
+    /// To the next row; false behind the last.
+    /// \throws Error as Database does
     bool step();
     /// Runs a statement that gives no rows, and makes it ready for other values.
     void run();

@@ -162,7 +162,8 @@ class MagazineSearch {
         return least;
     }
 
-    /// \param possible  tools that are in, and those that are undecided \param decided  tools of the order
+    /// \param possible  tools that are in, and those that are undecided
+    /// \param decided  tools of the order
     /// \param in        of these
     void branch(const ToolSet& possible, std::size_t decided, int in) {
         Worth bound = tasks_.worthOf(possible);

@@ -24,7 +24,8 @@ using nlohmann::json;
 
 constexpr const char* kDefaultToolsName = "shop_metric_tools.json";
 
-/// Tools in JSON to tools in millimetres. \pre the JSON keeps the schema and the library's rules
+/// Tools in JSON to tools in millimetres.
+/// \pre the JSON keeps the schema and the library's rules
 class ToolReader {
   public:
     explicit ToolReader(const std::string& unit) : mm_per_unit_(unit == "inch" ? kMillimetresPerInch : 1.0) {}

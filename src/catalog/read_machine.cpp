@@ -17,7 +17,8 @@ using nlohmann::json;
 
 namespace {
 
-/// Cylinders from below to above. \throws Error(InvalidCatalog) with the pointer of one that is not
+/// Cylinders from below to above.
+/// \throws Error(InvalidCatalog) with the pointer of one that is not
 std::vector<HolderCylinder> spindleNose(const json& machine, const std::string& file_name) {
     std::vector<HolderCylinder> nose;
     if (!machine.contains("spindle_nose")) return nose;
@@ -39,7 +40,8 @@ std::vector<HolderCylinder> spindleNose(const json& machine, const std::string& 
     return nose;
 }
 
-/// What two fields of the spindle say together. \throws Error(InvalidCatalog) with the pointer of the wrong
+/// What two fields of the spindle say together.
+/// \throws Error(InvalidCatalog) with the pointer of the wrong
 /// one
 class SpindleReader {
   public:

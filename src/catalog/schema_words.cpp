@@ -91,7 +91,8 @@ bool withinLimits(const json& schema, double value) {
            !(schema.contains("maximum") && value > limit("maximum"));
 }
 
-/// Characters, not bytes, as JSON schema counts them. \pre the text is UTF-8
+/// Characters, not bytes, as JSON schema counts them.
+/// \pre the text is UTF-8
 std::size_t lengthOf(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));

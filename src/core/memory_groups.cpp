@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A word to the system, in one write as it wants it. \return why it was not taken, 0 where it was
+/// A word to the system, in one write as it wants it.
+/// \return why it was not taken, 0 where it was
 int tellSystem(const fs::path& file, const std::string& word) {
     const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
     if (opened < 0) return errno;

@@ -7,7 +7,8 @@
 
 namespace stepmill::crib {
 
-/// A bit, a library with the bits that it names, or a folder of either. \throws as readForeign()
+/// A bit, a library with the bits that it names, or a folder of either.
+/// \throws as readForeign()
 ForeignLibrary readFreeCad(const std::filesystem::path& file, const ForeignOptions& options);
 
 }  // namespace stepmill::crib

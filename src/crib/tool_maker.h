@@ -23,7 +23,8 @@ inline constexpr std::size_t kMostCylinders = 50;
 /// mm of "mm", "millimeters", "inch", "inches", "in"; nothing for other words.
 std::optional<double> mmPerUnit(std::string_view word);
 
-/// The unit that the options tell, in mm. \throws Error(Usage) where they tell none
+/// The unit that the options tell, in mm.
+/// \throws Error(Usage) where they tell none
 double toldUnitMm(const ForeignOptions& options, const std::string& file);
 
 /// A number as people write it in a cell or remark, a decimal comma allowed; nothing for other words.
@@ -49,7 +50,8 @@ void addCutting(ForeignTool& foreign, const std::string& preset, CuttingData dat
 void finishTool(ForeignTool& foreign, double pitch_mm, const std::string& file,
                 const ForeignOptions& options);
 
-/// Puts a holder's cylinders on top of the stick-out, one after another. \param heights of each [mm]
+/// Puts a holder's cylinders on top of the stick-out, one after another.
+/// \param heights of each [mm]
 void stackHolder(ToolAssembly& tool);
 
 }  // namespace stepmill::crib

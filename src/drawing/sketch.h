@@ -50,7 +50,8 @@ inline constexpr std::size_t kMostStrokes = 200000;
 [[noreturn]] void refuse(const std::string& file, const std::string& place, const std::string& message);
 
 /// An elliptic arc about a centre as splines of a quarter turn at most: exact.
-/// \param major, minor  its half axes \param start_rad, sweep_rad  on the circle that the ellipse is a
+/// \param major, minor  its half axes
+/// \param start_rad, sweep_rad  on the circle that the ellipse is a
 /// picture of
 std::vector<Stroke> ellipseArc(const Vec2& centre, const Vec2& major, const Vec2& minor, double start_rad,
                                double sweep_rad);

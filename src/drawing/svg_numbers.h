@@ -12,7 +12,8 @@ class SvgNumbers {
 
     /// The next number; nothing where something else or nothing follows.
     std::optional<double> number();
-    /// The next number. \throws std::invalid_argument without one
+    /// The next number.
+    /// \throws std::invalid_argument without one
     double need();
     /// A flag of an arc: "0" or "1", which need no blank behind them.
     bool flag();

@@ -25,7 +25,8 @@ bool stillNamed(int fd, const std::filesystem::path& file) {
            opened.st_dev == named.st_dev;
 }
 
-/// Takes the lock or closes. \throws Error when another process has it
+/// Takes the lock or closes.
+/// \throws Error when another process has it
 void lockOrFail(int fd, const std::filesystem::path& folder) {
     if (::flock(fd, LOCK_EX | LOCK_NB) == 0) return;
     const int why = errno;

@@ -22,7 +22,8 @@ std::filesystem::path besidePrefix(const std::filesystem::path& job);
 /// "<job>/.stepmill-": the same inside it.
 std::filesystem::path insidePrefix(const std::filesystem::path& job);
 
-/// Makes a folder of a prefix and six letters of chance. \throws Error(OutputUnwritable)
+/// Makes a folder of a prefix and six letters of chance.
+/// \throws Error(OutputUnwritable)
 std::filesystem::path makeWorkFolder(const std::filesystem::path& prefix, Disk& disk);
 
 /// Folders of a prefix and six more letters.

@@ -31,7 +31,9 @@ Feature besideGround(Feature level, const Region& ground, const Tolerances& tol)
     return level;
 }
 
-/// The ground as a feature. \param levels  before it was taken out \param kept  what they keep
+/// The ground as a feature.
+/// \param levels  before it was taken out
+/// \param kept  what they keep
 Feature groundFeature(const CommonGround& ground, const std::vector<Feature>& levels,
                       const std::vector<Feature>& kept, const Tolerances& tol) {
     Feature feature = levels.back();

@@ -153,7 +153,8 @@ class NameSearch {
     std::vector<bool> taken_;
 };
 
-/// The band's id with its feature's name. \param whole  the feature's id by its number
+/// The band's id with its feature's name.
+/// \param whole  the feature's id by its number
 std::string renamedId(const std::string& id, const std::string& whole, const FeatureNames& names) {
     const auto name = names.find(whole);
     return name == names.end() ? id : name->second + id.substr(whole.size());

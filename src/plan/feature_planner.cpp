@@ -190,7 +190,8 @@ class FeaturePlanner {
     }
 
     /// What the children of a level wait for that common ground took whole: the level above, if that has some
-    /// of the ground too, else the ground. \param kept  levels above that are still there
+    /// of the ground too, else the ground.
+    /// \param kept  levels above that are still there
     static std::string standInFor(const std::string& id, const std::vector<std::string>& kept,
                                   const PlannedNest& planned) {
         const auto has = [](const PlannedFeature& ground, const std::string& level) {

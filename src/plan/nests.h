@@ -11,7 +11,8 @@ namespace stepmill {
 using Nest = std::vector<std::size_t>;
 
 /// Every feature in one nest. A feature goes on in the widest of its children that waits for it alone; holes
-/// stay alone, for drills. \param features  parents before children
+/// stay alone, for drills.
+/// \param features  parents before children
 std::vector<Nest> nestsOf(const std::vector<Feature>& features);
 
 /// The nests by how many lie above each: those of a generation need only what earlier ones know.

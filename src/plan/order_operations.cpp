@@ -34,7 +34,8 @@ struct Partial {
 };
 
 /// Of each feature its nearest ancestors with operations, ascending: when theirs are done, so are those of
-/// all before them. A parent without operations does not hold its children back, but its own parents do. \pre
+/// all before them. A parent without operations does not hold its children back, but its own parents do.
+/// \pre
 /// parents come before their children
 std::vector<std::vector<int>> nearestWithOperations(const std::vector<std::vector<int>>& parents,
                                                     const std::vector<std::vector<int>>& queue) {

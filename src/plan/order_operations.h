@@ -30,7 +30,9 @@ std::vector<int> toolVisits(const std::vector<Operation>& operations, const std:
 
 /// Puts operations in an order that keeps parents before children, but for Operation::waits, and each
 /// feature's own tool order, and that changes tools as rarely as a greedy look-ahead finds. Returns indices
-/// into `operations`. \param features  parents before children \param rule  what comes next of one tool's
+/// into `operations`.
+/// \param features  parents before children
+/// \param rule  what comes next of one tool's
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
                                  const std::vector<Precedence>& features,
                                  OrderRule rule = OrderRule::Nearest);

@@ -94,7 +94,8 @@ std::vector<PlannedSetup> withFormsOfTheBooks(std::vector<PlannedSetup> setups,
     return setups;
 }
 
-/// Says of every residual what of it is there at the end. \param staying  of the setups' own residuals
+/// Says of every residual what of it is there at the end.
+/// \param staying  of the setups' own residuals
 void nameWhatStays(std::vector<PlannedSetup>& setups, const StayingResiduals& staying) {
     for (PlannedSetup& setup : setups)
         for (PlannedFeature& planned : setup.features)

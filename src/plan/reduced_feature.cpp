@@ -98,7 +98,8 @@ void stopAboveFixtures(Feature& feature, const std::vector<Fixture>& fixtures, c
     });
 }
 
-/// Adds what stands to what the feature's tools keep clear of. \param above  unionOf() it
+/// Adds what stands to what the feature's tools keep clear of.
+/// \param above  unionOf() it
 void keepOff(Feature& feature, const std::vector<Standing>& standing, const Region& above,
              const Tolerances& tol) {
     raiseObstacles(feature, standing, tol);

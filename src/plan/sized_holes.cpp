@@ -62,7 +62,8 @@ class SizedHoles {
         weigh(sizer, plan_holes_(narrower(holes_, before.most_mm, shop_.tol), library_), before.most_mm);
     }
 
-    /// \param planned_mm  as wide as the holes were planned \return  is that a way?
+    /// \param planned_mm  as wide as the holes were planned
+    /// \return  is that a way?
     bool weigh(const ToolAssembly& sizer, std::optional<ToolSequence> made, double planned_mm) {
         if (!made || made->steps.empty()) return false;
         const SequenceStep& last = made->steps.back();

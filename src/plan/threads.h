@@ -17,7 +17,8 @@ struct ThreadedSetups {
 
 /// Puts the sizing steps behind the others of every hole, and a tapping step behind those of each that is to
 /// be tapped, of the tap that takes least time. A thread takes nothing of the part's volume, so the books
-/// stay. \pre the steps still have their paths
+/// stay.
+/// \pre the steps still have their paths
 ThreadedSetups withThreads(std::vector<PlannedSetup> setups, const PlanningShop& shop,
                            const HoleWishes& wishes);
 

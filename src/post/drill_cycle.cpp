@@ -11,7 +11,8 @@ struct HoleMoves {
     std::size_t end = 0;
 };
 
-/// Where the moves stay over one place: a hole each. \param first  of the first hole
+/// Where the moves stay over one place: a hole each.
+/// \param first  of the first hole
 std::vector<HoleMoves> holesIn(const JobOperation& operation, std::size_t first) {
     const std::vector<FedMove>& moves = operation.moves;
     std::vector<HoleMoves> holes{{first, first}};

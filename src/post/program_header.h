@@ -12,7 +12,8 @@ std::string lengthText(double value_mm, bool inch);
 /// "mm" or "inch".
 const char* unitName(bool inch);
 
-/// The tools of a job by number, each once. \throws Error(InvalidCatalog) when two have one number
+/// The tools of a job by number, each once.
+/// \throws Error(InvalidCatalog) when two have one number
 std::vector<const ToolAssembly*> toolsOf(const Job& job);
 
 /// Comments that head a program: what it is for, its tools, and where each operation starts.

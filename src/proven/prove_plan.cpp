@@ -136,7 +136,8 @@ FailedFeatures failedIn(const PlannedSetup& setup, const Verification& verificat
     return failed;
 }
 
-/// The next safer way to plan the feature. \pre it is not dropped
+/// The next safer way to plan the feature.
+/// \pre it is not dropped
 void addCaution(FeatureCaution& caution, const FailedFeature& failed) {
     if (caution.why.empty()) caution.why = failed.first;
     if (!caution.plain_ways) {

@@ -10,10 +10,12 @@
 
 namespace stepmill::record {
 
-/// An entry of `forms` in plan.json. \param tables  get what it refers to
+/// An entry of `forms` in plan.json.
+/// \param tables  get what it refers to
 nlohmann::ordered_json formGroundJson(const FormGround& ground, FeatureTables& tables);
 
-/// The reverse. \param pointer  of the entry in plan.json
+/// The reverse.
+/// \param pointer  of the entry in plan.json
 /// \throws Error(InvalidCatalog) where its bands leave gaps or numbers name nothing
 FormGround formGroundFrom(const nlohmann::ordered_json& json, const std::string& pointer, ReadTables& tables);
 

@@ -251,7 +251,8 @@ Json threadJson(const ThreadCut& thread) {
             {"places", listOf(thread.places, [](const Vec2& place) { return point(place); })}};
 }
 
-/// \param feature  that it cuts, or form ground \param band  the feature's
+/// \param feature  that it cuts, or form ground
+/// \param band  the feature's
 Json operationJson(const Operation& operation, const std::string& feature, int band) {
     const Toolpath& path = operation.path;
     Json json{{"id", operation.id},

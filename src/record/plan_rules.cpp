@@ -88,7 +88,8 @@ std::map<BandName, std::string> setupsOfBands(const Json& plan) {
     return setups;
 }
 
-/// Is it a band of a known feature of the setup? \param name  with the members "feature" and "band"
+/// Is it a band of a known feature of the setup?
+/// \param name  with the members "feature" and "band"
 bool isBand(const Json& name, const Json& setup, const std::map<BandName, std::string>& setups) {
     const auto found = setups.find(nameOf(name));
     return found != setups.end() && found->second == setup;

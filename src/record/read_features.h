@@ -19,7 +19,8 @@ class ReadTables {
     explicit ReadTables(const nlohmann::ordered_json& plan);
 
     /// The entry of that number. A file of a few lines could name a large region a million times: there is an
-    /// end to that. \throws Error(InvalidCatalog) naming `pointer` where there is no such entry
+    /// end to that.
+    /// \throws Error(InvalidCatalog) naming `pointer` where there is no such entry
     const Region& region(const nlohmann::ordered_json& number, const std::string& pointer);
     const Obstacle& obstacle(const nlohmann::ordered_json& number, const std::string& pointer);
 
@@ -48,7 +49,8 @@ std::string namedBand(const nlohmann::ordered_json& name, const BandsOf& bands);
 /// The ids of a feature's bands, from above.
 std::vector<std::string> bandIds(const std::string& feature_id, const BandsOf& bands);
 
-/// The bands of one entry of features, from above. \throws Error(InvalidCatalog) naming what contradicts
+/// The bands of one entry of features, from above.
+/// \throws Error(InvalidCatalog) naming what contradicts
 /// itself
 std::vector<RecordedFeature> readFeature(const nlohmann::ordered_json& json, const std::string& pointer,
                                          const BandsOf& bands, ReadTables& tables);

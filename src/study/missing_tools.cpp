@@ -45,8 +45,7 @@ void MissingTools::look(const Stage& stage) {
 void MissingTools::lookAtWish(const HoleWish& wish, double diameter_mm) {
     const HoleEntry& entry = *wish.entry;
     const int holes = static_cast<int>(wish.places.size());
-    if (entry.make == HoleMaking::Tap && entry.thread &&
-        !hasTool([&](const ToolAssembly& tool) {
+    if (entry.make == HoleMaking::Tap && entry.thread && !hasTool([&](const ToolAssembly& tool) {
             return tool.isTap() && tool.thread && sameThread(*tool.thread, *entry.thread);
         }))
         named("tap " + entry.thread->name, "the thread").holes += holes;

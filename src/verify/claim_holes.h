@@ -18,7 +18,8 @@ struct DerivedHole {
 /// What the hole table asks of a feature against the record's operations on it: a failure where a hole that
 /// is to be left is cut, where one to be drilled is made by any other tool, where a tap goes into a hole that
 /// the table does not choose, cuts another thread or less of it, where a bore gets a fit that the table does
-/// not ask for. \return  how many holes are to get a thread or a fit and get none
+/// not ask for.
+/// \return  how many holes are to get a thread or a fit and get none
 int compareHole(const PlanRecord& record, const HoleWishes& wishes, const DerivedHole& hole,
                 const Tolerances& tol, std::vector<ProofFailure>& failures);
 

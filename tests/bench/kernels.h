@@ -35,7 +35,8 @@ class Kernel {
     /// Insets by step/2, 3 step/2, ... until nothing is left.
     virtual double rings(const Region& region, double step_mm) const = 0;
     /// For each pair of radii m > n: what n has left to sweep after m,
-    /// D = grow(shrink(T, n) - shrink(open(T, m), n), n). \pre radii rise
+    /// D = grow(shrink(T, n) - shrink(open(T, m), n), n).
+    /// \pre radii rise
     virtual Pairs decomposed(const Region& region, const std::vector<double>& radii_mm,
                              double budget_s) const = 0;
 };

@@ -27,7 +27,8 @@ PageContent readPage(const std::string& page);
 void expectSoundPage(const std::string& page, const std::string& what);
 
 /// The page without the scripts that its policy allows by hash, and without the data they read: what is left
-/// is to be sound. Expects that every script that runs is one of these. \param scripts  how many there are to
+/// is to be sound. Expects that every script that runs is one of these.
+/// \param scripts  how many there are to
 /// be
 std::string withoutOwnScripts(const std::string& page, int scripts);
 

@@ -44,7 +44,8 @@ struct StockLeft {
 StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup);
 
 /// Why a program's result is worse than that of the one it was made from, as far as this judge sees it; empty
-/// when it sees nothing. \param before  what the original leaves
+/// when it sees nothing.
+/// \param before  what the original leaves
 std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& events,
                       const JudgedSetup& setup);
 

@@ -10,7 +10,8 @@ namespace stepmill::test {
 /// The point that far from the centre in that direction.
 Vec2 polar(const Vec2& centre, double radius_mm, double angle_rad);
 
-/// Adds the loops of `hole` turned round. \pre hole lies in the region
+/// Adds the loops of `hole` turned round.
+/// \pre hole lies in the region
 void addHole(Region& region, const Region& hole);
 
 /// Counter-clockwise loop through the corners, some of them rounded by up to the share of the largest radius

@@ -18,7 +18,8 @@ class VoxelStock {
     /// A whole block.
     VoxelStock(const Box3& box, double cell_mm) : VoxelStock(box, cell_mm, true) {}
 
-    /// The same stock in another setup. \param from_there  from its coordinates to this stock's
+    /// The same stock in another setup.
+    /// \param from_there  from its coordinates to this stock's
     VoxelStock turned(const Box3& box, const Eigen::Isometry3d& from_there) const {
         VoxelStock turned(box, raster_.cellMm(), false);
         for (std::size_t column = 0; column < turned.raster_.count(); ++column)

@@ -67,7 +67,8 @@ class FeatureGround {
     Region targetOpening(double radius_mm) const;
     /// Centres left inside T to a disc of radius `small` after one of radius `large`.
     Region targetRestCentres(double large_mm, double small_mm) const;
-    /// The section of feature().obstacles[index], offset. \throws std::out_of_range
+    /// The section of feature().obstacles[index], offset.
+    /// \throws std::out_of_range
     Region obstacleOffset(std::size_t index, double distance_mm) const;
     /// Diameter of the widest disc clear of the obstruction and centred in the target; the cutter that would
     /// fit. Infinite where nothing obstructs, 0 for an empty target. With open edges to within 0.01 mm.
@@ -186,7 +187,8 @@ inline constexpr double kStickOutStepMm = 1;
 
 /// The shortest stick-out of the tool's range, in whole steps from its shorter end, at which shank and holder
 /// touch nothing while the axis is on the area's free centres and at its entries; the longest where none is
-/// shorter. A tool without a range: its own. \pre a mill, its area made at the longest stick-out
+/// shorter. A tool without a range: its own.
+/// \pre a mill, its area made at the longest stick-out
 double leastStickOutMm(const FeatureGround& ground, const ToolAssembly& tool, const CutterArea& area);
 
 /// The same for every tool: the first of the range's steps at which `clears` the tool so set; longer ones do

@@ -42,7 +42,8 @@ struct AccessCurve {
     /// Between samples straight interpolation is no farther off than this [mm2].
     double max_error_mm2 = 0;
 
-    /// Interpolated; constant beyond the ends. \pre samples not empty
+    /// Interpolated; constant beyond the ends.
+    /// \pre samples not empty
     double areaAt(double diameter_mm) const;
     double volumeAt(double diameter_mm) const;
 };

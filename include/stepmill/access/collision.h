@@ -48,7 +48,8 @@ bool meetsOwnMaterial(const FeatureGround& ground, const ToolAssembly& tool, con
 
 /// Turns a tool down that would meet what it leaves of the feature itself. [DSouza2006] takes the stock as it
 /// is right after the feature; but what shank and holder keep the cutter from stands in their own way as soon
-/// as they are below the feature's top. \param reach  toolReach() of the tool
+/// as they are below the feature's top.
+/// \param reach  toolReach() of the tool
 std::optional<Exclusion> ownMaterialTrouble(const FeatureGround& ground, const ToolAssembly& tool,
                                             const ToolReach& reach);
 

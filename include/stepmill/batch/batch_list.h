@@ -19,13 +19,15 @@ struct ListedPart {
 
 /// STEP files (.step, .stp, .p21 in any case) in a folder and all below it, by name, byte by byte. Folders
 /// whose name begins with a point and those behind links are left out. A folder below that cannot be read is
-/// listed as a part is, so that it is named as missing. \param without  a folder below that is left out with
+/// listed as a part is, so that it is named as missing.
+/// \param without  a folder below that is left out with
 /// all it holds: the batch's own
 /// \throws Error(FileUnreadable) where the folder itself cannot be read
 std::vector<ListedPart> findParts(const std::filesystem::path& folder, const std::filesystem::path& without);
 
 /// The rows of a list, in its order: a CSV file [RFC 4180] whose first line names its columns: file, and if
-/// wanted material, quantity, due, options. Files are found from the list's folder. \param text  of the file
+/// wanted material, quantity, due, options. Files are found from the list's folder.
+/// \param text  of the file
 /// \throws Error(InvalidCatalog) naming file and line
 std::vector<ListedPart> readPartList(const std::filesystem::path& list, std::string_view text);
 

@@ -19,7 +19,8 @@ struct BatchRow {
     std::optional<PartFigures> figures;  ///< of its plan; nothing without one
 };
 
-/// In the list's order. \param recorded  the batch's folder, where records that are not in the ledger yet
+/// In the list's order.
+/// \param recorded  the batch's folder, where records that are not in the ledger yet
 /// count too; empty: they do not
 std::vector<BatchRow> rowsOf(const Ledger& ledger, const std::filesystem::path& recorded = {});
 

@@ -15,7 +15,8 @@ namespace stepmill {
 
 /// What planning a part takes on one core, as far as its file tells, by its faces and its size. Of the
 /// corpus' parts half are within a factor of two of it, and nine of ten within seven: enough to share work
-/// out, no promise. \param step  the file's text
+/// out, no promise.
+/// \param step  the file's text
 double expectedSeconds(std::string_view step);
 
 /// Shares jobs out among as few tasks as keep to a length, so that the longest is as short as can be had
@@ -48,7 +49,8 @@ TaskRecord recordedJob(const std::filesystem::path& batch, const BatchJob& job);
 /// file systems: the ledger is worked on in a copy on this machine, and takes its place whole.
 class SharedLedger {
   public:
-    /// Copies the ledger, or begins one. \pre the batch's folder is locked
+    /// Copies the ledger, or begins one.
+    /// \pre the batch's folder is locked
     /// \throws what Ledger does
     explicit SharedLedger(std::filesystem::path file);
     /// Removes the copy.
@@ -57,7 +59,8 @@ class SharedLedger {
     SharedLedger& operator=(const SharedLedger&) = delete;
 
     Ledger& ledger();
-    /// Puts the copy in the ledger's place. \throws Error(OutputUnwritable)
+    /// Puts the copy in the ledger's place.
+    /// \throws Error(OutputUnwritable)
     void publish();
 
   private:

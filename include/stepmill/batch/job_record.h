@@ -32,7 +32,8 @@ struct TaskRecord {
     std::string node;
 };
 
-/// Whole or not at all. \throws Error(OutputUnwritable)
+/// Whole or not at all.
+/// \throws Error(OutputUnwritable)
 void writeTaskRecord(const std::filesystem::path& batch, const TaskRecord& record);
 
 /// Nothing where the job has not begun in any task, or its last record is damaged. A job that is told to be

@@ -47,7 +47,8 @@ struct LedgerPart {
 /// call has written stays written whatever ends the program after it.
 class Ledger {
   public:
-    /// Opens the book, or begins it. \throws Error(OutputUnwritable), Error(FileUnreadable) naming the file,
+    /// Opens the book, or begins it.
+    /// \throws Error(OutputUnwritable), Error(FileUnreadable) naming the file,
     /// as do all calls
     explicit Ledger(const std::filesystem::path& file);
     /// To read alone what a batch writes, perhaps just now.

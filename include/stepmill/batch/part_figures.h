@@ -53,7 +53,8 @@ void addFigures(PartFigures& to, const PartFigures& solid);
 
 /// A line of JSON: same figures, same bytes.
 std::string figuresJson(const PartFigures& figures);
-/// The reverse. \throws Error(InvalidCatalog) for another text
+/// The reverse.
+/// \throws Error(InvalidCatalog) for another text
 PartFigures figuresFromJson(std::string_view text);
 
 }  // namespace stepmill

@@ -43,7 +43,8 @@ bool isPlanned(const std::filesystem::path& batch, const BatchJob& job);
 class JobBook {
   public:
     virtual ~JobBook() = default;
-    /// A job's turn has come. \throws Error(OutputUnwritable), as does finish()
+    /// A job's turn has come.
+    /// \throws Error(OutputUnwritable), as does finish()
     virtual void begin(const BatchJob& job) = 0;
     /// Its turn is over.
     virtual void finish(const BatchJob& job) = 0;

@@ -26,7 +26,8 @@ class CutterForm {
 };
 
 /// Sine of the lean from upright of the face that a chamfer mill's flank makes: 0.707 for 90 degrees between
-/// flanks. \pre tool.type == ToolType::Chamfer
+/// flanks.
+/// \pre tool.type == ToolType::Chamfer
 double flankLean(const ToolAssembly& tool);
 
 }  // namespace stepmill

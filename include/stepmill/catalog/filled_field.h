@@ -16,7 +16,8 @@ struct FilledField {
 /// By tool id; tools of which all was told are not in it.
 using FilledFields = std::map<std::string, std::vector<FilledField>>;
 
-/// What a tool library says of its tools' filled fields. \pre toolLibraryFromText() takes the text
+/// What a tool library says of its tools' filled fields.
+/// \pre toolLibraryFromText() takes the text
 FilledFields filledFieldsIn(std::string_view library_text);
 
 }  // namespace stepmill

@@ -36,7 +36,8 @@ std::vector<std::string> schemaErrors(SchemaName name, std::string_view json_tex
 /// The text of a JSON file of ours (plan.json, manifest.json, ...): the heading, which is the file's format
 /// and the program's version, then the content in its order, laid out for people: what fits on a line stands
 /// on one. A line end at the end, and U+FFFD for bytes that are no UTF-8, since names come from strangers'
-/// files. The same content gives the same bytes. \param content  an object without "format" and "stepmill"
+/// files. The same content gives the same bytes.
+/// \param content  an object without "format" and "stepmill"
 /// \throws Error(Internal) naming the file if the text breaks the schema: nothing untrue leaves
 std::string finishJson(SchemaName name, nlohmann::ordered_json content);
 

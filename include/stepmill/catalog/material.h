@@ -28,7 +28,8 @@ struct MaterialFile {
     const Material* find(std::string_view name) const;
 };
 
-/// Reads a material file (schemas/materials.schema.json). \throws Error(InvalidCatalog) with
+/// Reads a material file (schemas/materials.schema.json).
+/// \throws Error(InvalidCatalog) with
 /// "file#/json/pointer" as subject: a breach of the schema, a name that two materials have;
 /// Error(FileUnreadable).
 MaterialFile readMaterials(const std::filesystem::path& path, std::uintmax_t max_bytes = kMaxFileBytes);

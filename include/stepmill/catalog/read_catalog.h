@@ -19,7 +19,8 @@ struct CatalogFinding {
 };
 
 /// All that is wrong or doubtful in a tool library, in the order syntax, schema, rules, doubts; each stage
-/// only when the one before found nothing. \throws Error(FileUnreadable)
+/// only when the one before found nothing.
+/// \throws Error(FileUnreadable)
 std::vector<CatalogFinding> checkToolLibrary(const std::filesystem::path& path,
                                              std::uintmax_t max_bytes = kMaxFileBytes);
 

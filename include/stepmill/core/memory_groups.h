@@ -17,7 +17,8 @@ class MemoryGroup {
     /// \param folder  new, below a group whose groups have the memory controller
     /// \throws Error(SystemLimit)
     MemoryGroup(std::filesystem::path folder, std::uint64_t bytes);
-    /// Removes the group. \pre its processes have ended
+    /// Removes the group.
+    /// \pre its processes have ended
     ~MemoryGroup();
     MemoryGroup(const MemoryGroup&) = delete;
     MemoryGroup& operator=(const MemoryGroup&) = delete;
@@ -37,14 +38,16 @@ class MemoryGroup {
 class MemoryGroups {
   public:
     /// Nothing where any of that is not so. This process stands in a group below from now on, since one with
-    /// groups below may hold no process. \param own  folder of the group; see ownGroupFolder()
+    /// groups below may hold no process.
+    /// \param own  folder of the group; see ownGroupFolder()
     static std::unique_ptr<MemoryGroups> take(const std::filesystem::path& own);
     /// Puts the process back.
     ~MemoryGroups();
     MemoryGroups(const MemoryGroups&) = delete;
     MemoryGroups& operator=(const MemoryGroups&) = delete;
 
-    /// For the next child. \throws Error(SystemLimit)
+    /// For the next child.
+    /// \throws Error(SystemLimit)
     std::unique_ptr<MemoryGroup> make(std::uint64_t bytes);
 
   private:

@@ -112,7 +112,8 @@ class SupervisedChild {
 
 /// Runs `work` in a supervised child and waits for its end. SIGINT, SIGTERM and SIGHUP to the caller end the
 /// child and are told in the result: the caller may then tidy up, and is to end by that signal.
-/// \throws, \pre as SupervisedChild
+/// \throws,
+/// \pre as SupervisedChild
 Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
                          std::uint64_t memory_bytes = 0);
 

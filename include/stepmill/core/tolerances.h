@@ -7,8 +7,8 @@ struct Tolerances {
     /// Deepest a cutter or holder may ever come into what must stay [mm]. The safety budget.
     double gouge_mm = 1e-3;
 
-    /// A cutter enters a slot whose walls are nearer to the slot's middle than its radius by no more than this
-    /// [mm]: half of the gouge budget, the other half is for rounding.
+    /// A cutter enters a slot whose walls are nearer to the slot's middle than its radius by no more than
+    /// this [mm]: half of the gouge budget, the other half is for rounding.
     double fit_mm = 5e-4;
 
     /// Points closer than this are the same point; curves closer than this coincide [mm].

@@ -51,7 +51,8 @@ ForeignLibrary readForeign(const std::filesystem::path& file, CribFormat format,
 ForeignLibrary fusionFromText(std::string_view text, const std::string& name, const ForeignOptions& options);
 /// XML in any encoding that says so. Document types and entities beyond XML's own five are not looked at.
 ForeignLibrary hsmFromText(std::string_view text, const std::string& name, const ForeignOptions& options);
-/// One tool bit of FreeCAD. \param number  of the tool; 0: not known
+/// One tool bit of FreeCAD.
+/// \param number  of the tool; 0: not known
 ForeignTool freeCadBitFromText(std::string_view text, const std::string& name, int number,
                                const ForeignOptions& options);
 /// A tool a line: T, P, D and a remark behind a semicolon, from which the tool's type is read.

@@ -37,7 +37,8 @@ struct Hole {
     std::vector<int> faces;  ///< of all steps, ascending
 
     double depth_mm() const { return steps.empty() ? 0 : steps.back().bottom_mm; }
-    /// The narrowest bore: what is drilled first. \pre steps not empty
+    /// The narrowest bore: what is drilled first.
+    /// \pre steps not empty
     double diameter_mm() const;
 };
 /// "through hole", "counterbored blind hole", "countersunk through hole", ...

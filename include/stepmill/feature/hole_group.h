@@ -13,7 +13,8 @@ bool isFullCircles(const Region& target);
 /// \pre isHole(feature.feature_class)
 std::vector<Vec2> holeCentres(const Feature& feature);
 
-/// Radius of each of them [mm]; 0 without a target. \pre isHole(feature.feature_class)
+/// Radius of each of them [mm]; 0 without a target.
+/// \pre isHole(feature.feature_class)
 double holeRadiusMm(const Feature& feature);
 
 }  // namespace stepmill

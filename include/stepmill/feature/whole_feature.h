@@ -47,7 +47,8 @@ struct WholeFeature {
 };
 
 /// The features that the bands make up, in the order of their uppermost bands: parents before children where
-/// the bands stand so. \param bands  outlive what is returned
+/// the bands stand so.
+/// \param bands  outlive what is returned
 template <typename Item>
 std::vector<WholeFeature<Item>> wholeFeatures(const std::vector<Item>& bands) {
     std::vector<WholeFeature<Item>> features;

@@ -36,7 +36,9 @@ struct NewJob {
 class JobFolder {
   public:
     /// Locks the folder, makes folders on the way to it, and finishes or removes what a killed run left of
-    /// its writing. \param dir  may be absent; a link to a folder stands for that folder \throws
+    /// its writing.
+    /// \param dir  may be absent; a link to a folder stands for that folder
+    /// \throws
     /// Error(OutputUnwritable) when another run has it, it is no folder, or it holds a program that is
     ///         not of its job; Error(InvalidCatalog) when its manifest is damaged
     explicit JobFolder(const std::filesystem::path& dir, Disk& disk = systemDisk());

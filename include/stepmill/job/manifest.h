@@ -33,7 +33,8 @@ struct Manifest {
 
 inline constexpr const char* kManifestName = "manifest.json";
 
-/// The file's text: same manifest, same bytes. \throws Error(Internal) if it breaks its schema.
+/// The file's text: same manifest, same bytes.
+/// \throws Error(Internal) if it breaks its schema.
 std::string manifestJson(const Manifest& manifest);
 
 /// \throws Error(InvalidCatalog) with "manifest.json#/json/pointer" as subject

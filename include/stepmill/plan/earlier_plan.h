@@ -45,7 +45,8 @@ using FeatureNames = std::map<std::string, std::string>;
 
 /// Which earlier feature each is: the one with the same ground, else of the same kind the one that shares
 /// most of its ground, else one of the same size and depth that moved. What is new gets numbers that no
-/// earlier feature has. \param found  of the setup, as they are numbered
+/// earlier feature has.
+/// \param found  of the setup, as they are numbered
 FeatureNames namesFrom(const EarlierSetup& earlier, const FeatureSet& found, const Tolerances& tol);
 
 /// The features by their names, wherever they are named.

@@ -76,7 +76,8 @@ struct OperationSheet : OperationData {
     double plunge_feed_mm_per_min = 0;
 };
 /// How fast the operation's cuts may go and what they ask for; nothing where it has no rating, or the machine
-/// no spindle. \param material  that is cut
+/// no spindle.
+/// \param material  that is cut
 std::optional<CuttingModel> cuttingModelOf(const OperationSheet& operation, const Material& material,
                                            const Machine& machine);
 

@@ -48,7 +48,9 @@ std::vector<CutFeature> ancestorsOf(const Feature& feature, const CutById& cut);
 /// Takes what the features above left, and the fixtures that reach above its floor, out of a feature's target
 /// and adds them to what cutter and holder must keep clear of: no tool meets material that was believed gone,
 /// nor what holds the part. A through hole with a fixture under it is through no more: drills stop at its
-/// floor. \param parents    the feature's own parents \param ancestors  all features it waits for
+/// floor.
+/// \param parents    the feature's own parents
+/// \param ancestors  all features it waits for
 ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& parents,
                        const std::vector<CutFeature>& ancestors, const std::vector<Fixture>& fixtures,
                        const Tolerances& tol);

@@ -65,10 +65,12 @@ class ClearanceDiagram {
     /// The region grown (distance > 0, round joins) or shrunk (distance < 0) by |distance|.
     /// Empty when nothing is left: a result, not an error. Every point is checked against the boundary; where
     /// that fails, Booleans between what a disc sweeps along each edge answer instead, hundreds of times
-    /// slower. \throws Error(Internal) rather than return a boundary that comes closer than it should.
+    /// slower.
+    /// \throws Error(Internal) rather than return a boundary that comes closer than it should.
     Region offset(double distance_mm) const;
 
-    /// offset(-first), offset(-(first + step)), ... until nothing is left. \pre step_mm > 0
+    /// offset(-first), offset(-(first + step)), ... until nothing is left.
+    /// \pre step_mm > 0
     std::vector<Region> rings(double first_mm, double step_mm) const;
 
     /// Points a disc of that radius sweeps inside the region (morphological opening). Never outside
@@ -82,7 +84,8 @@ class ClearanceDiagram {
 
     /// Centres a disc of radius `small` has left to visit after one of radius `large` has swept what it can:
     /// offset(-small) without the opening(large) shrunk by `small` [DSouza2006, Alg. 2, C = B_nn - B_mn].
-    /// Exactly empty where the two openings are equal. \pre small <= large
+    /// Exactly empty where the two openings are equal.
+    /// \pre small <= large
     Region restCentres(double large_mm, double small_mm) const;
 
     /// Area of opening(radius) [mm2]. Between neighbouring events an analytic function of the radius.

@@ -53,10 +53,12 @@ struct Region {
 
 // Construction -------------------------------------------------------------------------------------------
 
-/// Counter-clockwise polygon through `corners`; corners snapped to the grid. \pre at least three corners
+/// Counter-clockwise polygon through `corners`; corners snapped to the grid.
+/// \pre at least three corners
 Region makePolygon(const std::vector<Vec2>& corners);
 Region makeRectangle(const Vec2& min, const Vec2& max);
-/// Rectangle with rounded corners; radius 0 gives sharp ones. \pre 2 radius <= the shorter side
+/// Rectangle with rounded corners; radius 0 gives sharp ones.
+/// \pre 2 radius <= the shorter side
 Region makeRoundedRectangle(const Vec2& min, const Vec2& max, double radius_mm);
 /// One full-circle loop of two half-circle arcs.
 Region makeCircle(const Vec2& centre, double radius_mm);
@@ -84,7 +86,8 @@ struct Moments {
 };
 /// \pre area > 0
 Moments moments(const Region& region);
-/// Centre of area. \pre area > 0
+/// Centre of area.
+/// \pre area > 0
 Vec2 centroid(const Region& region);
 
 /// Angle swept by an arc segment, positive for ccw, in (0, 2 pi] or [-2 pi, 0) [rad].

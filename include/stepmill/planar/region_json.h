@@ -18,7 +18,8 @@ namespace stepmill {
 /// it another than what its end has from the centre.
 nlohmann::ordered_json loopToJson(const Loop& loop);
 
-/// Reads it back, equal to the last digit. \throws Error(InvalidRegion) naming `subject` and what was
+/// Reads it back, equal to the last digit.
+/// \throws Error(InvalidRegion) naming `subject` and what was
 /// expected.
 Loop loopFromJson(const nlohmann::ordered_json& json, const std::string& subject);
 

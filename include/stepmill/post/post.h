@@ -14,7 +14,8 @@ enum class Dialect { LinuxCnc, Fanuc, Grbl };
 std::string toString(Dialect dialect);
 /// The reverse; nothing for another word.
 std::optional<Dialect> dialectFrom(std::string_view word);
-/// The machine's dialect. \throws Error(Usage) when there is no post for it.
+/// The machine's dialect.
+/// \throws Error(Usage) when there is no post for it.
 Dialect dialectOf(const Machine& machine);
 
 /// "S1.ngc", "S1.nc" (Fanuc), "S1.gcode" (GRBL): where a program of that name is kept.
@@ -78,8 +79,10 @@ struct PostedProgram {
 /// Every arc's centre agrees with both its ends within 1 um, so that no controller refuses it; coordinates
 /// have 4 decimals in mm, 5 in inches.
 /// Rounding never adds up: every block is rounded from the path's own coordinates. A job without operations
-/// gives a program of header and end, with `per_tool` none. \throws Error(InvalidCatalog) when two tools have
-/// one number. \note  Linear in the moves.
+/// gives a program of header and end, with `per_tool` none.
+/// \throws Error(InvalidCatalog) when two tools have
+/// one number.
+/// \note  Linear in the moves.
 std::vector<PostedProgram> post(const Job& job, const PostOptions& options);
 
 /// The program of one setup in the dialect of the plan's machine.

@@ -39,7 +39,8 @@ struct RecordedPlan {
 RecordedPlan readPlan(const std::filesystem::path& dir, const std::optional<Dialect>& dialect,
                       const Tolerances& tol, std::uintmax_t max_bytes = kMaxFileBytes);
 
-/// Reads a setup's programs back. \throws what readProgram does; Error(FileUnreadable) when there is none.
+/// Reads a setup's programs back.
+/// \throws what readProgram does; Error(FileUnreadable) when there is none.
 std::vector<ReadProgram> readPrograms(const PlanFiles& files, const RecordedSetup& setup);
 
 /// Programs of a setup with what the plan knows of it, ready for a post.

@@ -93,7 +93,8 @@ struct PlanRecord {
     double rounding_mm3 = 0;
 };
 
-/// Reads a plan.json. \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject when it breaks
+/// Reads a plan.json.
+/// \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject when it breaks
 /// its schema or names an operation, feature or tool it does not have.
 PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol);
 

@@ -37,7 +37,8 @@ double pointLengthMm(const ToolAssembly& drill);
 /// fits in there; or through the floor by the point and a little where nothing is below.
 double drillTipZ(const Feature& feature, const ToolAssembly& drill);
 
-/// The same for the largest drill with the longest point that could make the hole. \pre
+/// The same for the largest drill with the longest point that could make the hole.
+/// \pre
 /// isHole(feature.feature_class)
 double deepestDrillTipZ(const Feature& feature);
 

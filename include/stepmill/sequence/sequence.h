@@ -172,7 +172,8 @@ struct ToolSequence {
 std::vector<SequenceChoice> choicesOf(const ToolSequence& sequence);
 
 /// The sequence with its steps made anew along choicesOf(sequence)[index]; what sequenceTools() was given is
-/// not needed any more. \throws Error(Internal) if a path gouges
+/// not needed any more.
+/// \throws Error(Internal) if a path gouges
 ToolSequence withChoice(const ToolSequence& sequence, std::size_t index);
 
 /// Volume of all residuals of a feature [mm3].

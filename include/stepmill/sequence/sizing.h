@@ -25,10 +25,12 @@ struct SizingTask {
 DiameterRange boreBefore(const ToolAssembly& sizer, double bore_mm);
 
 /// Why the tool cannot bring the holes to their fit; empty where it can: its diameter is outside the fit's
-/// limits, it does not reach, shank or holder meet what stands beside. \pre sizer.isSizer()
+/// limits, it does not reach, shank or holder meet what stands beside.
+/// \pre sizer.isSizer()
 std::string sizingTrouble(const SizingTask& task, const ToolAssembly& sizer);
 
-/// Does a step of that role and fit bring the holes to what the entry asks for? \pre entry.fit
+/// Does a step of that role and fit bring the holes to what the entry asks for?
+/// \pre entry.fit
 bool isSizedBy(Role role, const std::optional<Fit>& fit, const HoleEntry& entry);
 
 /// Down to here the bore gets its whole width: the floor of a through hole; over the end of a blind one's
@@ -38,11 +40,13 @@ double sizedToZ(const Feature& hole, const ToolAssembly& sizer, double bored_to_
 /// How deep the tip goes for that.
 double sizerTipZ(const Feature& hole, const ToolAssembly& sizer, double sized_to_z_mm);
 
-/// What stays of the ring round a blind hole's bore below sizedToZ() in all holes [mm3]. \param before_mm
+/// What stays of the ring round a blind hole's bore below sizedToZ() in all holes [mm3].
+/// \param before_mm
 /// width of the bore before
 double leftByLeadMm3(const SizingTask& task, const ToolAssembly& sizer, double before_mm);
 
-/// All holes brought to their fit: fed down and up again. \pre sizingTrouble() is empty
+/// All holes brought to their fit: fed down and up again.
+/// \pre sizingTrouble() is empty
 SequenceStep sizingStep(const SizingTask& task, const ToolAssembly& sizer, const CuttingData& cutting,
                         const Machine& machine);
 

@@ -19,7 +19,8 @@ struct StockGrowth {
     bool any() const { return side_mm > 0 || top_mm > 0; }
 };
 
-/// The growth of a stock in a setup by its tolerance. \param stock  kind, raw box and tolerance alone
+/// The growth of a stock in a setup by its tolerance.
+/// \param stock  kind, raw box and tolerance alone
 StockGrowth growthOf(const Stock& stock, const Eigen::Isometry3d& part_to_setup);
 
 }  // namespace stepmill

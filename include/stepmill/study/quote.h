@@ -90,7 +90,8 @@ struct Quote {
     std::vector<CostlyFeature> costly;  ///< three at most, the costliest first
 };
 
-/// Quotes a plan. \param progress  told of each stage
+/// Quotes a plan.
+/// \param progress  told of each stage
 /// \note  sequences each of the three costliest features some ten times
 Quote quotePlan(const Plan& plan, const QuoteTerms& terms, const Tolerances& tol,
                 const Progress& progress = {});

@@ -60,8 +60,8 @@ struct RankReport {
     Ranking ranking;
     std::optional<Sensitivity> sensitivity;
     std::optional<std::vector<FeaturePurchase>> purchases;
-    std::vector<DrillRow> drills;       ///< of a part: what each does in its holes
-    std::vector<MissingTool> missing;   ///< with the purchases: what else the part asks for
+    std::vector<DrillRow> drills;      ///< of a part: what each does in its holes
+    std::vector<MissingTool> missing;  ///< with the purchases: what else the part asks for
 };
 
 /// Ranks the cutters of a library for a part. Features are those a plan would start with, each setup on the

@@ -47,7 +47,8 @@ struct CuttingFacts {
     double efficiency = 1;  ///< what of it gets to the cutter
 };
 
-/// By the catalog's values. \param cutting  within the machine's speed and feed (limitedBy()). Nothing for a
+/// By the catalog's values.
+/// \param cutting  within the machine's speed and feed (limitedBy()). Nothing for a
 /// drill, and where the machine's file has no spindle.
 std::optional<CuttingFacts> cuttingFacts(const ToolAssembly& tool, const CuttingData& cutting,
                                          const Material& material, const Machine& machine);

@@ -126,10 +126,10 @@ struct ClearingTask {
     /// In what a cutter as wide as its slot has left no rapid down has room: ways that are clear of material
     /// are fed across where the cutter is.
     bool in_slot = false;
-    Region centres;              ///< centres to be swept (all of free_centres, or a decomposed area's)
-    Region cleared_centres;      ///< centres where the disc meets no material; empty for a first tool
-    Region target;               ///< T, to see open edges and trim passes that would only cut air
-    Region obstruction;          ///< O, for the proof
+    Region centres;          ///< centres to be swept (all of free_centres, or a decomposed area's)
+    Region cleared_centres;  ///< centres where the disc meets no material; empty for a first tool
+    Region target;           ///< T, to see open edges and trim passes that would only cut air
+    Region obstruction;      ///< O, for the proof
     /// On the free centres all of this is kept; ways over ground that is clear for the cutter may leave them.
     std::vector<KeptOff> kept_off;
     /// Deeper than this shank or holder are below the top of what the tool cuts [mm].
@@ -163,7 +163,8 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
 /// Drills equal holes, one after another in this order: rapid over the hole, down to the clearance height,
 /// feed, rapid out to the retract height. Down to kOneGoDiameters in one go, deeper in pecks of the cutting
 /// data's step-down (or twice the diameter when it has none), coming out after each; `depths` are pecks a
-/// hole. \pre tool.isDrill() or tool.isSpot(), at least one hole
+/// hole.
+/// \pre tool.isDrill() or tool.isSpot(), at least one hole
 Toolpath drillHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                     const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
 /// One hole.
@@ -172,13 +173,15 @@ Toolpath drillHole(const Vec2& at, double top_z_mm, double tip_z_mm, double retr
 
 /// Taps drilled holes, one after another in this order: rapid over the hole, down to a height from which the
 /// spindle may come up to speed, down to `tip_z_mm` and up again with the spindle's turns, rapid out to the
-/// retract height. The feed is pitch x speed both ways. \pre tool.isTap(), at least one hole
+/// retract height. The feed is pitch x speed both ways.
+/// \pre tool.isTap(), at least one hole
 Toolpath tapHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                   const ToolAssembly& tool, double speed_rpm, const Machine& machine);
 
 /// Brings holes to their width, one after another in this order: rapid over the hole, down to the clearance
 /// height, feed down and up again there, so that no mark of a rapid stays on the wall, rapid out to the
-/// retract height. \pre tool.isSizer(), at least one hole
+/// retract height.
+/// \pre tool.isSizer(), at least one hole
 Toolpath sizeHoles(const std::vector<Vec2>& centres, double top_z_mm, double tip_z_mm, double retract_z_mm,
                    const ToolAssembly& tool, const CuttingData& cutting, const Machine& machine);
 
@@ -198,7 +201,8 @@ std::vector<Vec2> shortestTour(std::vector<Vec2> places);
 
 /// Feed along a descent at `angle_rad` to the horizontal: the cutting feed, but no more than lets the cutter
 /// sink at the plunge feed, min(F, F_p / sin(angle)). The edges at the cutter's rim then cut as they do on
-/// the level, those near its centre as in a plunge. \pre 0 < angle_rad <= pi / 2
+/// the level, those near its centre as in a plunge.
+/// \pre 0 < angle_rad <= pi / 2
 double rampFeed(double feed_mm_per_min, double plunge_feed_mm_per_min, double angle_rad);
 
 /// Sums lengths and times: at the path's feeds and the machine's rapid rate, and beside it with the machine's
@@ -222,7 +226,8 @@ Toolpath withPlainRapids(const Toolpath& path, double stock_top_z_mm, const Mach
 /// The same path with rapids that keep clear: where one would come down nearer to what stands, be it what
 /// must stay, the skirt or what the path has not cut yet, the tool comes down at a place near by that has
 /// the room and is fed across from there, or is fed down from the lowest height that has it. Rapids across
-/// that pass nearer go higher. \pre the path starts at the retract height; not for drills.
+/// that pass nearer go higher.
+/// \pre the path starts at the retract height; not for drills.
 Toolpath withClearRapids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
                          const Machine& machine);
 

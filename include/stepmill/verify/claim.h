@@ -7,7 +7,8 @@
 
 namespace stepmill {
 
-/// The files a plan says it was made from. \pre each is the recorded one, by its sha-256
+/// The files a plan says it was made from.
+/// \pre each is the recorded one, by its sha-256
 struct ClaimSources {
     Part part;
     ToolLibrary library;

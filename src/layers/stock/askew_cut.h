@@ -25,7 +25,8 @@ class AskewCut {
 
     /// Nothing of the prism is wide enough to have a polygon within.
     bool empty() const { return outline_.empty(); }
-    /// Outline heights in the setup [mm]. \pre not empty
+    /// Outline heights in the setup [mm].
+    /// \pre not empty
     double low_mm() const { return low_mm_; }
     double high_mm() const { return high_mm_; }
     /// Points over and under which the prism goes on at all heights between, in the setup's plane. The same

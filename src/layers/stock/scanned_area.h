@@ -20,7 +20,8 @@ struct BandedPolygon {
     double high = std::numeric_limits<double>::infinity();
 };
 
-/// Sides of the polygon through the region's corners. \pre no arcs
+/// Sides of the polygon through the region's corners.
+/// \pre no arcs
 BandedPolygon banded(const Region& polygon);
 BandedPolygon banded(const Box2& box);
 

@@ -114,7 +114,8 @@ struct Slab {
     bool holdsEndOf(const Prism& prism) const { return isMetBy(prism) && !isSpannedBy(prism); }
 };
 
-/// The intervals as one sequence that do not overlap. \pre sorted by where they begin
+/// The intervals as one sequence that do not overlap.
+/// \pre sorted by where they begin
 std::vector<Interval> merged(const std::vector<Interval>& intervals) {
     std::vector<Interval> all;
     for (const Interval& interval : intervals) {

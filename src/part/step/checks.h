@@ -24,7 +24,8 @@ struct StepScreen {
 void checkReferences(const StepScreen& screen, StepText& text);
 
 /// The entities of the shape have the parameters their schema asks for: their number, kind and, of
-/// references, what they refer to; lengths, radii and angles are those of real curves and surfaces. \throws
+/// references, what they refer to; lengths, radii and angles are those of real curves and surfaces.
+/// \throws
 /// Error(StepDamaged)
 void checkParameters(const StepScreen& screen);
 

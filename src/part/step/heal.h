@@ -35,7 +35,8 @@ double doubtfulGap(const Box3& box);
 Misfit measureMisfit(const TopoDS_Shape& solid, double exact_mm, double limit_mm);
 
 /// Makes the solid valid, closed, outward-facing. Adds what it changed to `remarks`, as input-doubts, and
-/// tells `names` about faces it replaced. \throws Error(OpenShell, InvalidSolid)
+/// tells `names` about faces it replaced.
+/// \throws Error(OpenShell, InvalidSolid)
 TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
                        std::vector<Remark>& remarks);
 

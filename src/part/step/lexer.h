@@ -31,13 +31,15 @@ class StepLexer {
     StepToken next();
     const StepToken& peek();
     int line() const { return line_; }
-    /// Takes the next token, which must be this. \param after  what stands before it, for the message
+    /// Takes the next token, which must be this.
+    /// \param after  what stands before it, for the message
     void expect(char punctuation, const std::string& after);
     [[noreturn]] void fail(ErrorCode code, int line, const std::string& message) const;
     [[noreturn]] void damaged(int line, const std::string& message) const {
         fail(ErrorCode::StepDamaged, line, message);
     }
-    /// The file ends here. \param where  "inside the header"
+    /// The file ends here.
+    /// \param where  "inside the header"
     [[noreturn]] void truncated(const std::string& where, const std::string& expected) const;
 
   private:

@@ -17,10 +17,12 @@ bool isNonFiniteWord(std::string_view word);
 /// What stands between the quotes of a string token, doubled quotes as one.
 std::string unquote(std::string_view quoted);
 
-/// The id of a reference token. \throws Error(StepDamaged) where it is none up to kLargestId
+/// The id of a reference token.
+/// \throws Error(StepDamaged) where it is none up to kLargestId
 std::uint32_t entityId(const StepLexer& lexer, const StepToken& token);
 
-/// The value of a number token. \param keyword  of the record it stands in
+/// The value of a number token.
+/// \param keyword  of the record it stands in
 /// \throws Error(StepDamaged) where it is no finite number, Error(ImplausibleSize) where it is larger than a
 /// shape's numbers are
 double finiteNumber(const StepLexer& lexer, const StepToken& token, std::string_view keyword);

@@ -60,7 +60,8 @@ constexpr double kApartShare = 20;
 
 using OperandLoops = std::vector<planar::OperandLoop>;
 
-/// The loop where the rule tells its two sides apart, turned so that the inside is on its left. \pre isTidy()
+/// The loop where the rule tells its two sides apart, turned so that the inside is on its left.
+/// \pre isTidy()
 Region overlayTidy(const planar::OperandLoop& one, const Rule& inside) {
     const int left = signedArea(*one.loop) > 0 ? 1 : 0;
     const auto isInside = [&](int windings) {

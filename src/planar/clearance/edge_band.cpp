@@ -34,7 +34,8 @@ Region alongLine(const Vec2& from, const Vec2& to, double distance) {
                                {from - out, Arc{from, distance, true}}});
 }
 
-/// A bent slot with round ends, around `arc` counter-clockwise. \pre arc.radius_mm > distance
+/// A bent slot with round ends, around `arc` counter-clockwise.
+/// \pre arc.radius_mm > distance
 Region alongArc(const Vec2& from, const Vec2& to, const Arc& arc, double distance) {
     const Vec2 out_from = distance * (from - arc.centre).normalized();
     const Vec2 out_to = distance * (to - arc.centre).normalized();

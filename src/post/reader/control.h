@@ -54,7 +54,8 @@ struct Control {
     /// To a place of the work offset's.
     void goTo(Motion motion, const Place& to);
     void goToHeight(MotionKind kind, double z_mm);
-    /// To a place of the machine's own. \param across  X or Y move
+    /// To a place of the machine's own.
+    /// \param across  X or Y move
     void toMachinePlace(const Place& to, bool across);
     /// Where the tool is in the work offset's coordinates is not known any more; at the top it stays.
     void losePlace();

@@ -4,7 +4,8 @@
 
 namespace stepmill::reader {
 
-/// Drills a hole by G81, G82, G83, G73, G85 or G89 [RS274/NGC, 3.5.16], or taps one by G84 after M29. \param
+/// Drills a hole by G81, G82, G83, G73, G85 or G89 [RS274/NGC, 3.5.16], or taps one by G84 after M29.
+/// \param
 /// cycle  its code
 void drill(Control& control, const Block& block, int cycle);
 

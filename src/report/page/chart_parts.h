@@ -9,7 +9,8 @@
 
 namespace stepmill::report {
 
-/// Step of 1, 2 or 5 times a power of ten that divides the range into at most that many. \pre range > 0
+/// Step of 1, 2 or 5 times a power of ten that divides the range into at most that many.
+/// \pre range > 0
 double niceStep(double range, int most);
 
 Element lineFrom(Tag tag, const Vec2& from, const Vec2& to);

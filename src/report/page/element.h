@@ -77,7 +77,8 @@ class Element {
 
     /// Adds an attribute. A second "class" adds to the first; any other attribute may stand once.
     Element& set(AttributeName name, std::string value);
-    /// Makes the element the place that links to the anchor lead to. \pre no other element of the page is
+    /// Makes the element the place that links to the anchor lead to.
+    /// \pre no other element of the page is
     Element& mark(const Anchor& anchor);
 
     /// The same for an element that is just being made.

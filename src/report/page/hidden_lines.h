@@ -18,11 +18,13 @@ struct Lines {
     std::vector<Polyline> hidden;
 };
 
-/// Of the exact surfaces: grows with the square of the faces. \pre the solid has no facets, which would
+/// Of the exact surfaces: grows with the square of the faces.
+/// \pre the solid has no facets, which would
 /// disturb it
 Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
 
-/// Of the facets. \pre the solid has them
+/// Of the facets.
+/// \pre the solid has them
 Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
 
 /// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.

@@ -31,7 +31,8 @@ struct LineChart {
 };
 inline constexpr std::size_t kMostSeries = 6;
 
-/// The chart as an <svg> with its key below the axes' names. \pre some series has a point with x and y above
+/// The chart as an <svg> with its key below the axes' names.
+/// \pre some series has a point with x and y above
 /// 0
 Element lineChart(const LineChart& chart);
 

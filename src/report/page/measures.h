@@ -16,7 +16,8 @@ class Measures {
     /// "mm/min" or "in/min".
     const char* feedUnit() const { return inch_ ? "in/min" : "mm/min"; }
 
-    /// Without its unit, for tables whose heads have it. \param decimals  of mm
+    /// Without its unit, for tables whose heads have it.
+    /// \param decimals  of mm
     std::string number(double length_mm, int decimals = 2) const;
     /// "12.50 mm", "0.492 in".
     std::string length(double length_mm, int decimals = 2) const;
@@ -38,7 +39,8 @@ class Measures {
     /// "mm²" or "in²", of the next.
     const char* areaUnit() const { return inch_ ? "in²" : "mm²"; }
     std::string area(double area_mm2, int decimals = 2) const;
-    /// "cm³" or "in³", of the next. \param decimals  of cm³
+    /// "cm³" or "in³", of the next.
+    /// \param decimals  of cm³
     const char* volumeUnit() const { return inch_ ? "in³" : "cm³"; }
     std::string volume(double volume_mm3, int decimals = 3) const;
     /// For charts: in the page's unit, of volumes in volumeUnit().

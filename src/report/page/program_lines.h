@@ -9,7 +9,8 @@ namespace stepmill::report {
 /// The setup's program; null where none is written.
 const PostedProgram* programOf(const ProvenPlan& proven, const PlannedSetup& setup);
 
-/// Where an operation starts in a program; null where it does not. \param program  null: none
+/// Where an operation starts in a program; null where it does not.
+/// \param program  null: none
 const StartBlock* startOf(const PostedProgram* program, const std::string& operation_id);
 
 /// Where an operation starts in its setup's program, for people.

@@ -111,8 +111,9 @@ Element edgeSection(const ReportSubject& subject, const PlannedSetup& setup) {
     const std::string words =
         operations.empty()
             ? "No edge is broken."
-            : fmt::format("After all else sharp edges that look up are broken by {}, 45 degrees: {} of the part.",
-                          subject.in.length(ground.edges_mm), subject.in.crumb(broken_mm3));
+            : fmt::format(
+                  "After all else sharp edges that look up are broken by {}, 45 degrees: {} of the part.",
+                  subject.in.length(ground.edges_mm), subject.in.crumb(broken_mm3));
     Element section("section", Element("h3", "Edges of " + setup.setup.id), Element("p", words));
     if (!ground.sharp.empty()) section.add(sharpTable(ground.sharp, subject.in));
     section.mark(groundAnchor(ground.id, setup.setup.id));

@@ -83,7 +83,8 @@ Json drillJson(const DrillRow& drill) {
 }
 
 Json missingJson(const MissingTool& missing) {
-    return {{"tool", missing.tool}, {"gives", missing.gives}, {"holes", missing.holes}, {"faces", missing.faces}};
+    return {
+        {"tool", missing.tool}, {"gives", missing.gives}, {"holes", missing.holes}, {"faces", missing.faces}};
 }
 
 Json purchasesJson(const std::optional<std::vector<FeaturePurchase>>& purchases) {

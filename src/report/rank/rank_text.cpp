@@ -93,8 +93,9 @@ std::string drillsText(const std::vector<DrillRow>& drills) {
     std::string text;
     for (const DrillRow& drill : drills)
         if (drill.makes + drill.makes_room_in > 0)
-            text += fmt::format("{:<8} {:>8.3f} {:>11.3f} {:>7} {:>10} {:>9.3f}\n", drill.tool, drill.diameter_mm,
-                                drill.volume_cm3, drill.makes, drill.makes_room_in, drill.time_min);
+            text +=
+                fmt::format("{:<8} {:>8.3f} {:>11.3f} {:>7} {:>10} {:>9.3f}\n", drill.tool, drill.diameter_mm,
+                            drill.volume_cm3, drill.makes, drill.makes_room_in, drill.time_min);
     if (text.empty()) return text;
     return fmt::format("\n{:<8} {:>8} {:>11} {:>7} {:>10} {:>9}\n", "drill", "mm", "volume cm3", "makes",
                        "for mills", "min") +
@@ -113,8 +114,9 @@ std::string missingText(const std::vector<MissingTool>& missing) {
 
 /// "serves 4 holes" for a hole.
 std::string holesText(const Purchase& purchase) {
-    return purchase.holes > 0 ? fmt::format(", serves {} hole{}", purchase.holes, purchase.holes > 1 ? "s" : "")
-                              : "";
+    return purchase.holes > 0
+               ? fmt::format(", serves {} hole{}", purchase.holes, purchase.holes > 1 ? "s" : "")
+               : "";
 }
 
 std::string gainText(const Purchase& purchase) {
@@ -148,8 +150,9 @@ std::string sharedPurchases(const std::vector<FeaturePurchase>& purchases) {
                      [](const Sum& a, const Sum& b) { return a.saved_s > b.saved_s; });
     std::string text;
     for (const Sum& sum : sums)
-        text += fmt::format("  {}: {:.2f} min over {} features{}\n", sum.tool, sum.saved_s / kSecondsPerMinute,
-                            sum.features, sum.holes > 0 ? fmt::format(", {} holes", sum.holes) : "");
+        text +=
+            fmt::format("  {}: {:.2f} min over {} features{}\n", sum.tool, sum.saved_s / kSecondsPerMinute,
+                        sum.features, sum.holes > 0 ? fmt::format(", {} holes", sum.holes) : "");
     return text.empty() ? text : "Tools that help several features, each counted by itself:\n" + text;
 }
 

@@ -134,7 +134,8 @@ class FirstSeen {
     SeenCell cell_;
 };
 
-/// What both pictures show along one ray. \param from, to  its hits, from the viewer on
+/// What both pictures show along one ray.
+/// \param from, to  its hits, from the viewer on
 std::pair<SeenCell, SeenCell> along(const Hit* from, const Hit* to) {
     Inside inside;
     FirstSeen arriving(false);

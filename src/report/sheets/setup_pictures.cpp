@@ -188,7 +188,8 @@ void drawTriad(Element& svg, const Sight& sight, double length_mm) {
     svg.add(words("zero-name", zero + Vec2(0, 40), "G54"));
 }
 
-/// Over the middle of the stock's top. \param share  of the stock's diagonal
+/// Over the middle of the stock's top.
+/// \param share  of the stock's diagonal
 Vec2 overTop(const Sight& sight, const Setup& setup, double share) {
     const Box3& stock = setup.stock_bbox_mm;
     const Vec3 top(stock.center().x(), stock.center().y(), stock.max().z());

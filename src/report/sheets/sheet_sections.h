@@ -39,7 +39,8 @@ Element jobBlock(const SheetSubject& subject);
 /// The whole job: a row for each setup.
 Element runTable(const SheetSubject& subject);
 
-/// Datum, flip, blank, clamping in words. \param before  null for the first
+/// Datum, flip, blank, clamping in words.
+/// \param before  null for the first
 Element setupWords(const SheetSubject& subject, const PlannedSetup& setup, const Setup* before);
 
 /// Tools in the order of their first use, with a picture to scale.
@@ -61,7 +62,8 @@ struct HoleGroup {
 std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetup& setup);
 std::optional<Element> holeTable(const SheetSubject& subject, const std::vector<HoleGroup>& groups);
 
-/// What the operator measures, and when. \param last  is it the plan's last setup?
+/// What the operator measures, and when.
+/// \param last  is it the plan's last setup?
 Element checkTable(const SheetSubject& subject, const PlannedSetup& setup,
                    const std::vector<HoleGroup>& holes, bool last);
 

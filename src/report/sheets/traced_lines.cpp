@@ -40,7 +40,8 @@ class Sides {
         ways({from[0], from[1] + 1}) |= kUp;
     }
 
-    /// Closed lines alone. \pre an even number of sides meet at every corner, as around areas
+    /// Closed lines alone.
+    /// \pre an even number of sides meet at every corner, as around areas
     std::vector<std::vector<Corner>> loops() {
         std::vector<std::vector<Corner>> loops;
         forEachCorner([&](const Corner& corner) {
@@ -89,7 +90,8 @@ class Sides {
             if (ways_[i] != 0) visit(Corner{static_cast<int>(i / rows_), static_cast<int>(i % rows_)});
     }
 
-    /// Takes a side away. \return its other end
+    /// Takes a side away.
+    /// \return its other end
     Corner take(const Corner& from) {
         std::uint8_t& here = ways(from);
         const auto way = static_cast<std::uint8_t>(here & kSides & -here);

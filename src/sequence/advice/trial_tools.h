@@ -25,8 +25,8 @@ std::vector<TrialTool> trialMills(const FeatureGround& ground, const ToolLibrary
 std::optional<TrialTool> trialDrill(const FeatureGround& ground, const ToolLibrary& library,
                                     const std::string& material);
 
-/// The widest drill of the usual series that makes room in a hole with a flat floor or one wider than any drill,
-/// and that the library lacks.
+/// The widest drill of the usual series that makes room in a hole with a flat floor or one wider than any
+/// drill, and that the library lacks.
 std::optional<TrialTool> trialPreDrill(const FeatureGround& ground, const ToolLibrary& library,
                                        const std::string& material);
 

@@ -55,7 +55,8 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 
 /// The tools of `reaches` that can machine something of the feature, in their order, but spot drills first
-/// and after them the drill that makes room for mills. They point into `reaches` and `library`. \pre
+/// and after them the drill that makes room for mills. They point into `reaches` and `library`.
+/// \pre
 /// `reaches` are in the order of byFallingDiameter()
 std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,

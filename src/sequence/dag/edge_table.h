@@ -18,7 +18,8 @@ class EdgeTable {
 
     /// Evaluates the edges listed; all others stay as they are. For an edge that needs surrogates n's own
     /// path is made first; the edge is left out where it cannot beat `known` even if its lumps took the least
-    /// time. Returns how many were left out. \pre bound() was called, or `known` is kNoEdge
+    /// time. Returns how many were left out.
+    /// \pre bound() was called, or `known` is kNoEdge
     int evaluate(const EdgeList& edges, double known);
 
     /// kNoEdge where the edge was not evaluated, or is none.
@@ -38,9 +39,11 @@ class EdgeTable {
     void leaveOut(int m, int n) { slot(m, n).settled = true; }
     /// False where an edge needs no evaluation because it cannot exist.
     bool exists(int m, int n) const { return slot(m, n).least_weight < kNoEdge; }
-    /// Can a path through the edge be as cheap as `known`? \pre bound() was called
+    /// Can a path through the edge be as cheap as `known`?
+    /// \pre bound() was called
     bool mayBeat(int m, int n, double known) const;
-    /// Lower bound of the weight of all paths through the edge. \pre bound() was called
+    /// Lower bound of the weight of all paths through the edge.
+    /// \pre bound() was called
     double leastThrough(int m, int n) const;
     /// Lower bound of the edge's own weight.
     double leastWeight(int m, int n) const { return slot(m, n).least_weight; }

@@ -18,7 +18,8 @@ bool needsPaths(const DagTask& task);
 
 /// The work of n after m (null: nothing swept yet), by the options' cost model; nothing when n has nothing
 /// new to clear. The area models [Yao2000] and [Lim2000] know no holes: a drill's work is its path by any
-/// model. \param rings  ringsOf(task, n) where needsPaths(task); else unused
+/// model.
+/// \param rings  ringsOf(task, n) where needsPaths(task); else unused
 std::optional<EdgeWork> edgeWork(const DagTask& task, const Candidate* m, const Candidate& n,
                                  const SharedRings& rings);
 

@@ -188,8 +188,8 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Stretch
     clearing.free_centres = n.own->free_centres;
     clearing.entries = n.own->entries;
     clearing.slot_middles = n.own->slot_middles;
-    clearing.in_slot = stretch.after != nullptr && !stretch.after->predrills &&
-                       !stretch.after->own->slot_middles.empty();
+    clearing.in_slot =
+        stretch.after != nullptr && !stretch.after->predrills && !stretch.after->own->slot_middles.empty();
     clearing.centres = decomposed.centres;
     clearing.cleared_centres = decomposed.cleared_centres;
     clearing.target = feature.target;

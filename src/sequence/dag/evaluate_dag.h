@@ -60,7 +60,8 @@ inline constexpr Pattern kWeighedPattern = Pattern::ContourInsideOut;
 
 /// The steps of tool n itself after m (null: nothing swept yet), with the paths that the edge is weighed by:
 /// one, or after a drill that stayed over a flat floor what is beside it and then all below. None: n has
-/// nothing to cut. \param rings  ringsOf() the tool
+/// nothing to cut.
+/// \param rings  ringsOf() the tool
 std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, const Candidate& n,
                                     const SharedRings& rings);
 
@@ -68,7 +69,8 @@ std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, con
 SharedRings ringsOf(const DagTask& task, const Candidate& tool);
 
 /// The steps of tool n of a chosen path, after m (null for the first), with the tool paths to run: of the
-/// quickest patterns, and proved. They do not contain the surrogates' steps. \throws Error(Internal) if a
+/// quickest patterns, and proved. They do not contain the surrogates' steps.
+/// \throws Error(Internal) if a
 /// path gouges
 std::vector<SequenceStep> makeSteps(const DagTask& task, const Candidate* m, const Candidate& n);
 /// The same where it is one step: of a feature without such a drill.

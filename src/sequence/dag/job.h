@@ -27,7 +27,8 @@ struct SequenceJob {
 
     const Feature& feature() const { return ground.feature(); }
     const Tolerances& tolerances() const { return ground.tolerances(); }
-    /// Called before each dear piece of work. \throws Error(TimedOut) after the options' deadline
+    /// Called before each dear piece of work.
+    /// \throws Error(TimedOut) after the options' deadline
     void checkTime() const { options.deadline.check(feature().id); }
 
   private:

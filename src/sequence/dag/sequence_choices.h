@@ -29,9 +29,11 @@ class SequenceChoices {
     /// What stays after the cheapest way, and so after each of choices().
     const std::vector<Residual>& residuals() const { return residuals_; }
 
-    /// The ways to choose from, listed when first asked for; the first is the DAG's cheapest. \pre !empty()
+    /// The ways to choose from, listed when first asked for; the first is the DAG's cheapest.
+    /// \pre !empty()
     std::vector<SequenceChoice> choices() const;
-    /// Fills in steps, edges, times and costs of the sequence for that one of choices(). \throws
+    /// Fills in steps, edges, times and costs of the sequence for that one of choices().
+    /// \throws
     /// Error(Internal) if a path gouges
     void take(std::size_t index, ToolSequence& sequence) const;
 

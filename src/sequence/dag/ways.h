@@ -28,7 +28,8 @@ struct WaySource {
 
 /// The ways that may be best beside other features, which call tools anyway: the DAG's own first, then those
 /// that leave the same and are no worse than another in every company, the cheapest first. Of a DAG with very
-/// many ways the cheapest among those looked at. \pre dag.path is not empty
+/// many ways the cheapest among those looked at.
+/// \pre dag.path is not empty
 std::vector<Way> listWays(const WaySource& source);
 
 }  // namespace stepmill

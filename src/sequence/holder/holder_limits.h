@@ -29,7 +29,8 @@ struct Shallower {
 };
 
 /// What the cutter that reaches most of a feature is kept off; nothing when tools that take part clear as
-/// much. \param reaches  as the cutters and holders have them, before anything was admitted
+/// much.
+/// \param reaches  as the cutters and holders have them, before anything was admitted
 /// \param most_mm2  most that a tool that takes part covers
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
                                      const std::vector<ToolReach>& reaches);

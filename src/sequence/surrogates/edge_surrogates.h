@@ -44,7 +44,8 @@ std::vector<const ToolAssembly*> surrogatesBefore(const EdgeSurrogates& surrogat
                                                   const std::vector<Candidate>& tools);
 
 /// The surrogates' steps in machining order, proved: by falling diameter, `next`'s own last where it takes
-/// part. \throws Error(Internal) if a path gouges
+/// part.
+/// \throws Error(Internal) if a path gouges
 std::vector<SequenceStep> surrogateSteps(const EdgeSurrogates& surrogates, int next,
                                          const SurrogateFinder& finder, const std::vector<Candidate>& tools);
 

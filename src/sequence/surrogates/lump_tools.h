@@ -42,10 +42,12 @@ class LumpTools {
     DagTask task() const;
     /// Makes the rings that these nodes' paths share.
     void makeRings(const std::vector<int>& nodes);
-    /// The rings of each node, where others made them. \pre one for each node, some null
+    /// The rings of each node, where others made them.
+    /// \pre one for each node, some null
     void useRings(std::vector<SharedRings> rings) { rings_ = std::move(rings); }
     /// The path of a node after another (kSource: nothing cut yet); nothing where it has nothing new to
-    /// clear. \pre makeRings() was called for the node
+    /// clear.
+    /// \pre makeRings() was called for the node
     std::optional<PathTotals> totalsOf(int before, int node) const;
 
   private:

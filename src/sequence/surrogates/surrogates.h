@@ -32,7 +32,8 @@ class SolvedLump {
     const std::vector<LumpWay>& ways() const;
     /// Lengths and times of the paths of ways()[way], in the order of its tools.
     const std::vector<PathTotals>& totals(int way) const;
-    /// The step of the tool that comes in that place of ways()[way], proved. \throws Error(Internal) if its
+    /// The step of the tool that comes in that place of ways()[way], proved.
+    /// \throws Error(Internal) if its
     /// path gouges
     SequenceStep step(int way, std::size_t place) const;
 
@@ -56,7 +57,8 @@ class SurrogateFinder {
     /// The lumps of edge (m, n), each a small feature of its own: what of n's lumps m (null: nothing yet) has
     /// not cleared. Empty when n has none or nothing is left of them.
     Lumps lumpsOf(const CutterArea* m, const ToolReach& n) const;
-    /// A tool's number among the surrogates; kNoTool when it is none. \pre a tool of the job's library
+    /// A tool's number among the surrogates; kNoTool when it is none.
+    /// \pre a tool of the job's library
     int numberOf(const ToolAssembly& tool) const;
 
   private:

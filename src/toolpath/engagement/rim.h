@@ -19,7 +19,8 @@ class Rim {
     bool isCovered();
     /// Across the direction of travel, of what is left [mm].
     double freeWidthMm();
-    /// The same, of what is left inside the region. \param near  its edges that may meet the rim
+    /// The same, of what is left inside the region.
+    /// \param near  its edges that may meet the rim
     double freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near);
 
   private:

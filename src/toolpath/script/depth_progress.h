@@ -47,7 +47,8 @@ class DepthProgress {
     /// Are all passes done that it waits for?
     bool isReady(int i) const;
     bool wasCut(int i) const { return spot_of_[static_cast<std::size_t>(i)].has_value(); }
-    /// The spot a pass was cut in. \pre wasCut(i)
+    /// The spot a pass was cut in.
+    /// \pre wasCut(i)
     std::size_t spotOf(int i) const { return spot_of_[static_cast<std::size_t>(i)].value(); }
     /// The pass cut last; -1 before the first.
     int last() const { return last_; }

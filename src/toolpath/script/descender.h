@@ -15,7 +15,8 @@ class Descender {
     Descender(const DepthTask& task, const RingFamily::Component& component, const SweptGround& before,
               EntryDescent& entry, DepthProgress& progress);
 
-    /// Cuts one more pass. \pre some are left
+    /// Cuts one more pass.
+    /// \pre some are left
     void goOn();
     /// A short way off the wall that the last pass ended beside, over ground that its spot has cleared; none
     /// where there is no such ground.

@@ -23,7 +23,8 @@ class EntryDescent {
 
     /// Adds the way down; false when the entry does not keep the guard from the walls.
     bool goDown(const Vec2& towards);
-    /// The same straight down at the entry's place. \pre not over an open edge
+    /// The same straight down at the entry's place.
+    /// \pre not over an open edge
     bool goDownPlunge();
 
     /// Is a curve no narrower than the helix or ramp found for the tool? A narrower one would be steep for

@@ -13,7 +13,8 @@ class NeedlessPasses {
     NeedlessPasses(const DepthTask& task, DepthProgress& progress);
 
     /// Drops innermost rings whose ground the next rings out sweep too. These are then the ones that cut full
-    /// width, as innermost rings always do. \pre no pass has been cut
+    /// width, as innermost rings always do.
+    /// \pre no pass has been cut
     void dropInnermost();
 
     /// Drops passes that are ready and lie over ground that is proven clear by now, as along an open side

@@ -217,7 +217,8 @@ TEST(SimulateHoles, DrillsStayInsideThePointsOfHoleModel) {
 }
 
 /// Every setup of a part tapped by the table, its taps as wide as the thread's core: what they cut beyond is
-/// the thread. \return  how many holes were tapped
+/// the thread.
+/// \return  how many holes were tapped
 int tappedHoles(const std::filesystem::path& file, const HoleTable& table) {
     PlanRequest request;
     request.sequence.material = "aluminium";

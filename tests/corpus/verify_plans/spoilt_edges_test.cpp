@@ -28,7 +28,8 @@ TEST_F(SpoiltEdges, AreProvenAsTheyWere) {
 TEST_F(SpoiltEdges, ShowABreakThatIsDeeper) {
     const std::size_t plunge = find(" G1 Z-", edges_);
     const std::string& line = lines_[plunge];
-    const std::string was = line.substr(line.find(" Z-"), line.find(' ', line.find(" Z-") + 1) - line.find(" Z-"));
+    const std::string was =
+        line.substr(line.find(" Z-"), line.find(' ', line.find(" Z-") + 1) - line.find(" Z-"));
     replace(plunge, was, fmt::format(" Z{:.4f}", std::stod(was.substr(2)) - 0.1));
     expectFails(plunge, "goes down to Z-");
 }

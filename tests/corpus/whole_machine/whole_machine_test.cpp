@@ -181,7 +181,8 @@ class Run {
     Hits& hits_;
 };
 
-/// All setups of a plan. \param shorter_mm  how much lower than planned shanks, holders and spindle are
+/// All setups of a plan.
+/// \param shorter_mm  how much lower than planned shanks, holders and spindle are
 Hits simulated(const fs::path& job, double shorter_mm) {
     const Json plan = Json::parse(slurp(job / "plan.json"));
     std::map<int, Spindle> spindles;

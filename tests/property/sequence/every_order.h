@@ -44,7 +44,8 @@ class EveryOrder {
     double reach_mm2() const { return cleared_.back().coverable_area_mm2; }
 
     /// The least seconds or money, as the objective asks, to clear that much; infinite if that is too
-    /// much. \param falling  only orders in which no tool is wider than one before it
+    /// much.
+    /// \param falling  only orders in which no tool is wider than one before it
     double cheapest(double enough_mm2, bool falling = false) {
         std::vector<double> best(cleared_.size(), kInfinite);
         best[0] = 0;

@@ -12,7 +12,8 @@ class GraphMaker {
     FaceGraph graph;
     std::vector<bool> on_stock;
 
-    /// A plane through `at`. \return its index
+    /// A plane through `at`.
+    /// \return its index
     int plane(const Vec3& at, const Vec3& normal, bool stock = false) {
         FaceShape face;
         face.surface = "plane";

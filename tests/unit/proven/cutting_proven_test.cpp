@@ -34,7 +34,8 @@ const ProvenPlan& inAluminium() {
     return proven;
 }
 
-/// The program with the feed on one line made higher by that factor. \param index  of the lines with a feed
+/// The program with the feed on one line made higher by that factor.
+/// \param index  of the lines with a feed
 PlanFiles withFaster(PlanFiles files, double factor, const std::function<bool(double)>& which) {
     std::string& text = files.programs.begin()->second.front().text;
     static const std::regex kFeed("F([0-9.]+)");

@@ -14,8 +14,8 @@ namespace {
 TEST(DrillRows, TellWhichHolesADrillMakesAndWhichItStarts) {
     const std::vector<Feature> features{holeOf(8, 10, true), holeOf(8, 10, false), holeOf(20, 10, true),
                                         makePocket(makeRectangle(Vec2(0, 0), Vec2(30, 30)), 5)};
-    const auto rows = drillTable(features, makeLibrary({makeDrill(8), makeDrill(6.3), makeMill(6)}), makeMachine(),
-                                 inAluminium(), kTol);
+    const auto rows = drillTable(features, makeLibrary({makeDrill(8), makeDrill(6.3), makeMill(6)}),
+                                 makeMachine(), inAluminium(), kTol);
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].makes, 1);
     EXPECT_EQ(rows[0].makes_room_in, 2);

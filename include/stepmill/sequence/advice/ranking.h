@@ -41,8 +41,8 @@ struct Ranking {
     RankedSet shortest_path;
 };
 
-/// What a drill does in the holes of some features. Drills are no rows of the ranking: each reaches only holes
-/// of its own width, so none goes before another.
+/// What a drill does in the holes of some features. Drills are no rows of the ranking: each reaches only
+/// holes of its own width, so none goes before another.
 struct DrillRow {
     std::string tool;
     double diameter_mm = 0;
