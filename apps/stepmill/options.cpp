@@ -85,7 +85,8 @@ void setMargins(const PlanOptions& options, SetupRequest& request) {
     request.stock_sizes_mm = shop.blank.sizes_mm;
     if (!options.stock_margin)
         request.margin = {shop.blank.side_mm, shop.blank.top_mm,
-                          shop.vise.grip_mm + shop.vise.jaw_clearance_mm + kGripOverlapMm};
+                          shop.vise.leastHoldMm().value_or(shop.vise.grip_mm) + shop.vise.jaw_clearance_mm +
+                              kGripOverlapMm};
 }
 
 bool isNumber(const std::string& text) {

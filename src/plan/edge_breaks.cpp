@@ -19,14 +19,16 @@ double sameEdgeMm(const Tolerances& tol) {
     return 2 * tol.curve_fit_mm;
 }
 
-/// The upright wall that falls from the face's edge; null where something else lies there.
+/// The upright wall that falls from the face's edge; null where something else lies there. Elsewhere it may
+/// go higher: the side of a flight of steps is one face.
 const FaceTrace* wallBelow(const LayerStack& layers, const FaceTrace& floor, const Edge& edge,
                            const Tolerances& tol) {
     const Vec2 middle = pointAt(edge, 0.5);
     for (const FaceNeighbour& neighbour : floor.neighbours) {
         const FaceTrace& wall = layers.traces[static_cast<std::size_t>(neighbour.face)];
         const bool falls = neighbour.bend == Bend::Convex && wall.stand == FaceStand::Wall &&
-                           std::abs(wall.top_z_mm - floor.top_z_mm) <= kSameWrittenHeightMm;
+                           wall.top_z_mm >= floor.top_z_mm - kSameWrittenHeightMm &&
+                           wall.bottom_z_mm < floor.top_z_mm - kSameWrittenHeightMm;
         if (falls && distanceTo(middle, wall.footprint) <= sameEdgeMm(tol)) return &wall;
     }
     return nullptr;
@@ -75,7 +77,7 @@ void EdgeBreaks::addFace(const LayerStack& layers, const FaceTrace& floor) {
         for (const Edge& edge : edgesOf(loop)) {
             const FaceTrace* wall = wallBelow(layers, floor, edge, tol_);
             if (wall == nullptr) continue;
-            const double height_mm = wall->top_z_mm - wall->bottom_z_mm;
+            const double height_mm = floor.top_z_mm - wall->bottom_z_mm;
             append(edge, height_mm + kSameWrittenHeightMm >= width_mm_ ? high : low);
         }
         closeUp(high);

@@ -2,6 +2,7 @@
 
 #include "plan/form_setups.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 
@@ -13,12 +14,17 @@
 #include "plan/make_operations.h"
 #include "plan/retract.h"
 #include "stepmill/core/error.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/layers/reserve.h"
+#include "stepmill/setup/stock_growth.h"
 
 namespace stepmill {
 namespace {
 
 using Finish = std::function<std::optional<FormFinishing>(const FormSources&, const FormShop&)>;
+
+/// Faces so near to the blank's are flush with it [mm].
+constexpr double kFlushMm = 0.01;
 
 /// One kind of form operations.
 struct FormKind {
@@ -113,6 +119,28 @@ void warnOfSharpEdges(const FormGround& ground, std::vector<Warning>& warnings) 
     }
 }
 
+/// Do faces of the part lie where the blank's raw ones may stand out?
+bool hasRawFaces(const FormGround& ground, const StockGrowth& growth) {
+    return std::any_of(ground.must_stand.begin(), ground.must_stand.end(), [&](const Obstacle& band) {
+        if (growth.top_mm > 0 && band.top_z_mm >= -kSameWrittenHeightMm) return true;
+        if (!growth.raw_sides_mm || band.section.empty()) return false;
+        const Box2 box = boundingBox(band.section);
+        const Vec2 low = box.min() - growth.raw_sides_mm->min();
+        const Vec2 high = growth.raw_sides_mm->max() - box.max();
+        return std::min(low.minCoeff(), high.minCoeff()) <= kFlushMm;
+    });
+}
+
+/// A break is measured from the faces as drawn.
+void warnOfRawFaces(const PlannedSetup& setup, std::vector<Warning>& warnings) {
+    const StockGrowth growth = growthOf(setup.setup.stock, setup.setup.part_to_setup);
+    if (!hasRawFaces(*setup.edges, growth)) return;
+    warnings.push_back(
+        {"raw-edge", setup.edges->id,
+         "sides or top may still be raw and stand out: an edge beside them comes out wider by as "
+         "much, as a step; mill them before, or measure the blank (--stock-tolerance 0)"});
+}
+
 }  // namespace
 
 std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
@@ -141,8 +169,11 @@ std::vector<PlannedSetup> withBrokenEdges(std::vector<PlannedSetup> setups,
                          },
                          true};
     FormSetups(edges, shop, warnings).addTo(setups, stages, progress);
-    for (const PlannedSetup& setup : setups)
-        if (setup.edges) warnOfSharpEdges(*setup.edges, warnings);
+    for (const PlannedSetup& setup : setups) {
+        if (!setup.edges) continue;
+        warnOfSharpEdges(*setup.edges, warnings);
+        warnOfRawFaces(setup, warnings);
+    }
     return setups;
 }
 

@@ -96,13 +96,17 @@ Clamping givenClamping(const FixtureFile& given, const std::string& setup_id) {
 
 StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
     StockToHold stock;
-    if (break_edges_mm > 0) stock.round_top_mm = break_edges_mm + kTipBelowBreakMm;
     const LayerStack& layers = stage.layers;
     for (const Layer& layer : layers.layers) {
         stock.arriving.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
         stock.upright.push_back(layer.stock_air_mm3 <= 0);
     }
     stock.removed = featurePrisms(stage.found);
+    const auto highest = std::find_if(layers.layers.begin(), layers.layers.end(),
+                                      [](const Layer& layer) { return !layer.part.empty(); });
+    if (break_edges_mm > 0 && highest != layers.layers.end())
+        stock.round_above_mm =
+            highest->top_z_mm - layers.stock_bottom_z_mm - break_edges_mm - kTipBelowBreakMm;
     const auto lowest = std::find_if(layers.layers.rbegin(), layers.layers.rend(),
                                      [](const Layer& layer) { return !layer.part.empty(); });
     if (lowest != layers.layers.rend()) stock.under_part_mm = lowest->bottom_z_mm - layers.stock_bottom_z_mm;

@@ -55,6 +55,15 @@ void warnOfHold(const PlannedSetup& setup, std::vector<Warning>& into) {
                                 setup.clamping.text)});
 }
 
+/// Tape or glue that nobody asked for may be too weak for what is cut.
+void warnOfPlate(const PlannedSetup& setup, std::optional<HoldKind> asked, std::vector<Warning>& into) {
+    if (setup.clamping.kind != HoldKind::Plate || asked || setup.operations.empty()) return;
+    into.push_back(
+        {"taped", setup.setup.id,
+         "tape or glue alone holds it on a plate, which no force of cutting is weighed against: take "
+         "less at once, or leave stock for the vise (--stock auto)"});
+}
+
 /// Held stock that no later setup takes.
 void warnOfHeldStock(const Plan& plan, std::vector<Warning>& into) {
     for (const ReasonVolume& entry : plan.balance.residual_by_reason)
@@ -70,6 +79,7 @@ std::vector<Warning> holdWarnings(const Plan& plan) {
     std::vector<Warning> warnings;
     for (const PlannedSetup& setup : plan.setups) {
         warnOfHold(setup, warnings);
+        warnOfPlate(setup, plan.request.hold, warnings);
         warnOfBed(setup, plan.request.fixtures, warnings);
     }
     warnOfHeldStock(plan, warnings);

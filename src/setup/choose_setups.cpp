@@ -1,6 +1,7 @@
 // Which ways up the part is machined, in which order, and from what.
 
 #include <algorithm>
+#include <optional>
 
 #include "setup/candidates.h"
 #include "setup/containment.h"
@@ -18,6 +19,10 @@ namespace {
 
 /// Of axes that reach the same, the one over the stock's largest side is best held; less than any volume.
 constexpr double kFootprintBonus = 0.01;
+
+/// Stock below the part is there to be held and then faced off: the first setup's axis and the one it is
+/// turned over to are chosen unless others do that much more, in setups.
+constexpr double kTurnOverBonus = 0.5;
 
 /// What an indexed axis costs over one along the box, in setups: it takes a sine vise and a datum more.
 constexpr double kIndexedCost = 1;
@@ -71,13 +76,17 @@ class SetupMaker {
         const std::vector<Vec3> axes = setup::candidateAxes(part_, request_.forbidden);
         // Which side gets the top margin depends on the first axis, and that on the stock: ask again once.
         // Margins are told for the first axis, so it stays first.
-        Choice choice = choose(axes, stockFor(axes.front()));
+        Choice choice = choose(axes, stockFor(axes.front()), std::nullopt);
         const int first = choice.order.front();
-        const Stock stock = stockFor(axes[first]);
-        if (!stock.bbox_mm.isApprox(stockFor(axes.front()).bbox_mm)) {
-            choice = choose(axes, stock);
+        Stock stock = stockFor(axes[first]);
+        const bool turned = !stock.bbox_mm.isApprox(stockFor(axes.front()).bbox_mm);
+        if (turned || request_.margin.bottom_mm > 0) {
+            choice = choose(axes, stock, axes[first]);
             const auto found = std::find(choice.order.begin(), choice.order.end(), first);
-            if (found != choice.order.end()) std::rotate(choice.order.begin(), found, found + 1);
+            if (found != choice.order.end())
+                std::rotate(choice.order.begin(), found, found + 1);
+            else
+                stock = stockFor(axes[choice.order.front()]);
         }
         std::vector<Setup> setups;
         for (const int index : choice.order) {
@@ -94,10 +103,13 @@ class SetupMaker {
         std::vector<int> order;  ///< indices of axes
     };
 
-    Choice choose(const std::vector<Vec3>& axes, const Stock& stock) const {
+    /// \param first  axis of the first setup, where it is known
+    Choice choose(const std::vector<Vec3>& axes, const Stock& stock, const std::optional<Vec3>& first) const {
         Choice choice;
         choice.groups = setup::sampleReach(part_, mesh_, stock, stock_facets_, axes);
-        std::vector<int> best = setup::bestAxes(choice.groups, bonusOf(stock, axes));
+        std::vector<double> bonus = bonusOf(stock, axes);
+        if (first && request_.margin.bottom_mm > 0) addTurnOver(axes, *first, bonus);
+        std::vector<int> best = setup::bestAxes(choice.groups, bonus);
         if (best.empty()) best = {0};
         std::vector<setup::SetupTraits> traits;
         for (const Vec3& axis : axes) {
@@ -128,6 +140,11 @@ class SetupMaker {
         for (std::size_t i = 0; i < axes.size(); ++i)
             if (!isBoxDirection(axes[i])) bonus[i] -= kIndexedCost;
         return bonus;
+    }
+
+    static void addTurnOver(const std::vector<Vec3>& axes, const Vec3& first, std::vector<double>& bonus) {
+        for (std::size_t i = 0; i < axes.size(); ++i)
+            if (axes[i].isApprox(first) || axes[i].isApprox(-first)) bonus[i] += kTurnOverBonus;
     }
 
     Setup make(const Vec3& axis, const Stock& stock) const {

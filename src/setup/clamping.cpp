@@ -2,6 +2,8 @@
 
 #include "stepmill/setup/clamping.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "setup/ways_to_hold.h"
@@ -25,6 +27,12 @@ double seatArea(const StockToHold& stock, const Tolerances& tol) {
     return area(gone.empty() ? lowest.region : subtract(lowest.region, unite(gone, tol), tol));
 }
 
+bool cutsThrough(const StockToHold& stock) {
+    const double bottom_mm = stock.arriving.back().bottom_z_mm;
+    return std::any_of(stock.removed.begin(), stock.removed.end(),
+                       [&](const Prism& prism) { return prism.bottom_z_mm < bottom_mm + kPlaneMm; });
+}
+
 /// On a plate, where the stock has a seat for it.
 WayToHold onPlate(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
     const double seat_mm2 = seatArea(stock, tol);
@@ -35,7 +43,7 @@ WayToHold onPlate(const StockToHold& stock, const HoldWish& wish, const Toleranc
     clamping.kind = wish.kind.value_or(HoldKind::Plate);
     clamping.text =
         fmt::format("sacrificial plate of {:.4g} mm under all of it, by tape or glue", wish.plate_mm);
-    if (clamping.kind == HoldKind::Skin) {
+    if (clamping.kind == HoldKind::Skin && cutsThrough(stock)) {
         clamping.held_mm = kSkinMm;
         clamping.holds_all = true;
         clamping.text += fmt::format("; a skin of {:g} mm stays at the bottom", kSkinMm);

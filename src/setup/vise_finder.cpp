@@ -203,7 +203,7 @@ class ViseFinder {
     /// The jaws reach no higher over the stock's bottom.
     double highestJaws(const Vec2& across, const Grip& grip, ViseUse use) const {
         const double clear_mm =
-            std::min(grip.to_mm, height_mm_ - stock_.round_top_mm - vise_.jaw_clearance_mm);
+            std::min(grip.to_mm, std::min(height_mm_, stock_.round_above_mm) - vise_.jaw_clearance_mm);
         if (use == ViseUse::GripStock) {
             const double spare_mm = stock_.under_part_mm - vise_.jaw_clearance_mm - vise_.grip_mm;
             return std::min(clear_mm, stock_.under_part_mm - vise_.jaw_clearance_mm -
@@ -225,6 +225,16 @@ class ViseFinder {
         return found;
     }
 
+    std::string whyNoTop(const Grip& grip, double highest_mm) const {
+        const bool room = highest_mm - grip.from_mm >= vise_.grip_mm - kPlaneMm;
+        if (room && tops_.back().over_bottom_mm > highest_mm + kPlaneMm)
+            return fmt::format(
+                "its jaws must end {:.4g} mm over the stock's bottom, on the highest parallels they "
+                "end {:.4g} mm over it",
+                highest_mm, tops_.back().over_bottom_mm);
+        return "the cutting reaches down the sides that jaws could hold";
+    }
+
     /// Is there enough above held sides for the next setup's jaws to hold what this one cut?
     bool canBeTurnedOver(double held_mm) const {
         return height_mm_ - held_mm >= vise_.grip_mm + vise_.jaw_clearance_mm - kPlaneMm;
@@ -240,7 +250,7 @@ class ViseFinder {
         }
         const std::optional<JawTop> top = jawTop(grip, highestJaws(across, grip, use), use);
         if (!top || (use == ViseUse::GripSides && !canBeTurnedOver(heldTo(*top, use)))) {
-            why_ = "the cutting reaches down the sides that jaws could hold";
+            why_ = whyNoTop(grip, highestJaws(across, grip, use));
             return;
         }
         const Hold hold = held(across, grip, top->over_bottom_mm);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace stepmill {
@@ -15,6 +16,19 @@ struct Vise {
     std::vector<double> parallels_mm = {6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30, 32, 34, 35};
     double grip_mm = 5;           ///< the jaws hold at least that much height of the stock
     double jaw_clearance_mm = 2;  ///< cutting stays so far above the jaws
+
+    /// The least height of a stock on the bed or on parallels that the jaws hold, no less than the grip;
+    /// nothing where they are lower than that [mm].
+    std::optional<double> leastHoldMm() const {
+        std::optional<double> least_mm;
+        const auto consider = [&](double hold_mm) {
+            if (hold_mm >= grip_mm && (!least_mm || hold_mm < *least_mm)) least_mm = hold_mm;
+        };
+        consider(jaw_height_mm);
+        for (const double height_mm : parallels_mm)
+            consider(jaw_height_mm - height_mm);
+        return least_mm;
+    }
 
     bool operator==(const Vise&) const = default;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -75,7 +76,8 @@ struct StockToHold {
     std::vector<bool> upright;
     std::vector<Prism> removed;  ///< all the setup cuts where nothing is kept from it
     double under_part_mm = 0;    ///< height of the stock that lies below all of the part
-    double round_top_mm = 0;     ///< so far below the stock's top cutters go round it; 0: they do not
+    /// Height over the stock's bottom above which cutters go round it, whatever they cut of it [mm].
+    double round_above_mm = std::numeric_limits<double>::infinity();
 };
 
 /// What the shop has, and which kind was asked for; nothing: the first of the order below that will do.

@@ -35,11 +35,12 @@ std::string outcomeWords(const TriedReserve& tried) {
 /// A plan with and without it, and each piece of work that it is about.
 Element triedSection(const ReportSubject& subject, const TriedReserve& tried) {
     const Measures& in = subject.in;
+    const bool taken = tried.verdict == Verdict::Taken;
     Table table({"work of", "or of the setup along", numbersIn(in.volumeUnit(), "volume"),
                  numbers("takes here"), numbers("takes there"), "is"});
     for (const WeighedWork& work : tried.proposal.work)
         table.row(work.feature, work.setup, in.volume(work.volume_mm3, 2), clockTime(work.early_s),
-                  clockTime(work.late_s), work.left ? "left" : "cut");
+                  clockTime(work.late_s), work.left ? (taken ? "left" : "would be left") : "cut");
     return Element(
         "details.band",
         Element("summary",
@@ -48,7 +49,8 @@ Element triedSection(const ReportSubject& subject, const TriedReserve& tried) {
         std::move(table).element(),
         Element("p.soft",
                 "Times of pieces are estimates, by their share of a feature's volume and "
-                "without tool changes; the two plans were made."));
+                "without tool changes. Both plans were made, but in flat layers and at the library's feeds: "
+                "feeds by what is cut, leaning walls and edges come after the choice."));
 }
 
 }  // namespace

@@ -100,7 +100,8 @@ const Setup* takerOf(const Plan& plan, const PlannedSetup& planned) {
     const auto self = std::find_if(plan.setups.begin(), plan.setups.end(),
                                    [&](const PlannedSetup& one) { return one.setup.id == planned.setup.id; });
     for (auto later = self == plan.setups.end() ? self : self + 1; later != plan.setups.end(); ++later)
-        if (later->setup.axis.dot(planned.setup.axis) < 0 && !later->operations.empty()) return &later->setup;
+        if (!later->setup.axis.isApprox(planned.setup.axis) && !later->operations.empty())
+            return &later->setup;
     return nullptr;
 }
 
@@ -115,7 +116,7 @@ std::string heldWords(const Measures& in, const Plan& plan, const PlannedSetup& 
 }
 
 std::string plateWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
-    const std::string skin = planned.clamping.kind == HoldKind::Skin ? " Cut the skin by hand." : "";
+    const std::string skin = planned.clamping.held_mm > 0 ? " Cut the skin by hand." : "";
     return fmt::format(
         "sacrificial plate, {} thick, under all of it: by tape, glue, or screws where nothing is cut.{}",
         in.length(plan.request.fixtures.plate_mm), skin);
