@@ -34,7 +34,7 @@ PlanBooks booksOf(const std::vector<PlannedSetup>& setups, const std::vector<Pla
 }
 
 CutSetups cutSetups(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
-                    double stock_minus_part_mm3, const PlanningShop& shop, const Progress& progress) {
+                    const PlanningShop& shop, const Progress& progress) {
     const PlanRequest& request = shop.request;
     CutSetups cut;
     shop.memory.beginPlan();
@@ -52,7 +52,6 @@ CutSetups cutSetups(const std::vector<Setup>& setups, const std::vector<CutPrism
     TimedSetups timed = withTimes(std::move(operating), set_out, shop.machine);
     cut.setups = std::move(timed.setups);
     cut.totals = timed.totals;
-    cut.balance = booksOf(cut.setups, cut.stages, stock_minus_part_mm3, shop.tol).part;
     return cut;
 }
 

@@ -16,15 +16,12 @@ struct CutSetups {
     ToolSharing sharing;
     int threads_missing = 0;
     PlanTotals totals;
-    VolumeBalance balance;
     std::vector<Warning> warnings;  ///< of time that was short, then of threads
-
-    double leftMm3() const { return balance.residual_mm3 + balance.unreachable_mm3; }
 };
 
 /// Plans the setups as they stand, each on what those before it leave.
 CutSetups cutSetups(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
-                    double stock_minus_part_mm3, const PlanningShop& shop, const Progress& progress);
+                    const PlanningShop& shop, const Progress& progress);
 
 /// \param setups  moved out of the stages, with their operations or without
 PlanBooks booksOf(const std::vector<PlannedSetup>& setups, const std::vector<PlannedStage>& stages,

@@ -27,6 +27,14 @@ constexpr double kMoreMayStayShare = 0.005;
 /// A plan must be shorter by so much to be taken: feeds and leaning walls, which come later, are not in it.
 constexpr double kWorthChanging = 0.99;
 
+/// Setups with what the books say of the part: a long sum, only made where trials are compared.
+struct Booked {
+    CutSetups cut;
+    std::optional<VolumeBalance> books;
+
+    double leftMm3() const { return books->residual_mm3 + books->unreachable_mm3; }
+};
+
 /// How many setups nothing is known that would hold them.
 auto unheld(const CutSetups& cut) {
     return std::count_if(cut.setups.begin(), cut.setups.end(),
@@ -49,27 +57,29 @@ bool clampedAlike(const CutSetups& cut, const CutSetups& than, const FixtureFile
 
 /// A trial is taken if it is clearly shorter, or cheaper if plans are made by cost, with no more setups, held
 /// as well, and if no more stays.
-Verdict verdictOn(const CutSetups& cut, const CutSetups& than, const PlanRequest& request) {
+Verdict verdictOn(const Booked& trial, const Booked& best, const PlanRequest& request) {
+    const CutSetups& cut = trial.cut;
+    const CutSetups& than = best.cut;
     const auto weight = [&](const PlanTotals& totals) {
         return request.sequence.objective == Objective::Time ? totals.motion_s : totals.cost;
     };
     const double noise_mm3 =
-        std::max(kVolumeRoundingMm3, kBooksNoiseShare * than.balance.stock_minus_part_mm3);
-    const double may_stay_mm3 = than.leftMm3() + std::max(noise_mm3, kMoreMayStayShare * than.leftMm3());
+        std::max(kVolumeRoundingMm3, kBooksNoiseShare * best.books->stock_minus_part_mm3);
+    const double may_stay_mm3 = best.leftMm3() + std::max(noise_mm3, kMoreMayStayShare * best.leftMm3());
     if (weight(cut.totals) >= kWorthChanging * weight(than.totals)) return Verdict::SavesTooLittle;
     if (cut.setups.size() > than.setups.size()) return Verdict::MoreSetups;
     if (unheld(cut) > unheld(than) || loosePieces(cut) > loosePieces(than) ||
         !clampedAlike(cut, than, request.fixtures))
         return Verdict::HeldWorse;
-    const bool books_close = std::abs(cut.balance.gapMm3()) <= std::abs(than.balance.gapMm3()) + noise_mm3;
-    return cut.leftMm3() > may_stay_mm3 || !books_close ? Verdict::MoreStays : Verdict::Taken;
+    const bool books_close = std::abs(trial.books->gapMm3()) <= std::abs(best.books->gapMm3()) + noise_mm3;
+    return trial.leftMm3() > may_stay_mm3 || !books_close ? Verdict::MoreStays : Verdict::Taken;
 }
 
 /// The setups as they would be cut if one of them left stock.
 struct Trial {
     ReserveProposal proposal;
     std::vector<CutPrisms> reserves;
-    CutSetups cut;
+    Booked made;
 };
 
 /// Trials end when few tools would begin to be weighed: what comes after the choice needs that time.
@@ -103,11 +113,17 @@ class Trials {
             auto proposal = proposeReserve(best.setups[i], best.stages[i].layers, setups_, later, shop_);
             if (!proposal) return std::nullopt;
             reserves[place] = proposal->reserve;
-            CutSetups made = cutSetups(setups_, reserves, stock_minus_part_mm3_, shop_, progress_);
+            Booked made{cutSetups(setups_, reserves, shop_, progress_), std::nullopt};
+            addBooks(made);
             return Trial{std::move(*proposal), std::move(reserves), std::move(made)};
         } catch (const std::exception&) {
             return std::nullopt;
         }
+    }
+
+    void addBooks(Booked& made) const {
+        if (!made.books)
+            made.books = booksOf(made.cut.setups, made.cut.stages, stock_minus_part_mm3_, shop_.tol).part;
     }
 
   private:
@@ -127,22 +143,23 @@ CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_
                            const PlanningShop& shop, const Progress& progress, Assignment& assignment) {
     const PlanRequest& request = shop.request;
     assignment.reserves.resize(setups.size());
-    CutSetups best = cutSetups(setups, assignment.reserves, stock_minus_part_mm3, shop, progress);
-    if (request.assignment || !request.assign || request.roughing) return best;
+    Booked best{cutSetups(setups, assignment.reserves, shop, progress), std::nullopt};
+    if (request.assignment || !request.assign || request.roughing) return std::move(best.cut);
     const PlanRequest hasty = withoutSpareTime(request);
     const Trials trials(setups, stock_minus_part_mm3, tryingOut(hasty, shop), progress);
-    for (std::size_t i = 0; i < best.stages.size() && !request.patience.all_tools.passed(); ++i) {
-        std::optional<Trial> trial = trials.leaving(best, i, assignment.reserves);
+    for (std::size_t i = 0; i < best.cut.stages.size() && !request.patience.all_tools.passed(); ++i) {
+        std::optional<Trial> trial = trials.leaving(best.cut, i, assignment.reserves);
         if (!trial) continue;
-        const Verdict verdict = verdictOn(trial->cut, best, request);
-        assignment.tried.push_back({best.setups[i].setup.id, std::move(trial->proposal), best.totals.motion_s,
-                                    trial->cut.totals.motion_s, trial->cut.leftMm3() - best.leftMm3(),
-                                    verdict});
+        trials.addBooks(best);
+        const Verdict verdict = verdictOn(trial->made, best, request);
+        assignment.tried.push_back({best.cut.setups[i].setup.id, std::move(trial->proposal),
+                                    best.cut.totals.motion_s, trial->made.cut.totals.motion_s,
+                                    trial->made.leftMm3() - best.leftMm3(), verdict});
         if (verdict != Verdict::Taken) continue;
-        best = std::move(trial->cut);
+        best = std::move(trial->made);
         assignment.reserves = std::move(trial->reserves);
     }
-    return best;
+    return std::move(best.cut);
 }
 
 }  // namespace stepmill
