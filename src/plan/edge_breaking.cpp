@@ -10,10 +10,10 @@
 #include "plan/form_work.h"
 #include "plan/site_walls.h"
 #include "stepmill/catalog/cutter_form.h"
+#include "stepmill/layers/reserve.h"
 #include "stepmill/plan/edge_breaks.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
-#include "stepmill/toolpath/swept_region.h"
 
 namespace stepmill {
 namespace {
@@ -163,11 +163,21 @@ std::vector<SharpStretch> stretchesLeft(const EdgeBreaks& breaks, const Standing
     return sharp;
 }
 
+/// Where layers end that fixtures stand beside: above them cutters have room.
+std::vector<double> fixtureTops(const Setup& setup) {
+    std::vector<double> heights_mm;
+    for (const Fixture& fixture : setup.fixtures)
+        heights_mm.push_back(fixture.top_z_mm);
+    return heights_mm;
+}
+
 }  // namespace
 
-std::optional<FormFinishing> breakEdges(const FormSources& sources, double width_mm, const FormShop& shop) {
-    shop.deadline.check(edgeGroundId(sources.setup.id));
-    const EdgeBreaks breaks(sources.layers, width_mm, shop.tol);
+std::optional<FormFinishing> breakEdges(const FormSources& cut, double width_mm, const FormShop& shop) {
+    shop.deadline.check(edgeGroundId(cut.setup.id));
+    const LayerStack layers = partedAt(cut.layers, fixtureTops(cut.setup));
+    const FormSources sources{cut.setup, layers, cut.after, cut.at_end};
+    const EdgeBreaks breaks(layers, width_mm, shop.tol);
     std::optional<FormSite> site =
         siteOf(sources, EdgeWalls(sources, breaks, shop.tol), width_mm, widestFormCutterMm(shop), shop.tol);
     if (!site || shop.caution.dropped) return std::nullopt;

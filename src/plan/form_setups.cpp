@@ -15,7 +15,6 @@
 #include "plan/retract.h"
 #include "stepmill/core/error.h"
 #include "stepmill/feature/heights.h"
-#include "stepmill/layers/reserve.h"
 #include "stepmill/setup/stock_growth.h"
 
 namespace stepmill {
@@ -33,16 +32,7 @@ struct FormKind {
     const char* stage;      ///< for the progress bar
     const char* otherwise;  ///< what is so where their planning fails
     Finish finish;
-    bool over_fixtures = false;  ///< do cutters come over fixtures that end within a layer?
 };
-
-/// Where layers end that fixtures stand beside: above them cutters have room.
-std::vector<double> fixtureTops(const Setup& setup) {
-    std::vector<double> heights_mm;
-    for (const Fixture& fixture : setup.fixtures)
-        heights_mm.push_back(fixture.top_z_mm);
-    return heights_mm;
-}
 
 class FormSetups {
   public:
@@ -55,9 +45,7 @@ class FormSetups {
         for (std::size_t i = 0; i < setups.size(); ++i) {
             PlannedSetup& setup = setups[i];
             if (progress) progress(kind_.stage + setup.setup.id, 1);
-            const LayerStack& cut = stages[i].layers;
-            const LayerStack layers = kind_.over_fixtures ? partedAt(cut, fixtureTops(setup.setup)) : cut;
-            auto finishing = finish({setup.setup, layers, stages[i].left, at_end});
+            auto finishing = finish({setup.setup, stages[i].layers, stages[i].left, at_end});
             if (!finishing) continue;
             at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
             setup.*kind_.ground = std::move(finishing->ground);
@@ -160,14 +148,10 @@ std::vector<PlannedSetup> withBrokenEdges(std::vector<PlannedSetup> setups,
                                           const Progress& progress, std::vector<Warning>& warnings) {
     const double width_mm = shop.request.break_edges_mm;
     if (width_mm <= 0 || shop.request.roughing) return setups;
-    const FormKind edges{edgeGroundId,
-                         &PlannedSetup::edges,
-                         "edges of ",
-                         "edges stay sharp",
+    const FormKind edges{edgeGroundId, &PlannedSetup::edges, "edges of ", "edges stay sharp",
                          [width_mm](const FormSources& sources, const FormShop& forms) {
                              return breakEdges(sources, width_mm, forms);
-                         },
-                         true};
+                         }};
     FormSetups(edges, shop, warnings).addTo(setups, stages, progress);
     for (const PlannedSetup& setup : setups) {
         if (!setup.edges) continue;
