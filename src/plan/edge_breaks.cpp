@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
@@ -49,10 +47,6 @@ void closeUp(std::vector<Path>& stretches) {
     stretches.erase(stretches.begin());
 }
 
-void move(std::vector<Path>& from, std::vector<Path>& into) {
-    std::move(from.begin(), from.end(), std::back_inserter(into));
-}
-
 }  // namespace
 
 SharpStretch sharpStretch(const Path& edge, double z_mm, std::string why) {
@@ -82,7 +76,7 @@ void EdgeBreaks::addFace(const LayerStack& layers, const FaceTrace& floor) {
         }
         closeUp(high);
         closeUp(low);
-        move(high, found.edges);
+        std::move(high.begin(), high.end(), std::back_inserter(found.edges));
         for (const Path& edge : low)
             low_walls_.push_back(sharpStretch(edge, found.z_mm, "the wall below is lower than the break"));
     }

@@ -7,9 +7,6 @@
 
 namespace stepmill {
 
-/// A chamfer mill makes the faces whose lean is its flank's to this.
-inline constexpr double kSameLean = 0.02;
-
 /// Heights of the tip at which a form cutter goes along the walls, from above: so far apart that the ridges
 /// between its passes are no higher than the scallop, and no more than its step-down.
 ///

@@ -47,9 +47,7 @@ Operation formOperation(FormStep& step, const FormGround& ground, const FormShop
     operation.tool_id = step.tool->id;
     operation.path = std::move(step.path);
     operation.z_top_mm = ground.stairs.back().top_z_mm;
-    operation.z_floor_mm = operation.z_top_mm;
-    for (const Move& move : operation.path.moves)
-        operation.z_floor_mm = std::min(operation.z_floor_mm, move.to.z());
+    operation.z_floor_mm = std::min(operation.z_top_mm, lowestMm(operation));
     operation.speed_rpm = cutting.speed_rpm;
     operation.coolant = cutting.coolant;
     operation.ramp_angle_deg = toolpath::rampAngleDeg(cutting);

@@ -27,13 +27,6 @@ std::optional<RoomBelow> roomBelow(const Clamping& clamping, const FixtureFile& 
     return std::nullopt;
 }
 
-double lowestMm(const Operation& operation) {
-    double lowest_mm = 0;
-    for (const Move& move : operation.path.moves)
-        lowest_mm = std::min(lowest_mm, move.to.z());
-    return lowest_mm;
-}
-
 void warnOfBed(const PlannedSetup& setup, const FixtureFile& shop, std::vector<Warning>& into) {
     const std::optional<RoomBelow> room = roomBelow(setup.clamping, shop);
     if (!room) return;

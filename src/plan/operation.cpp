@@ -1,6 +1,15 @@
 #include "stepmill/plan/operation.h"
 
+#include <algorithm>
+
 namespace stepmill {
+
+double lowestMm(const Operation& operation) {
+    double lowest_mm = operation.path.start.z();
+    for (const Move& move : operation.path.moves)
+        lowest_mm = std::min(lowest_mm, move.to.z());
+    return lowest_mm;
+}
 
 std::optional<CuttingModel> cuttingModelOf(const OperationSheet& operation, const Material& material,
                                            const Machine& machine) {

@@ -27,12 +27,6 @@ double seatArea(const StockToHold& stock, const Tolerances& tol) {
     return area(gone.empty() ? lowest.region : subtract(lowest.region, unite(gone, tol), tol));
 }
 
-bool cutsThrough(const StockToHold& stock) {
-    const double bottom_mm = stock.arriving.back().bottom_z_mm;
-    return std::any_of(stock.removed.begin(), stock.removed.end(),
-                       [&](const Prism& prism) { return prism.bottom_z_mm < bottom_mm + kPlaneMm; });
-}
-
 /// On a plate, where the stock has a seat for it.
 WayToHold onPlate(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
     const double seat_mm2 = seatArea(stock, tol);
@@ -43,7 +37,7 @@ WayToHold onPlate(const StockToHold& stock, const HoldWish& wish, const Toleranc
     clamping.kind = wish.kind.value_or(HoldKind::Plate);
     clamping.text =
         fmt::format("sacrificial plate of {:.4g} mm under all of it, by tape or glue", wish.plate_mm);
-    if (clamping.kind == HoldKind::Skin && cutsThrough(stock)) {
+    if (clamping.kind == HoldKind::Skin && setup::cutsThrough(stock)) {
         clamping.held_mm = kSkinMm;
         clamping.holds_all = true;
         clamping.text += fmt::format("; a skin of {:g} mm stays at the bottom", kSkinMm);
@@ -94,6 +88,12 @@ constexpr EnumWord<HoldKind> kHolds[] = {{HoldKind::None, "none"},     {HoldKind
                                          {HoldKind::Skin, "skin"}};
 
 }  // namespace
+
+bool setup::cutsThrough(const StockToHold& stock) {
+    const double bottom_mm = stock.arriving.back().bottom_z_mm;
+    return std::any_of(stock.removed.begin(), stock.removed.end(),
+                       [&](const Prism& prism) { return prism.bottom_z_mm < bottom_mm + kPlaneMm; });
+}
 
 std::string toString(HoldKind kind) {
     return wordOf(kHolds, kind);

@@ -120,7 +120,7 @@ class ViseFinder {
         : stock_(stock),
           vise_(vise),
           bottom_mm_(stock.arriving.back().bottom_z_mm),
-          tops_(jawTops(vise, !cutsThrough())),
+          tops_(jawTops(vise, !cutsThrough(stock))),
           height_mm_(stock.arriving.front().top_z_mm - bottom_mm_) {}
 
     Clamping best(ViseUse use) {
@@ -165,11 +165,6 @@ class ViseFinder {
         std::erase_if(grips,
                       [&](const Grip& grip) { return grip.to_mm - grip.from_mm < vise_.grip_mm - kPlaneMm; });
         return grips;
-    }
-
-    bool cutsThrough() const {
-        return std::any_of(stock_.removed.begin(), stock_.removed.end(),
-                           [&](const Prism& prism) { return prism.bottom_z_mm < bottom_mm_ + kPlaneMm; });
     }
 
     /// Lowest cutting that comes to the jaw on this side, over the stock's bottom.

@@ -16,6 +16,9 @@ struct WayToHold {
     std::string why_not;
 };
 
+/// Is anything cut down to the stock's bottom?
+bool cutsThrough(const StockToHold& stock);
+
 /// On two flat sides, on stock below the part, or, where it was asked for, on sides that are cut above.
 WayToHold inVise(const StockToHold& stock, const HoldWish& wish);
 /// In jaws that are bored to the lowest outline of the stock, which is cut nowhere beside them.

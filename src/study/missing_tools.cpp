@@ -10,12 +10,6 @@
 #include "stepmill/feature/hole_group.h"
 
 namespace stepmill {
-namespace {
-
-/// A chamfer mill makes faces whose lean is its flank's to this, as a sine.
-constexpr double kSameFlank = 0.02;
-
-}  // namespace
 
 MissingTools::MissingTools(const HoleWishes& wishes, const ToolLibrary& library, const std::string& material)
     : wishes_(wishes), library_(library), material_(material) {}
@@ -64,7 +58,7 @@ void MissingTools::lookAtChamfers(const LayerStack& layers) {
         if (face.cause != SlopeCause::Chamfer || !chamfers_.insert(face.face).second) continue;
         const double lean = face.least_normal_z;
         const auto fits = [&](const ToolAssembly& tool) {
-            return tool.type == ToolType::Chamfer && std::abs(flankLean(tool) - lean) <= kSameFlank;
+            return tool.type == ToolType::Chamfer && std::abs(flankLean(tool) - lean) <= kSameLean;
         };
         if (hasTool(fits)) continue;
         const double included_deg = std::round(2 * std::asin(std::clamp(lean, 0.0, 1.0)) * 180 / kPi);

@@ -30,4 +30,7 @@ class CutterForm {
 /// \pre tool.type == ToolType::Chamfer
 double flankLean(const ToolAssembly& tool);
 
+/// A chamfer mill makes the faces whose lean is its flank's to this.
+inline constexpr double kSameLean = 0.02;
+
 }  // namespace stepmill

@@ -66,6 +66,9 @@ struct Operation : OperationData {
     std::vector<Wait> waits;
 };
 
+/// The lowest place of the tool's tip [mm].
+double lowestMm(const Operation& operation);
+
 /// One as it is told without its moves: with its tool, and of its path what it was made by.
 struct OperationSheet : OperationData {
     ToolAssembly tool;  ///< from plan.json without cutting data

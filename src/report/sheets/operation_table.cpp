@@ -67,13 +67,6 @@ double timeOf(const Operation& operation) {
     return operation.path.totals.motion_time_s + operation.dwellOfAll_s();
 }
 
-double lowestMm(const Operation& operation) {
-    double lowest_mm = operation.path.start.z();
-    for (const Move& move : operation.path.moves)
-        lowest_mm = std::min(lowest_mm, move.to.z());
-    return lowest_mm;
-}
-
 Element operationTable(const SheetSubject& subject, const PlannedSetup& setup) {
     const Measures& in = subject.measures;
     const PostedProgram* program = programOf(subject.proven, setup);

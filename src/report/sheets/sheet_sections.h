@@ -31,9 +31,6 @@ std::string shortId(const std::string& id);
 /// With the machine's acceleration where that is given, dwell included [s].
 double timeOf(const Operation& operation);
 
-/// The lowest place of the tool's tip [mm].
-double lowestMm(const Operation& operation);
-
 /// Part, revision, customer and so on; what is not told is a line to write on.
 Element jobBlock(const SheetSubject& subject);
 /// The whole job: a row for each setup.
