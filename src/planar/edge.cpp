@@ -12,6 +12,9 @@ namespace stepmill {
 
 namespace {
 
+/// Parts of arcs shorter than so many steps of the grid are straight.
+constexpr double kLeastArcGrids = 10;
+
 /// Nearer to an arc's centre than rounding of computed points, a point has no direction from it [mm].
 constexpr double kAtCentreMm = 3 * kGridMm;
 
@@ -89,7 +92,9 @@ std::optional<Edge> cutOut(const Edge& edge, double from_share, double to_share)
     const Vec2 from = snapToGrid(pointAt(edge, from_share));
     const Vec2 to = snapToGrid(pointAt(edge, to_share));
     if ((from - to).norm() < 0.5 * kGridMm) return std::nullopt;
-    return makeEdge(from, Segment{to, edge.segment.arc});
+    // Rounding may have turned the ends of so short an arc round: it would be all but a whole circle.
+    const bool short_arc = (to_share - from_share) * length(edge) < kLeastArcGrids * kGridMm;
+    return makeEdge(from, Segment{to, short_arc ? std::nullopt : edge.segment.arc});
 }
 
 std::vector<Vec2> meetingPoints(const Edge& a, const Edge& b) {
