@@ -135,6 +135,44 @@ void drawHuntPlanes(const std::filesystem::path& folder, const Tolerances& tol) 
     writeFile(folder / "hunt-planes.svg", svg(boundingBox(top), layers));
 }
 
+/// Bites of constant engagement in a pocket with an island, and the ways between them.
+void drawAdaptive(const std::filesystem::path& folder, const Tolerances& tol) {
+    constexpr double kDiameterMm = 12;
+    Region pocket = makeRoundedRectangle({0, 0}, {70, 50}, 6);
+    pocket.loops.push_back(reversed(makeCircle({35, 25}, 8).loops.front()));
+    ToolAssembly tool;
+    tool.diameter_mm = kDiameterMm;
+    CuttingData cutting;
+    cutting.feed_mm_per_min = cutting.plunge_feed_mm_per_min = 1000;
+    cutting.step_over_mm = cutting.step_down_mm = kDiameterMm / 2;
+    cutting.adaptive = AdaptiveData{0.17 * kDiameterMm, kDiameterMm, 0, 0, 0};
+    Machine machine;
+    machine.rapid_mm_per_min = 5000;
+    const Box2 block = grown(boundingBox(pocket), 15);
+    ClearingTask task;
+    task.target = pocket;
+    task.obstruction = subtract(makeRectangle(block.min(), block.max()), pocket, tol);
+    task.free_centres = task.centres = offset(pocket, -tool.radius_mm(), tol);
+    const auto widest = ClearanceDiagram(task.free_centres, tol).largestInscribedDisc().value();
+    task.entries = {{EntryKind::Helix, widest.centre, 0.9 * tool.radius_mm(), Vec2::Zero()}};
+    task.floor_z_mm = -kDiameterMm;
+    task.retract_z_mm = 5;
+    task.pattern = Pattern::Adaptive;
+    const Toolpath path = clearArea(task, tool, cutting, machine, tol);
+    std::string passes;
+    std::string ways;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const Path part{from.head<2>(), {{Vec2(move.to.head<2>()), move.arc}}};
+        if (move.kind == MoveKind::Feed) (isGlide(move) ? ways : passes) += toSvgPath(part);
+        from = move.to;
+    }
+    writeFile(folder / "adaptive.svg", svg(boundingBox(pocket), {{toSvgPath(pocket), "#fdf6df", "none"},
+                                                                 {ways, "none", "#9fb9a5"},
+                                                                 {passes, "none", "#0b4f75"},
+                                                                 {toSvgPath(pocket), "none", "#1d2733"}}));
+}
+
 void draw(const std::filesystem::path& folder) {
     const Tolerances tol;
     const Region pocket = butterfly(tol);
@@ -167,6 +205,7 @@ void draw(const std::filesystem::path& folder) {
     drawFinishing(folder, pocket, tol);
     drawLumps(folder, tol);
     drawHuntPlanes(folder, tol);
+    drawAdaptive(folder, tol);
 }
 
 }  // namespace

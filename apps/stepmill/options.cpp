@@ -200,6 +200,18 @@ double edgeBreak(double mm) {
         fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastEdgeBreakMm, kMostEdgeBreakMm, mm));
 }
 
+std::vector<Pattern> patternsFrom(const std::vector<std::string>& words) {
+    std::vector<Pattern> patterns;
+    for (const std::string& word : words) {
+        const std::optional<Pattern> pattern = patternFrom(word);
+        if (!pattern || *pattern == Pattern::Best)
+            throw Error(ErrorCode::Usage, "--patterns",
+                        fmt::format("expected names of patterns, found \"{}\"; --help lists them", word));
+        patterns.push_back(*pattern);
+    }
+    return patterns;
+}
+
 double allowance(double mm, const char* option) {
     const bool fits = mm == 0 || (mm >= kLeastAllowanceMm && mm <= kMostAllowanceMm);
     if (!fits)
@@ -234,6 +246,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     request.sequence.surrogates =
         options.surrogates == "single" ? SurrogateRule::Single : SurrogateRule::Sequence;
     request.sequence.cost_model = costModelFrom(options.cost_model).value();
+    request.sequence.patterns = patternsFrom(options.patterns);
     request.sequence.retract_mm = machine.safe_height_mm;
     request.assign = options.reserve;
     request.fixtures = fixturesOf(options);

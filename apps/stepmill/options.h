@@ -36,6 +36,7 @@ struct PlanOptions {
     std::string surrogates = "sequence";
     std::string cost_model = "paths";
     bool reserve = true;  ///< setups may leave to later ones what these cut for less
+    std::vector<std::string> patterns;  ///< of clearing paths, to choose from; empty: all
     double finish_walls_mm = 0;
     double finish_floors_mm = 0;
     std::string folder_suffix;                 ///< of the folder that is written to where `out_dir` is empty

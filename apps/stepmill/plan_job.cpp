@@ -193,6 +193,13 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
         ->capture_default_str();
     command.add_flag("!--no-reserve", options.reserve,
                      "every setup cuts all that it reaches, also what a later one would cut for less");
+    command
+        .add_option(
+            "--patterns", options.patterns,
+            "patterns that clearing paths are chosen from, comma-separated: contour-parallel, \"contour-"
+            "parallel from outside in\", stock-offset, zigzag, one-way, adaptive; contour-parallel "
+            "stands in where none of them fits; default: all")
+        ->delimiter(',');
     command.add_flag("--strict", options.strict, "exit 1 on any warning as well");
 }
 

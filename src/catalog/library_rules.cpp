@@ -112,6 +112,11 @@ class ToolRules {
                 checkLimit(data, field, kStep, at);
             for (const char* field : {"feed", "plunge_feed", "slot_feed"})
                 checkLimit(data, field, kFeed, at);
+            if (!data.contains("adaptive")) return;
+            const std::string adaptive = childPointer(at, "adaptive");
+            for (const char* field : {"step_over", "step_down", "lift"})
+                checkLimit(data["adaptive"], field, kStep, adaptive);
+            checkLimit(data["adaptive"], "feed", kFeed, adaptive);
         });
         const double life_min = tool_.value("life_min", 0.0);
         expect(life_min == 0 || life_min >= kShortestLifeMin, childPointer(pointer_, "life_min"),
@@ -328,7 +333,21 @@ class ToolRules {
             if (data.contains(name))
                 expect(data[name] <= flutes, childPointer(at, name),
                        "at most the flute length, " + lengthText(flutes), data[name]);
+        if (data.contains("adaptive")) checkAdaptive(data["adaptive"], flutes, childPointer(at, "adaptive"));
         checkRating(data, at);
+    }
+
+    /// Half the diameter engages a quarter of the rim; wider cuts are no light ones.
+    void checkAdaptive(const json& data, double flutes, const std::string& at) {
+        const double step_over = data["step_over"];
+        expect(step_over <= diameter_ / 2, childPointer(at, "step_over"),
+               "at most half the diameter, " + lengthText(diameter_ / 2), data["step_over"]);
+        expect(step_over >= kLeastStepOverShare * diameter_, childPointer(at, "step_over"),
+               fmt::format("at least {:g} of the diameter, {:g}", kLeastStepOverShare,
+                           kLeastStepOverShare * diameter_),
+               data["step_over"]);
+        expect(data["step_down"] <= flutes, childPointer(at, "step_down"),
+               "at most the flute length, " + lengthText(flutes), data["step_down"]);
     }
 
     /// More than a full slot at step-down and feed no cut can remove.

@@ -119,7 +119,13 @@ class ToolReader {
         data.speed_rpm = from["speed_rpm"];
         data.coolant = coolantFrom(from.value("coolant", "flood")).value_or(Coolant::Flood);
         data.dwell_s = from.value("dwell_s", 0.0);
+        if (from.contains("adaptive")) data.adaptive = adaptive(from["adaptive"]);
         return data;
+    }
+
+    AdaptiveData adaptive(const json& from) const {
+        return {length(from, "step_over"), length(from, "step_down"), length(from, "feed"),
+                from.value("speed_rpm", 0.0), length(from, "lift")};
     }
 
     double mm_per_unit_;

@@ -7,6 +7,7 @@
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/setup/stock_growth.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 
 namespace stepmill {
 namespace {
@@ -34,11 +35,21 @@ class SetupFeeds {
     }
 
   private:
+    /// What the operation's path was made by.
+    static std::optional<CuttingData> cuttingOf(const Operation& operation, const ToolAssembly& tool,
+                                                const CuttingData& cutting) {
+        const Toolpath& path = operation.path;
+        if (path.engagement_rad <= 0) return cutting;
+        return adaptiveCutting(tool, cutting, path.depths * path.step_down_mm);
+    }
+
     void feed(Operation& operation, const CutGround& ground) const {
         const ToolAssembly& tool = settings_.library.tool(operation.tool_id);
         const CuttingData* cutting = tool.cuttingFor(settings_.request.sequence.material);
         if (cutting == nullptr) return;
-        const CuttingData limited = limitedBy(settings_.machine, *cutting);
+        const std::optional<CuttingData> used = cuttingOf(operation, tool, *cutting);
+        if (!used) return;
+        const CuttingData limited = limitedBy(settings_.machine, *used);
         operation.rating = CutRating{limited.step_over_mm, limited.step_down_mm,
                                      slotStepDownMm(tool, limited), ratedRemovalMm3PerMin(limited)};
         const auto model = cuttingModelOf(sheetOf(operation, settings_.library),

@@ -7,6 +7,7 @@
 #include "plan/earlier_operations.h"
 #include "plan/early_starts.h"
 #include "plan/order_operations.h"
+#include "stepmill/core/units.h"
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/setup/stock_growth.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -51,6 +52,7 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_
                              ? operation.z_floor_mm + operation.path.depths * operation.path.step_down_mm
                              : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
+    operation.engagement_deg = operation.path.engagement_rad * 180 / kPi;
     operation.holes = step.holes;
     operation.thread = step.thread;
     operation.fit = step.fit;

@@ -283,6 +283,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
     if (operation.thread) json["thread"] = threadJson(*operation.thread);
     if (operation.fit) json["fit"] = operation.fit->name;
     if (operation.ramp_angle_deg > 0) json["ramp_angle_deg"] = number(operation.ramp_angle_deg);
+    if (operation.engagement_deg > 0) json["engagement_deg"] = number(operation.engagement_deg);
     if (operation.leaves.any()) {
         json["leaves_on_walls_mm"] = number(operation.leaves.walls_mm);
         json["leaves_on_floor_mm"] = number(operation.leaves.floors_mm);

@@ -93,6 +93,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     operation.feed_mm_per_min = json["feed_mm_per_min"];
     operation.plunge_feed_mm_per_min = json["plunge_feed_mm_per_min"];
     operation.ramp_angle_deg = json.value("ramp_angle_deg", 0.0);
+    operation.engagement_deg = json.value("engagement_deg", 0.0);
     operation.speed_rpm = json["speed_rpm"];
     operation.coolant = *coolantFrom(json["coolant"].get<std::string>());
     operation.dwell_s = json["dwell_s"];

@@ -7,6 +7,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
+#include "toolpath/adaptive/adaptive_path.h"
 #include "toolpath/script/region_cut.h"
 #include "toolpath/script/visit_order.h"
 
@@ -162,6 +163,24 @@ bool mayPlungeInstead(const Toolpath& path, const ToolAssembly& tool) {
     return ramps_mm / path.ramp_feed_mm_per_min > more_depths * level_mm / path.feed_mm_per_min;
 }
 
+Toolpath byRingsAndLines(const ClearingTask& task, const RingFamily& rings, const ToolAssembly& tool,
+                         const CuttingData& cutting, const Machine& machine, const Tolerances& tol) {
+    const CuttingData usual = withinPlunges(task, tool, cutting);
+    Toolpath path = quickestInDepths(task, rings, tool, usual, machine, tol);
+    if (!mayPlungeInstead(path, tool)) return path;
+    CuttingData shallow = usual;
+    shallow.step_down_mm = tool.max_plunge_mm;
+    Toolpath plunged = quickestInDepths(task, rings, tool, shallow, machine, tol);
+    return plunged.totals.time_s() < path.totals.time_s() ? plunged : path;
+}
+
+/// Where the library has a set for it, or it is named: a derived set removes no more in a minute than the
+/// usual one, and is hardly ever quicker.
+bool mayBeAdaptive(const ClearingTask& task, const CuttingData& cutting) {
+    if (task.pattern != Pattern::Best) return task.pattern == Pattern::Adaptive;
+    return task.patterns.empty() ? cutting.adaptive.has_value() : isAmong(task.patterns, Pattern::Adaptive);
+}
+
 }  // namespace
 
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
@@ -179,13 +198,15 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
                    "rings of another tool or step-over");
     STEPMILL_CHECK(task.entries.size() == rings->components().size(),
                    "a clearing task has one entry per component of its free centres");
-    const CuttingData usual = withinPlunges(task, tool, cutting);
-    Toolpath path = quickestInDepths(task, *rings, tool, usual, machine, tol);
-    if (!mayPlungeInstead(path, tool)) return path;
-    CuttingData shallow = usual;
-    shallow.step_down_mm = tool.max_plunge_mm;
-    Toolpath plunged = quickestInDepths(task, *rings, tool, shallow, machine, tol);
-    return plunged.totals.time_s() < path.totals.time_s() ? plunged : path;
+    Toolpath path = byRingsAndLines(task, *rings, tool, cutting, machine, tol);
+    if (!mayBeAdaptive(task, cutting)) return path;
+    const bool asked = task.pattern == Pattern::Adaptive;
+    const double to_beat_s =
+        asked || path.moves.empty() ? std::numeric_limits<double>::infinity() : path.totals.motion_time_s;
+    std::optional<Toolpath> adaptive =
+        toolpath::adaptivePath(task, *rings, tool, cutting, machine, tol, to_beat_s);
+    if (!adaptive || adaptive->totals.motion_time_s >= to_beat_s) return path;
+    return *std::move(adaptive);
 }
 
 }  // namespace stepmill

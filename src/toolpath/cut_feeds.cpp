@@ -133,7 +133,8 @@ class PathFeeds {
         if (move.kind == MoveKind::Rapid) return;
         const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
         const double length_mm = std::hypot(length(edge), move.to.z() - from.z());
-        if (move.kind != MoveKind::Plunge) move.feed_mm_per_min = feedOf(move, cut.widest_mm, cut.depth_mm);
+        if (move.kind != MoveKind::Plunge && !isGlide(move))
+            move.feed_mm_per_min = feedOf(move, cut.widest_mm, cut.depth_mm);
         const double time_s = length_mm / path_.feedOf(move) * kSecondsPerMinute;
         time_s_ += time_s;
         length_mm_ += length_mm;

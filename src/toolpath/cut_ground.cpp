@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -29,6 +30,9 @@ using toolpath::Trail;
 /// The first and the last position lie so far inside the move, as a share of the radius: where it ends at the
 /// end of an earlier way the rim only touches what lies beyond.
 constexpr double kInsideShare = 0.05;
+/// Length of the way, as a share of the radius, whose sweep alone makes no graze: five times as long as one
+/// is deep.
+constexpr double kFreshShare = 5 * kGrazeShare;
 
 Edge edgeOf(const Vec3& from, const Move& move) {
     return makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
@@ -90,6 +94,12 @@ struct CutFollower::Impl {
         int state = 0;
         std::vector<double> widths_mm;  ///< empty until they are asked for
         double widest_mm = 0;
+        double engaged_rad = 0;
+    };
+    /// Of a rim at one place.
+    struct Cut {
+        double width_mm = 0;
+        double engaged_rad = 0;
     };
     /// State of the level, what earlier operations and slopes have swept down to it, the way, whether it is
     /// gone back, and where the cutter goes in it if it is short.
@@ -103,6 +113,7 @@ struct CutFollower::Impl {
     MoveCut next(const Vec3& from, const Move& move, bool asks_width) {
         if (move.kind == MoveKind::Rapid) {
             trail.clear();
+            last.clear();
             return {};
         }
         const double low_mm = std::min(from.z(), move.to.z());
@@ -110,6 +121,7 @@ struct CutFollower::Impl {
         const Edge edge = edgeOf(from, move);
         if (!isFlat(from, move)) {
             trail.clear();
+            last.clear();
             if (move.to.z() < from.z()) enter(edge, levelAt(low_mm), low_mm, {});
             return {};
         }
@@ -127,6 +139,7 @@ struct CutFollower::Impl {
             const Known& found = lookUp(edge, level, low_mm, along);
             cut.widths_mm = &found.widths_mm;
             cut.widest_mm = found.widest_mm;
+            cut.engaged_rad = found.engaged_rad;
         } else {
             enter(edge, level, low_mm, along);
         }
@@ -158,18 +171,30 @@ struct CutFollower::Impl {
     const Known& lookUp(const Edge& edge, Level& level, double z_mm, const std::optional<Vec2>& along) {
         Known& found = answerTo(edge, level, z_mm, along);
         if (found.widths_mm.empty()) {
-            found.widths_mm = widthsOf(edge, level, z_mm, along);
+            measure(edge, level, z_mm, along, found);
             found.widest_mm = *std::max_element(found.widths_mm.begin(), found.widths_mm.end());
         }
-        level.state = found.state;
-        level.swept.add(edge, radius_mm, z_mm);
+        sweep(edge, level, z_mm, found.state);
         return found;
     }
 
     /// No width is asked for, as of a way straight down.
     void enter(const Edge& edge, Level& level, double z_mm, const std::optional<Vec2>& along) {
-        level.state = answerTo(edge, level, z_mm, along).state;
+        sweep(edge, level, z_mm, answerTo(edge, level, z_mm, along).state);
+    }
+
+    void sweep(const Edge& edge, Level& level, double z_mm, int state) {
+        level.state = state;
         level.swept.add(edge, radius_mm, z_mm);
+        if (measures != CutMeasures::WidthsAndAngles) return;
+        last.push_back(edge);
+        double length_mm = 0;
+        for (const Edge& one : last)
+            length_mm += length(one);
+        while (last.size() > 1 && length_mm - length(last.front()) >= kFreshShare * radius_mm) {
+            length_mm -= length(last.front());
+            last.pop_front();
+        }
     }
 
     Known& answerTo(const Edge& edge, const Level& level, double z_mm, const std::optional<Vec2>& along) {
@@ -185,6 +210,7 @@ struct CutFollower::Impl {
     /// The ways and edges that may matter to a rim somewhere on an edge.
     struct Around {
         std::vector<const SweptWay*> swept;
+        std::vector<const SweptWay*> swept_before;  ///< of these all but the last ways
         std::vector<const Edge*> boundary;
     };
 
@@ -195,53 +221,85 @@ struct CutFollower::Impl {
         slopes.forEachNear(box, down_to_mm, add);
         ground.swept.forEachNear(box, down_to_mm, add);
         ground.target.boundary().forEachIn(box, [&](const Edge& edge) { found.boundary.push_back(&edge); });
+        if (measures != CutMeasures::WidthsAndAngles) return found;
+        std::copy_if(found.swept.begin(), found.swept.end(), std::back_inserter(found.swept_before),
+                     [&](const SweptWay* way) {
+                         return std::none_of(last.begin(), last.end(), [&](const Edge& edge) {
+                             return edge.from == way->edge.from && edge.to() == way->edge.to() &&
+                                    edge.segment.arc == way->edge.segment.arc;
+                         });
+                     });
         return found;
     }
 
-    std::vector<double> widthsOf(const Edge& edge, const Level& level, double z_mm,
-                                 const std::optional<Vec2>& along) const {
+    void measure(const Edge& edge, const Level& level, double z_mm, const std::optional<Vec2>& along,
+                 Known& into) const {
         const std::vector<double> places = placesAlong(edge, radius_mm);
-        std::vector<double> widths(places.size(), 0);
-        if (z_mm >= ground.top_z_mm - kSameCutHeightMm) return widths;
+        into.widths_mm.assign(places.size(), 0);
+        if (z_mm >= ground.top_z_mm - kSameCutHeightMm) return;
         const Around whole = around(grown(edge.box, radius_mm), level, z_mm + kSameCutHeightMm);
         // Without a boundary near, all of the way is inside, or none of it.
         const bool inside = whole.boundary.empty() && ground.target.contains(edge.from);
-        if (whole.boundary.empty() && !inside) return widths;
-        const auto widthAt = [&](const Vec2& at, const Vec2& direction) {
-            const Box2 near = grown(Box2(at), radius_mm);
-            Rim rim(at, direction, radius_mm);
-            for (const SweptWay* way : whole.swept)
-                if (way->box.intersects(near)) rim.cover(way->edge, way->radius_mm - cusp_share * radius_mm);
-            if (rim.isCovered()) return 0.0;
-            return inside ? rim.freeWidthMm() : rim.freeWidthInMm(ground.target, whole.boundary);
-        };
+        if (whole.boundary.empty() && !inside) return;
         if (isShort(edge)) {
-            const double width_mm =
-                along ? widthAt(edge.to(), *along) : widthAnyWay(widthAt(edge.to(), tangentAt(edge, 1)));
-            return std::vector<double>(places.size(), width_mm);
+            Cut cut = cutAt(edge.to(), along.value_or(tangentAt(edge, 1)), whole, inside);
+            if (!along) cut = anyWay(cut);
+            into.widths_mm.assign(places.size(), cut.width_mm);
+            into.engaged_rad = cut.engaged_rad;
+            return;
         }
-        for (std::size_t i = 0; i < places.size(); ++i)
-            widths[i] = widthAt(pointAt(edge, places[i]), tangentAt(edge, places[i]));
-        return widths;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const Cut cut = cutAt(pointAt(edge, places[i]), tangentAt(edge, places[i]), whole, inside);
+            into.widths_mm[i] = cut.width_mm;
+            into.engaged_rad = std::max(into.engaged_rad, cut.engaged_rad);
+        }
+    }
+
+    Cut cutAt(const Vec2& at, const Vec2& direction, const Around& whole, bool inside) const {
+        const Box2 near = grown(Box2(at), radius_mm);
+        Rim rim(at, direction, radius_mm);
+        for (const SweptWay* way : whole.swept) {
+            if (!way->box.intersects(near)) continue;
+            rim.cover(way->edge, way->radius_mm - cusp_share * radius_mm);
+        }
+        if (rim.isCovered()) return {};
+        Cut cut;
+        cut.width_mm = inside ? rim.freeWidthMm() : rim.freeWidthInMm(ground.target, whole.boundary);
+        if (measures != CutMeasures::WidthsAndAngles) return cut;
+        Rim beyond_grazes(at, direction, radius_mm);
+        for (const SweptWay* way : whole.swept_before)
+            if (way->box.intersects(near))
+                beyond_grazes.cover(way->edge, way->radius_mm + kGrazeShare * radius_mm);
+        const Rim::Spans deep = beyond_grazes.freeIn(ground.target, whole.boundary);
+        cut.engaged_rad = rim.engagedIn(ground.target, whole.boundary, deep).angle_rad;
+        return cut;
     }
 
     /// Of a cutter that may go any way: as wide as it is, where it cuts at all.
-    double widthAnyWay(double width_mm) const { return width_mm > 0 ? 2 * radius_mm : 0; }
+    Cut anyWay(const Cut& cut) const {
+        return {cut.width_mm > 0 ? 2 * radius_mm : 0, cut.engaged_rad > 0 ? kPi : 0};
+    }
 
     const CutGround::Impl& ground;
     double radius_mm;
     double step_down_mm;
     double cusp_share;
+    CutMeasures measures;
     std::map<double, Level> levels;
     SweptWays slopes;
     Trail trail;
+    /// The last ways of a pass, so long together that the rim ahead is farther than a graze from what came
+    /// before: it is always near to what they themselves have swept.
+    std::deque<Edge> last;
     std::map<EdgeKey, Heights> gone;
     std::map<Question, Known> answers;
     int last_state = 0;
 };
 
-CutFollower::CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share)
-    : impl_(new Impl{*ground.impl_, radius_mm, step_down_mm, cusp_share, {}, {}, {}, {}, {}, 0}) {}
+CutFollower::CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share,
+                         CutMeasures measures)
+    : impl_(new Impl{
+          *ground.impl_, radius_mm, step_down_mm, cusp_share, measures, {}, {}, {}, {}, {}, {}, 0}) {}
 CutFollower::~CutFollower() = default;
 
 MoveCut CutFollower::next(const Vec3& from, const Move& move) {

@@ -117,6 +117,19 @@ void MoveWriter::write(const Cut& step) {
     }
 }
 
+void MoveWriter::write(const Glide& step) {
+    const auto glide = [&](const Vec3& to) {
+        if (to == at_) return;
+        path_.moves.push_back({MoveKind::Feed, to, std::nullopt, true, step.feed_mm_per_min});
+        at_ = to;
+    };
+    const double z_mm = heights_.floor_mm + step.lift_mm;
+    glide(at3(at_.head<2>(), z_mm));
+    for (const Vec2& point : step.way)
+        glide(at3(point, z_mm));
+    glide(at3(at_.head<2>(), heights_.floor_mm));
+}
+
 double MoveWriter::crossingZ(Over over) const {
     if (over == Over::Retract) return heights_.retract_mm;
     const double ground = over == Over::LastFloor ? heights_.above_mm : heights_.top_mm;

@@ -45,6 +45,7 @@ class MoveWriter {
     void write(const RampAlong& step);
     void write(const Link& step);
     void write(const Cut& step);
+    void write(const Glide& step);
 
     /// Up, over, and down to a height that is known to be clear.
     void approach(const Vec2& at, double clear_z_mm, Over over);

@@ -16,7 +16,8 @@ constexpr EnumWord<Pattern> kPatterns[] = {{Pattern::Best, "best"},
                                            {Pattern::ContourOutsideIn, "contour-parallel from outside in"},
                                            {Pattern::StockOffset, "stock-offset"},
                                            {Pattern::Zigzag, "zigzag"},
-                                           {Pattern::OneWay, "one-way"}};
+                                           {Pattern::OneWay, "one-way"},
+                                           {Pattern::Adaptive, "adaptive"}};
 
 double lengthOf(const Vec3& from, const Move& move) {
     const double flat = length(Vec2(from.head<2>()), Segment{move.to.head<2>(), move.arc});
@@ -27,6 +28,14 @@ double lengthOf(const Vec3& from, const Move& move) {
 
 std::string toString(Pattern pattern) {
     return wordOf(kPatterns, pattern);
+}
+
+std::optional<Pattern> patternFrom(std::string_view word) {
+    return valueOf(kPatterns, word);
+}
+
+bool isAmong(const std::vector<Pattern>& patterns, Pattern pattern) {
+    return patterns.empty() || std::find(patterns.begin(), patterns.end(), pattern) != patterns.end();
 }
 
 PathTotals& PathTotals::operator+=(const PathTotals& other) {

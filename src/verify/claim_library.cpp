@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "stepmill/catalog/spindle.h"
+#include "stepmill/core/units.h"
 #include "stepmill/record/plan_json.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/verify/claim.h"
 
@@ -127,9 +129,22 @@ void compareRating(const RecordedOperation& operation, const ToolAssembly& in_li
     compare.atMost("the rated removal", operation.rating->removal_mm3_per_min, ratedRemovalMm3PerMin(data));
 }
 
+/// What the library has for the operation; of an adaptive one for the depth that it cuts to.
+std::optional<CuttingData> dataFor(const RecordedOperation& operation, const ToolAssembly& in_library,
+                                   const CuttingData& data) {
+    if (operation.engagement_deg <= 0) return data;
+    return adaptiveCutting(in_library, data, operation.depths * operation.step_down_mm);
+}
+
 void compareCutting(const RecordedOperation& operation, const ToolAssembly& in_library,
-                    const CuttingData& data, const PlanRecord& record, std::vector<ProofFailure>& failures) {
+                    const CuttingData& usual, const PlanRecord& record, std::vector<ProofFailure>& failures) {
     Comparison compare(operation.id, failures);
+    const std::optional<CuttingData> found = dataFor(operation, in_library, usual);
+    if (!found) return compare.fail("the library has no cutting data for constant engagement so deep");
+    const CuttingData& data = *found;
+    if (operation.engagement_deg > 0)
+        compare.atMost("the engagement", operation.engagement_deg,
+                       engagementRad(in_library.radius_mm(), data.step_over_mm) * 180 / kPi);
     compareRating(operation, in_library, data, record, compare);
     // A tap's feed is its pitch x speed, whatever the library rounds it to.
     const double feed =

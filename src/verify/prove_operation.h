@@ -65,6 +65,12 @@ void proveCuts(const ReadProgram& program, const ReadOperation& operation, const
                const CutGround& ground, const Material& material, const Machine& machine,
                const Findings& findings);
 
+/// No cut at depth of an adaptive operation engages more of the cutter's rim than planned, but for grazes
+/// (kGrazeShare). Slopes and what they have left of themselves are ways in, not cuts at depth.
+/// \param top_z_mm  of the feature
+void proveEngagement(const ReadOperation& operation, const RecordedOperation& planned,
+                     const CutGround& ground, double top_z_mm, const Findings& findings);
+
 /// How deep the tip may go: a drill's where the feature ends below its floor, else the operation's floor.
 double lowestZ(const RecordedOperation& planned, const Feature& feature);
 

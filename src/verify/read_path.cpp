@@ -1,6 +1,16 @@
 #include "verify/read_path.h"
 
+#include <algorithm>
+
+#include "stepmill/toolpath/cutting_model.h"
+
 namespace stepmill::verify {
+namespace {
+
+/// Feeds are rounded when they are written: by no more than this share.
+constexpr double kGlideShare = 1e-3;
+
+}  // namespace
 
 LinedPath LinedPath::first(std::size_t count) const {
     LinedPath part;
@@ -8,6 +18,23 @@ LinedPath LinedPath::first(std::size_t count) const {
     part.path.moves.assign(path.moves.begin(), path.moves.begin() + static_cast<std::ptrdiff_t>(count));
     part.lines.assign(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count));
     return part;
+}
+
+ReadOperation withGlidesAsRapids(const ReadOperation& operation, const RecordedOperation& planned,
+                                 const Machine& machine) {
+    ReadOperation proven = operation;
+    if (planned.engagement_deg <= 0) return proven;
+    const double cuts_at = planned.feed_mm_per_min * (planned.rating ? kMostChipThinning : 1);
+    const double most = machine.max_feed_mm_per_min > 0
+                            ? std::min(machine.max_feed_mm_per_min, machine.rapid_mm_per_min)
+                            : machine.rapid_mm_per_min;
+    for (ReadMove& read : proven.moves) {
+        const double feed = read.fed.feed_mm_per_min;
+        const bool glides = feed > cuts_at * (1 + kGlideShare) && feed <= most * (1 + kGlideShare);
+        const bool may = read.fed.move.kind == MoveKind::Feed || read.fed.move.kind == MoveKind::Plunge;
+        if (may && !read.fed.move.arc && glides) read.fed.move.kind = MoveKind::Rapid;
+    }
+    return proven;
 }
 
 LinedPath wholePath(const ReadOperation& operation) {

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "stepmill/post/read_program.h"
+#include "stepmill/record/plan_record.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill::verify {
@@ -15,6 +16,11 @@ struct LinedPath {
     /// The first moves alone.
     LinedPath first(std::size_t count) const;
 };
+
+/// An adaptive operation with its glides as rapids: what is fed faster than the tool may cut is proven as
+/// one. Feeds the machine does not have stay what they are.
+ReadOperation withGlidesAsRapids(const ReadOperation& operation, const RecordedOperation& planned,
+                                 const Machine& machine);
 
 /// All moves. A stay is added where a plunge ends, which is how prove() knows of what went straight down.
 LinedPath wholePath(const ReadOperation& operation);

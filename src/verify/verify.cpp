@@ -20,6 +20,7 @@
 #include "verify/prove_holding.h"
 #include "verify/prove_operation.h"
 #include "verify/prove_state.h"
+#include "verify/read_path.h"
 
 namespace stepmill {
 namespace {
@@ -51,7 +52,7 @@ class SetupProver {
             verify::proveLeaps(program, safeZ(), record_.machine.home_by != HomeBy::Nothing, into_.failures);
             verify::proveTools(program, toolNumbers(), into_.failures);
             for (const ReadOperation& operation : program.operations)
-                proveOne(operation);
+                proveOne(verify::withGlidesAsRapids(operation, plannedOf(operation), record_.machine));
         }
         for (const std::string& id : setup_.operation_ids)
             if (done_.count(id) == 0)
@@ -122,6 +123,8 @@ class SetupProver {
         if (planned.rating)
             verify::proveCuts(*program_, operation, planned, *state.ground, *record_.cut_material,
                               record_.machine, findings);
+        if (planned.engagement_deg > 0)
+            verify::proveEngagement(operation, planned, *state.ground, state.feature.top_z_mm, findings);
         if (planned.tool.isTap() || planned.tool.isSpot()) return;
         std::vector<Move> moves;
         for (const ReadMove& read : operation.moves)
@@ -129,10 +132,12 @@ class SetupProver {
         state.ground->add(operation.start, moves, planned.tool.radius_mm());
     }
 
-    /// Plans that rate operations tell the material that is cut; see record/plan_rules.h.
+    /// Is it asked of some operation what its moves cut? Plans that rate operations tell the material that
+    /// is cut; see record/plan_rules.h.
     bool hasRatings(const std::string& feature_id) const {
         return std::any_of(record_.operations.begin(), record_.operations.end(), [&](const auto& entry) {
-            return entry.second.feature_id == feature_id && entry.second.rating;
+            return entry.second.feature_id == feature_id &&
+                   (entry.second.rating || entry.second.engagement_deg > 0);
         });
     }
 

@@ -24,6 +24,16 @@ std::string toString(Coolant coolant);
 /// The reverse; nothing for another word.
 std::optional<Coolant> coolantFrom(std::string_view word);
 
+/// A second set of cutting data, for roughing deep and narrow at constant engagement. Zero means as in the
+/// first.
+struct AdaptiveData {
+    double step_over_mm = 0;
+    double step_down_mm = 0;
+    double feed_mm_per_min = 0;
+    double speed_rpm = 0;
+    double lift_mm = 0;  ///< ways over cleared ground go so far over it
+};
+
 /// What one cutter does in one material. Zero means not given.
 struct CuttingData {
     std::string material;
@@ -38,7 +48,8 @@ struct CuttingData {
     double ramp_angle_deg = 0;        ///< steepest descent along a helix or ramp
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
-    double dwell_s = 0;  ///< at the bottom of a drilled hole
+    double dwell_s = 0;                    ///< at the bottom of a drilled hole
+    std::optional<AdaptiveData> adaptive;  ///< nothing: derived from these [toolpath/adaptive_cutting.h]
 };
 
 /// What the cutting part of a tool is made of.

@@ -35,6 +35,9 @@ struct OperationData {
     std::optional<ThreadCut> thread;  ///< of a tapping operation
     std::optional<Fit> fit;           ///< of a reaming or boring operation: what the bore gets
     double ramp_angle_deg = 0;        ///< steepest descent through material that is no plunge; 0: not told
+    /// Of an adaptive operation: no cut at depth engages more of the cutter's rim [deg]; 0: there is no
+    /// limit.
+    double engagement_deg = 0;
     /// Of a form operation: what it takes of the volumes that leaning walls hide from flat layers; of a
     /// drilling one what its points take below the floor.
     std::vector<ReasonVolume> takes;

@@ -51,6 +51,7 @@ struct SequenceOptions {
     bool clear_of_own_material = false;
     /// How the steps' regions are gone over.
     Pattern pattern = Pattern::Best;
+    std::vector<Pattern> patterns;  ///< the best is chosen from these; empty: from all
     /// What the chosen sequence leaves on walls and floors, and then takes off in finishing steps. The choice
     /// itself is made without: finishing adds about the same to every sequence.
     FinishAllowance finish;

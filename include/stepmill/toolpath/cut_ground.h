@@ -34,6 +34,13 @@ class CutGround {
 /// so that one that rounding has made longer or shorter is asked at the same places.
 inline constexpr double kCutStepShare = 0.2;
 
+/// A stretch of the rim that lies nowhere deeper in material than this share of the radius only grazes it. In
+/// a corner of the cutter's own radius a quarter of the rim touches what is left, however thin that is.
+inline constexpr double kGrazeShare = 0.02;
+
+/// Does a CutFollower measure angles beside widths?
+enum class CutMeasures { Widths, WidthsAndAngles };
+
 /// How much one move cuts.
 struct MoveCut {
     /// Of a level move: width of the cutter's front rim that stands in material, across the direction of
@@ -41,6 +48,9 @@ struct MoveCut {
     /// others: a slope counts as full width.
     const std::vector<double>* widths_mm = nullptr;
     double widest_mm = 0;
+    /// Of a level move, where that is measured: the most of the front rim that stands in material, but for
+    /// grazes [rad].
+    double engaged_rad = 0;
     double depth_mm = 0;  ///< at most so deep; 0 for rapids and for moves straight up or down
 };
 
@@ -59,7 +69,8 @@ class CutFollower {
     /// on
     ///                    where it was is in material. A greater share never gives a lesser width.
     /// Keeps `ground`, which must not change meanwhile.
-    CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share);
+    CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share,
+                CutMeasures measures = CutMeasures::Widths);
     ~CutFollower();
     CutFollower(const CutFollower&) = delete;
     CutFollower& operator=(const CutFollower&) = delete;

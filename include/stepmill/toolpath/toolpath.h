@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/access/access.h"
@@ -40,9 +41,14 @@ enum class Pattern {
     ContourOutsideIn,  ///< the same rings, walls first
     StockOffset,       ///< rings of the outer boundary alone, islands when a ring meets them [Li2001, 4.2]
     Zigzag,            ///< parallel lines to and fro, then along the walls [Li2001, 4.1]
-    OneWay             ///< the same lines, all in climb direction
+    OneWay,            ///< the same lines, all in climb direction
+    Adaptive           ///< bites of constant engagement, deep and narrow: a whole path or none of it
 };
 std::string toString(Pattern pattern);
+/// The reverse; nothing for another word.
+std::optional<Pattern> patternFrom(std::string_view word);
+/// Is it among those to choose from? None named: all are.
+bool isAmong(const std::vector<Pattern>& patterns, Pattern pattern);
 
 /// What one pattern takes in one region of the free centres, over all depths of cut.
 struct PatternTime {
@@ -97,6 +103,8 @@ struct Toolpath {
     /// rampFeed() of the two feeds above and the ramp angle; 0 where the path has no ramps.
     double ramp_feed_mm_per_min = 0;
     double slot_feed_mm_per_min = 0;  ///< where a cut is wider than the step-over; 0 without such moves
+    /// Of an adaptive path: no cut at depth engages more of the cutter's rim; 0: there is no limit [rad].
+    double engagement_rad = 0;
     PathTotals totals;
 
     /// Of a move of that kind; 0 for rapids, whose rate is the machine's.
@@ -106,6 +114,11 @@ struct Toolpath {
         return move.feed_mm_per_min > 0 ? move.feed_mm_per_min : feedOf(move.kind);
     }
 };
+
+/// Is it a way over cleared ground, faster than the tool may cut? It has a feed of its own from the start.
+inline bool isGlide(const Move& move) {
+    return move.kind == MoveKind::Feed && move.in_air && move.feed_mm_per_min > 0;
+}
 
 /// The rings of one tool's free centres before clipping: the costly part of clearArea(), the same for all
 /// tasks of that tool in that feature. Immutable; share it between threads.
@@ -141,6 +154,7 @@ struct ClearingTask {
     /// Nothing stands over this height where the cutter goes [mm].
     double stands_to_mm = std::numeric_limits<double>::infinity();
     Pattern pattern = Pattern::Best;  ///< a region that cannot have it gets contour-parallel
+    std::vector<Pattern> patterns;    ///< the best is chosen from these; empty: from all
     /// makeRings() of a task with the same free centres, target, obstruction, pattern, tool and cutting data;
     /// null: clearArea() makes its own.
     std::shared_ptr<const RingFamily> rings;

@@ -5,6 +5,7 @@
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/sequence/spotting.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
@@ -100,11 +101,18 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
         const double feed = std::max(cutting.plunge_feed_mm_per_min, cutting.feed_mm_per_min);
         return std::max(disc_mm2, feature.area_mm2) * feed / kSecondsPerMinute;
     }
-    const double depth_of_cut =
-        feature.depth_mm() / toolpath::depthsFor(feature.depth_mm(), cutting.step_down_mm);
-    const double slot_mm2 = tool.diameter_mm * depth_of_cut;
-    const double swept = slot_mm2 * cutting.feed_mm_per_min + disc_mm2 * cutting.plunge_feed_mm_per_min;
-    return swept / kSecondsPerMinute;
+    const auto swept = [&](const CuttingData& data, double width_mm) {
+        const double depth_of_cut =
+            feature.depth_mm() / toolpath::depthsFor(feature.depth_mm(), data.step_down_mm);
+        const double front_mm2 = width_mm * depth_of_cut;
+        return front_mm2 * data.feed_mm_per_min + disc_mm2 * data.plunge_feed_mm_per_min;
+    };
+    double most = swept(cutting, tool.diameter_mm);
+    // A derived set removes no more than the usual one.
+    if (cutting.adaptive)
+        if (const auto adaptive = adaptiveCutting(tool, cutting, feature.depth_mm()))
+            most = std::max(most, swept(*adaptive, adaptive->step_over_mm));
+    return most / kSecondsPerMinute;
 }
 
 CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
@@ -116,6 +124,12 @@ CuttingData limitedBy(const Machine& machine, CuttingData cutting) {
         cutting.plunge_feed_mm_per_min *= slower;
         cutting.slot_feed_mm_per_min *= slower;
         cutting.rated_removal_mm3_per_min *= slower;
+        if (cutting.adaptive && cutting.adaptive->speed_rpm <= 0) cutting.adaptive->feed_mm_per_min *= slower;
+    }
+    if (cutting.adaptive && machine.max_speed_rpm > 0 &&
+        cutting.adaptive->speed_rpm > machine.max_speed_rpm) {
+        cutting.adaptive->feed_mm_per_min *= machine.max_speed_rpm / cutting.adaptive->speed_rpm;
+        cutting.adaptive->speed_rpm = machine.max_speed_rpm;
     }
     if (machine.max_feed_mm_per_min > 0) {
         cutting.feed_mm_per_min = std::min(cutting.feed_mm_per_min, machine.max_feed_mm_per_min);

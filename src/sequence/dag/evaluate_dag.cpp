@@ -203,6 +203,7 @@ ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Stretch
     clearing.skirt = feature.skirt;
     clearing.stands_to_mm = highestMm(feature);
     clearing.pattern = pattern;
+    clearing.patterns = task.options.patterns;
     clearing.rings = rings;
     return clearing;
 }
@@ -254,12 +255,18 @@ Toolpath quickestPath(const DagTask& task, const Candidate& n, const Stretch& st
     return weight(weighed) < weight(path) ? weighed : path;
 }
 
+double adaptiveSpeedRpm(const CuttingData& cutting) {
+    const bool own = cutting.adaptive && cutting.adaptive->speed_rpm > 0;
+    return own ? cutting.adaptive->speed_rpm : cutting.speed_rpm;
+}
+
 /// The step of one stretch, proved.
 SequenceStep milledBy(const DagTask& task, const Candidate* m, const Candidate& n, const Stretch& stretch) {
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
     SequenceStep step = stepOf(task, stretch, n);
     step.path = quickestPath(task, n, stretch, step.area);
+    if (step.path.engagement_rad > 0) step.speed_rpm = adaptiveSpeedRpm(n.cutting);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
     step.proof = prove(step.path, clearingTask(task, n, stretch, step.area, task.options.pattern, nullptr),

@@ -137,26 +137,54 @@ bool Rim::isInside(const IndexedRegion& region, double angle_rad) const {
            region.contains(at(angle_rad, radius_mm_ + kBesideMm));
 }
 
-double Rim::freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near) {
+Rim::Spans Rim::freeIn(const IndexedRegion& region, const std::vector<const Edge*>& near) {
     settle();
     std::vector<double> crossings;
     const Box2 around = grown(Box2(centre_), radius_mm_);
     for (const Edge* edge : near)
         if (edge->box.intersects(around)) meetEdge(*edge, crossings);
     std::sort(crossings.begin(), crossings.end());
-    double width = 0;
+    Spans inside;
     for (const Span& span : free_) {
         double from = span.from_rad;
         const auto take = [&](double to) {
             if (to - from > kLeastSpanRad && isInside(region, from + kAskedShare * (to - from)))
-                width += widthOf(from, to);
+                inside.push_back({from, to});
             from = to;
         };
         for (const double crossing : crossings)
             if (crossing > from && crossing < span.to_rad) take(crossing);
         take(span.to_rad);
     }
+    return inside;
+}
+
+double Rim::freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near) {
+    double width = 0;
+    for (const Span& span : freeIn(region, near))
+        width += widthOf(span.from_rad, span.to_rad);
     return radius_mm_ * width;
+}
+
+Engaged Rim::engagedIn(const IndexedRegion& region, const std::vector<const Edge*>& near, const Spans& deep) {
+    Spans stretches;
+    for (const Span& span : freeIn(region, near)) {
+        const bool goes_on = !stretches.empty() && stretches.back().to_rad == span.from_rad;
+        if (goes_on)
+            stretches.back().to_rad = span.to_rad;
+        else
+            stretches.push_back(span);
+    }
+    Engaged engaged;
+    for (const Span& span : stretches) {
+        const bool cuts = std::any_of(deep.begin(), deep.end(), [&](const Span& one) {
+            return one.from_rad < span.to_rad && one.to_rad > span.from_rad;
+        });
+        if (!cuts) continue;
+        engaged.width_mm += radius_mm_ * widthOf(span.from_rad, span.to_rad);
+        engaged.angle_rad += span.to_rad - span.from_rad;
+    }
+    return engaged;
 }
 
 }  // namespace stepmill::toolpath

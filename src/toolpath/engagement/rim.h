@@ -6,10 +6,22 @@
 
 namespace stepmill::toolpath {
 
+/// How much of the front half of a cutter's rim stands in material.
+struct Engaged {
+    double width_mm = 0;   ///< across the direction of travel
+    double angle_rad = 0;  ///< along the rim
+};
+
 /// The front half of a cutter's rim at one place of its way: which of it lies in swept ground, and how wide
 /// the rest is. Angles are to the direction of travel, from -90 to 90 degrees.
 class Rim {
   public:
+    struct Span {
+        double from_rad;
+        double to_rad;
+    };
+    using Spans = std::vector<Span>;
+
     /// \param along  unit direction of travel
     Rim(const Vec2& centre, const Vec2& along, double radius_mm);
 
@@ -22,13 +34,12 @@ class Rim {
     /// The same, of what is left inside the region.
     /// \param near  its edges that may meet the rim
     double freeWidthInMm(const IndexedRegion& region, const std::vector<const Edge*>& near);
+    /// The parts of what is left that lie inside the region; neighbours may share an end.
+    Spans freeIn(const IndexedRegion& region, const std::vector<const Edge*>& near);
+    /// What is left inside the region, but for grazes: stretches that hold none of the deep parts.
+    Engaged engagedIn(const IndexedRegion& region, const std::vector<const Edge*>& near, const Spans& deep);
 
   private:
-    struct Span {
-        double from_rad;
-        double to_rad;
-    };
-
     Vec2 at(double angle_rad) const;
     Vec2 at(double angle_rad, double radius_mm) const;
     bool isInside(const IndexedRegion& region, double angle_rad) const;
@@ -42,8 +53,8 @@ class Rim {
     Vec2 centre_;
     Vec2 along_;
     double radius_mm_;
-    std::vector<Span> covered_;
-    std::vector<Span> free_;
+    Spans covered_;
+    Spans free_;
     bool settled_ = false;
     std::vector<double> angles_;  ///< reused
 };

@@ -33,6 +33,9 @@ class PassMaker {
     /// Is there anything to do in the component?
     bool concerns(const RingFamily::Component& component) const;
 
+    /// Are the task's centres less than the free ones without those that are cleared?
+    bool isLimited() const { return limited_; }
+
     /// The passes that clear the task's centres at one depth in the component. Every point of the target that
     /// a disc of radius r reaches from there lies within r of a pass, or has been cleared before
     /// [docs/algorithms/contour-parallel.md, docs/algorithms/parallel-lines.md].

@@ -100,7 +100,7 @@ class FamilyMaker {
 
   private:
     bool isWanted(Pattern pattern) const {
-        return task_.pattern == Pattern::Best || task_.pattern == pattern;
+        return task_.pattern == Pattern::Best ? isAmong(task_.patterns, pattern) : task_.pattern == pattern;
     }
 
     /// In a slot as wide as the cutter one pass along its middle is all.

@@ -60,7 +60,14 @@ struct Cut {
     Path path;
     std::vector<bool> wide{};  ///< of each segment: it cuts wider than the step-over; empty: none does
 };
-using ScriptStep = std::variant<ComeDown, RampDown, PlungeDown, RampAlong, Link, Cut>;
+/// From point to point over ground that is cleared at this depth, a little over it and faster than the tool
+/// may cut.
+struct Glide {
+    std::vector<Vec2> way;
+    double lift_mm = 0;
+    double feed_mm_per_min = 0;
+};
+using ScriptStep = std::variant<ComeDown, RampDown, PlungeDown, RampAlong, Link, Cut, Glide>;
 
 /// Steps of a script that are cut over all depths before the next ones.
 struct DepthBlock {

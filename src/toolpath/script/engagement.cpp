@@ -116,6 +116,7 @@ class Marker {
         step.wide = std::find(wide.begin(), wide.end(), true) != wide.end();
         at_ = step.to;
     }
+    void operator()(Glide& step) { at_ = step.way.back(); }
     void operator()(Cut& step) {
         step.path = engagement_.mark(step.path, step.wide);
         at_ = step.path.end();

@@ -127,6 +127,12 @@ double RegionCutter::timeOf(const RegionCut& cut) const {
     return measure(trial, machine_).time_s();
 }
 
+PatternTime RegionCutter::timed(const RegionCut& cut) const {
+    PatternTime time = cut.time;
+    time.time_s = timeOf(cut);
+    return time;
+}
+
 /// Of the passes alone, but for those that may lie in others' ground.
 double RegionCutter::leastTime(const std::vector<Pass>& passes) const {
     double length_mm = 0;

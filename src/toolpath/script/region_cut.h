@@ -31,6 +31,8 @@ class RegionCutter {
 
     /// Writes a cut over all depths.
     void write(const RegionCut& cut, Over first_over, MoveWriter& writer) const;
+    /// The cut's pattern with the time that it takes.
+    PatternTime timed(const RegionCut& cut) const;
 
   private:
     RegionCut cut(const RingFamily::Component& component, const Entry& entry,

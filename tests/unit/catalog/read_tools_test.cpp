@@ -248,5 +248,22 @@ TEST(DefaultCatalog, FitsTheMachinesMagazine) {
     EXPECT_LE(defaultToolLibrary().tools.size(), static_cast<std::size_t>(defaultMachine().magazine_size));
 }
 
+TEST(ReadTools, TakesASecondSetForConstantEngagement) {
+    json library = goodLibrary();
+    json& data = library["tools"][0]["cutting"][0];
+    data["adaptive"] = {{"step_over", 1.5}, {"step_down", 8}, {"feed", 1700}, {"speed_rpm", 9500}};
+    const ToolLibrary with_set = read(library);
+    const auto& adaptive = with_set.tools[0].cutting[0].adaptive;
+    ASSERT_TRUE(adaptive);
+    EXPECT_DOUBLE_EQ(adaptive->step_over_mm, 1.5);
+    EXPECT_DOUBLE_EQ(adaptive->step_down_mm, 8);
+    EXPECT_DOUBLE_EQ(adaptive->feed_mm_per_min, 1700);
+    EXPECT_DOUBLE_EQ(adaptive->speed_rpm, 9500);
+    EXPECT_EQ(adaptive->lift_mm, 0);
+    EXPECT_TRUE(with_set.unknown_fields.empty());
+    data.erase("adaptive");
+    EXPECT_FALSE(read(library).tools[0].cutting[0].adaptive);
+}
+
 }  // namespace
 }  // namespace stepmill

@@ -31,6 +31,22 @@ std::string messageOfText(const std::string& text) {
     return thrownBy([&] { toolLibraryFromText(text, "tools.json"); }).what();
 }
 
+TEST(ToolErrors, AdaptiveCutsAreLightAndWithinTheFlutes) {
+    json library = goodLibrary();
+    const double diameter = library["tools"][0]["diameter"];
+    const double flutes = library["tools"][0]["flute_length"];
+    const auto with = [&](double step_over, double step_down) {
+        return messageWith("/tools/0/cutting/0/adaptive",
+                           json{{"step_over", step_over}, {"step_down", step_down}});
+    };
+    EXPECT_NE(with(0.6 * diameter, flutes).find("/adaptive/step_over: expected at most half the diameter"),
+              std::string::npos);
+    EXPECT_NE(with(0.1 * diameter, 2 * flutes).find("/adaptive/step_down: expected at most the flute length"),
+              std::string::npos);
+    EXPECT_NE(messageWith("/tools/0/cutting/0/adaptive", json{{"step_over", 1}}).find("step_down"),
+              std::string::npos);
+}
+
 TEST(ToolErrors, NameFilePointerAndExpectation) {
     const Error error = thrownBy([] {
         json library = goodLibrary();
