@@ -2,8 +2,10 @@
 
 #include "plan/cutting_feeds.h"
 
+#include <algorithm>
 #include <map>
 
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/setup/stock_growth.h"
@@ -12,29 +14,60 @@
 namespace stepmill {
 namespace {
 
+/// Speed and feeds as many times lower: the chips stay as thick.
+void slowDown(Operation& operation, double pace) {
+    operation.speed_rpm *= pace;
+    Toolpath& path = operation.path;
+    for (double* feed : {&path.feed_mm_per_min, &path.plunge_feed_mm_per_min, &path.ramp_feed_mm_per_min,
+                         &path.slot_feed_mm_per_min})
+        *feed *= pace;
+    for (Move& move : path.moves)
+        move.feed_mm_per_min *= pace;
+}
+
 /// Goes through a setup's operations in their order and keeps what stands of each feature.
 class SetupFeeds {
   public:
-    SetupFeeds(PlannedSetup& setup, const CuttingFeedSettings& settings)
+    SetupFeeds(PlannedSetup& setup, const CuttingFeedSettings& settings, const Paces& paces)
         : setup_(setup),
           settings_(settings),
+          paces_(paces),
           growth_(growthOf(setup.setup.stock, setup.setup.part_to_setup)) {
         for (const PlannedFeature& planned : setup.features)
             features_[planned.feature.id] = &planned;
     }
 
     void set() {
+        const bool by_cut = settings_.request.cut_material && !settings_.machine.spindle_curve.empty();
         for (Operation& operation : setup_.operations) {
-            if (operation.role == Role::Form || operation.role == Role::Tap || operation.role == Role::Spot)
+            const double pace = paceOf(operation);
+            if (pace < 1) slow(operation, pace);
+            if (!by_cut || operation.role == Role::Form || operation.role == Role::Tap ||
+                operation.role == Role::Spot)
                 continue;
             CutGround& ground = groundOf(operation.feature_id);
-            if (isClearing(operation.role)) feed(operation, ground);
+            if (isClearing(operation.role)) feed(operation, ground, pace);
             ground.add(operation.path.start, operation.path.moves,
                        settings_.library.tool(operation.tool_id).radius_mm());
         }
     }
 
   private:
+    double paceOf(const Operation& operation) const {
+        const auto band = features_.find(operation.feature_id);
+        const std::string& whole =
+            band != features_.end() ? wholeOf(band->second->feature) : operation.feature_id;
+        return paces_.of(setup_.setup.id, whole);
+    }
+
+    void slow(Operation& operation, double pace) const {
+        // Their speeds and feeds are what threads and fits are proven with on the machine.
+        if (operation.role == Role::Tap || isSizing(operation.role)) return;
+        slowDown(operation, pace);
+        operation.pace = pace;
+        operation.path.totals = measure(operation.path, settings_.machine);
+    }
+
     /// What the operation's path was made by.
     static std::optional<CuttingData> cuttingOf(const Operation& operation, const ToolAssembly& tool,
                                                 const CuttingData& cutting) {
@@ -43,18 +76,23 @@ class SetupFeeds {
         return adaptiveCutting(tool, cutting, path.depths * path.step_down_mm);
     }
 
-    void feed(Operation& operation, const CutGround& ground) const {
+    void feed(Operation& operation, const CutGround& ground, double pace) const {
         const ToolAssembly& tool = settings_.library.tool(operation.tool_id);
         const CuttingData* cutting = tool.cuttingFor(settings_.request.sequence.material);
         if (cutting == nullptr) return;
         const std::optional<CuttingData> used = cuttingOf(operation, tool, *cutting);
         if (!used) return;
         const CuttingData limited = limitedBy(settings_.machine, *used);
-        operation.rating = CutRating{limited.step_over_mm, limited.step_down_mm,
-                                     slotStepDownMm(tool, limited), ratedRemovalMm3PerMin(limited)};
+        operation.rating =
+            CutRating{limited.step_over_mm, limited.step_down_mm, slotStepDownMm(tool, limited),
+                      ratedRemovalMm3PerMin(limited) * std::min(1.0, pace)};
+        operation.pace = pace;
         const auto model = cuttingModelOf(sheetOf(operation, settings_.library),
                                           *settings_.request.cut_material, settings_.machine);
-        if (!model) return;
+        if (!model) {
+            operation.pace = std::min(1.0, pace);
+            return;
+        }
         FedPath fed = withCutFeeds(std::move(operation.path), ground, *model);
         operation.path = std::move(fed.path);
         operation.path.totals = measure(operation.path, settings_.machine);
@@ -72,6 +110,7 @@ class SetupFeeds {
 
     PlannedSetup& setup_;
     const CuttingFeedSettings& settings_;
+    const Paces& paces_;
     StockGrowth growth_;
     std::map<std::string, const PlannedFeature*> features_;
     std::map<std::string, CutGround> grounds_;
@@ -79,11 +118,16 @@ class SetupFeeds {
 
 }  // namespace
 
+double Paces::of(const std::string& setup, const std::string& feature) const {
+    for (const std::string& scope : {feature, setup, std::string()})
+        if (const auto found = by_scope_.find(scope); found != by_scope_.end()) return found->second;
+    return 1;
+}
+
 std::vector<PlannedSetup> withCuttingFeeds(std::vector<PlannedSetup> setups,
-                                           const CuttingFeedSettings& settings) {
-    if (!settings.request.cut_material || settings.machine.spindle_curve.empty()) return setups;
+                                           const CuttingFeedSettings& settings, const Paces& paces) {
     for (PlannedSetup& setup : setups)
-        SetupFeeds(setup, settings).set();
+        SetupFeeds(setup, settings, paces).set();
     return setups;
 }
 

@@ -447,6 +447,8 @@ class FeaturePlanner {
         if (feature.band && feature.band->isUpper()) options.finish.floors_mm = 0;
         if (shop_.cautionOf(feature.id).plain_ways) options.pattern = Pattern::ContourInsideOut;
         options.retract_mm = retractMm(setup_, shop_.request.sequence.retract_mm, shop_.machine);
+        const auto wish = shop_.request.wishes.find(feature.id);
+        if (wish != shop_.request.wishes.end()) options.first_at_least_mm = wish->second.first_at_least_mm;
         return options;
     }
 
@@ -463,14 +465,18 @@ class FeaturePlanner {
 
 }  // namespace
 
-SmallerLibraries smallerLibraries(const Cautions& cautions, const ToolLibrary& library) {
+SmallerLibraries smallerLibraries(const PlanRequest& request, const ToolLibrary& library) {
+    std::map<std::string, std::set<std::string>> withheld;
+    for (const auto& [feature, caution] : request.cautions)
+        withheld[feature].insert(caution.without_tools.begin(), caution.without_tools.end());
+    for (const auto& [feature, wish] : request.wishes)
+        withheld[feature].insert(wish.without_tools.begin(), wish.without_tools.end());
     SmallerLibraries smaller;
-    for (const auto& [feature, caution] : cautions) {
-        if (caution.without_tools.empty()) continue;
-        const std::set<std::string>& without = caution.without_tools;
+    for (const auto& entry : withheld) {
+        if (entry.second.empty()) continue;
         ToolLibrary left = library;
-        std::erase_if(left.tools, [&](const ToolAssembly& tool) { return without.count(tool.id) > 0; });
-        smaller.emplace(feature, std::move(left));
+        std::erase_if(left.tools, [&](const ToolAssembly& tool) { return entry.second.count(tool.id) > 0; });
+        smaller.emplace(entry.first, std::move(left));
     }
     return smaller;
 }

@@ -12,7 +12,7 @@ namespace stepmill {
 
 /// The libraries of the features that do without some tools, by feature id.
 using SmallerLibraries = std::map<std::string, ToolLibrary>;
-SmallerLibraries smallerLibraries(const Cautions& cautions, const ToolLibrary& library);
+SmallerLibraries smallerLibraries(const PlanRequest& request, const ToolLibrary& library);
 
 /// What all features of a plan are planned with.
 struct PlanningShop {

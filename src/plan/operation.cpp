@@ -22,7 +22,10 @@ std::optional<CuttingModel> cuttingModelOf(const OperationSheet& operation, cons
     cutting.feed_mm_per_min = operation.feed_mm_per_min;
     cutting.speed_rpm = operation.speed_rpm;
     const std::optional<CuttingFacts> facts = cuttingFacts(operation.tool, cutting, material, machine);
-    return facts ? std::optional(CuttingModel(*facts)) : std::nullopt;
+    if (!facts) return std::nullopt;
+    CuttingFacts driven = *facts;
+    driven.pace = std::max(1.0, operation.pace);
+    return CuttingModel(driven);
 }
 
 OperationSheet sheetOf(const Operation& operation, const ToolLibrary& library) {

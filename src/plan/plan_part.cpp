@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "plan/assignment/cut_where_cheapest.h"
-#include "plan/cutting_feeds.h"
+#include "plan/cycle_time/cycle_paces.h"
 #include "plan/form_setups.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/stick_outs.h"
-#include "plan/totals.h"
 #include "stepmill/core/error.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/plan/usable_library.h"
@@ -142,10 +141,10 @@ Plan finished(CutSetups cut, const Part& part, const Stock& stock, const UsableL
     plan.sharing = cut.sharing;
     plan.threads_missing = cut.threads_missing;
     plan.library = withStickOuts(usable.library, operating);
-    operating = withCuttingFeeds(std::move(operating), {request, plan.library, machine, tol});
-    TimedSetups timed = withTimes(std::move(operating), plan.library, machine);
-    plan.setups = std::move(timed.setups);
-    plan.totals = timed.totals;
+    PacedSetups paced = withCycleTimes(std::move(operating), {request, plan.library, machine, tol});
+    plan.setups = std::move(paced.timed.setups);
+    plan.totals = paced.timed.totals;
+    plan.cycle.outcomes = std::move(paced.outcomes);
     const PlanBooks books = booksOf(plan.setups, stages, stock_minus_part_mm3, tol);
     nameWhatStays(plan.setups, books.staying);
     for (std::size_t i = 0; i < plan.setups.size(); ++i)
@@ -182,7 +181,7 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
     requireMachinableSize(part, setups, machine);
     const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
-    const SmallerLibraries smaller = smallerLibraries(request.cautions, usable.library);
+    const SmallerLibraries smaller = smallerLibraries(request, usable.library);
     const HoleWishes wishes(request.holes, part, tol);
     const ToolLibrary drills = drillsOf(usable.library);
     const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, memory};

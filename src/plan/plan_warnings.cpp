@@ -204,12 +204,12 @@ void warnOfShape(const Plan& plan, Warnings& into) {
                      axes, books.unreachable_mm3, 100 * unreachable, curved, faces)});
 }
 
-/// A tool that bends by more makes walls that lean, and breaks.
-constexpr double kMostDeflectionMm = 0.1;
+/// Feeds that are held by the bending come to it but for rounding, as a share.
+constexpr double kBendingRounding = 1e-6;
 
 void warnOfDeflection(const PlannedSetup& setup, Warnings& into) {
     for (const Operation& operation : setup.operations)
-        if (operation.cuts.deflection_mm > kMostDeflectionMm)
+        if (operation.cuts.deflection_mm > kMostDeflectionMm * (1 + kBendingRounding))
             into.push_back(
                 {"deflection", operation.id,
                  fmt::format("{} bends by more than {:g} mm in its widest cuts: set it out less, or rate it "
@@ -240,6 +240,16 @@ void warnOfCautions(const Cautions& cautions, Warnings& into) {
         into.push_back(
             {"proof", feature,
              fmt::format("a first program was not proven ({}); now {}", caution.why, measuresOf(caution))});
+}
+
+void warnOfCycleTimes(const Plan& plan, Warnings& into) {
+    for (const CycleOutcome& outcome : plan.cycle.outcomes) {
+        if (outcome.isMet()) continue;
+        const std::string& of = outcome.target.of;
+        into.push_back({"cycle-time", of.empty() ? "part" : of,
+                        fmt::format("takes {:.1f} s at the {}, {:.1f} s were asked for", outcome.time_s,
+                                    outcome.isTooLong() ? "least" : "most", outcome.target.time_s)});
+    }
 }
 
 void warnOfMagazine(const Plan& plan, Warnings& into) {
@@ -291,6 +301,7 @@ std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup, warnings);
     warnOfCautions(plan.request.cautions, warnings);
+    warnOfCycleTimes(plan, warnings);
     warnOfMagazine(plan, warnings);
     warnOfDefaults(plan.machine, warnings);
     warnOfMaterial(plan, warnings);

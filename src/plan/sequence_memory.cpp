@@ -88,6 +88,7 @@ class Key {
         add(options.pattern);
         add(options.finish.walls_mm);
         add(options.finish.floors_mm);
+        add(options.first_at_least_mm);
     }
     void add(const ToolLibrary& library) {
         add(library.tools.size());

@@ -1,5 +1,6 @@
 #include "plan/totals.h"
 
+#include <algorithm>
 #include <set>
 
 #include "stepmill/core/units.h"
@@ -31,6 +32,14 @@ int unavoidableTools(const PlannedSetup& setup) {
     return count;
 }
 
+/// No cut of the feature is fed higher than this times its cutting data's feed.
+double fastestPace(const PlannedSetup& setup, const std::string& feature_id) {
+    double pace = 1;
+    for (const Operation& operation : setup.operations)
+        if (operation.feature_id == feature_id) pace = std::max(pace, operation.pace);
+    return pace;
+}
+
 /// \param in_spindle  the tool that the setup before ended with; becomes this one's last
 void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& setup,
               std::string& in_spindle, PlanTotals& totals) {
@@ -60,7 +69,8 @@ void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& 
     totals.time_s += setup.time_s;
     totals.cost += setup.time_s / (60 * kSecondsPerMinute) * machine.hourly_rate;
     for (const PlannedFeature& planned : setup.features) {
-        if (!planned.sequence.steps.empty()) totals.lower_bound_s += planned.sequence.cutting_bound_s;
+        if (planned.sequence.steps.empty()) continue;
+        totals.lower_bound_s += planned.sequence.cutting_bound_s / fastestPace(setup, planned.feature.id);
     }
 }
 

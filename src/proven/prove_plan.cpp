@@ -183,16 +183,18 @@ bool ProvenPlan::mayRun() const {
 ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLibrary& library,
                       const Machine& machine, const Tolerances& tol, const Progress& progress,
                       const Prover& prover) {
-    PlanRequest careful = request;
     SequenceMemory memory;
+    auto [plan, careful] = planToTime(part, request, library, machine, tol, progress, memory);
+    const std::vector<CycleStep> steps = plan.cycle.steps;
     for (;;) {
-        Plan plan = planPart(part, careful, library, machine, tol, progress, memory);
         if (progress) progress("proving the programs", 1);
         ProvenPlan proven = proved(std::move(plan), tol, prover);
         if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
         // A caution speaks of features as this plan has them.
         careful.assignment = proven.plan.assignment;
         careful.patience = patienceFor(careful.patience.end.secondsLeft());
+        plan = planPart(part, careful, library, machine, tol, progress, memory);
+        plan.cycle.steps = steps;
     }
 }
 

@@ -11,10 +11,10 @@
 namespace stepmill {
 namespace {
 
-constexpr EnumWord<FeedLimit> kLimits[] = {{FeedLimit::ToolFeed, "tool feed"}, {FeedLimit::Chip, "chip"},
-                                           {FeedLimit::Rated, "rated"},        {FeedLimit::Slot, "slot"},
-                                           {FeedLimit::Power, "power"},        {FeedLimit::Torque, "torque"},
-                                           {FeedLimit::Machine, "machine"}};
+constexpr EnumWord<FeedLimit> kLimits[] = {
+    {FeedLimit::ToolFeed, "tool feed"}, {FeedLimit::Chip, "chip"},      {FeedLimit::Rated, "rated"},
+    {FeedLimit::Slot, "slot"},          {FeedLimit::Power, "power"},    {FeedLimit::Torque, "torque"},
+    {FeedLimit::Machine, "machine"},    {FeedLimit::Bending, "bending"}};
 
 /// Teeth of a cutter whose library does not say: more than most have, and thin chips ask for more power.
 constexpr int kUsualFlutes = 4;
@@ -63,6 +63,7 @@ std::optional<CuttingFacts> cuttingFacts(const ToolAssembly& tool, const Cutting
 CuttingModel::CuttingModel(const CuttingFacts& facts) : facts_(facts) {
     STEPMILL_CHECK(facts.diameter_mm > 0 && facts.feed_mm_per_min > 0 && facts.speed_rpm > 0,
                    "a cut has a cutter, a feed and a speed");
+    STEPMILL_CHECK(facts.pace <= kMostChipThinning, "no chip is thicker than that");
     if (facts_.flutes <= 0) facts_.flutes = kUsualFlutes;
 }
 
@@ -101,21 +102,40 @@ double CuttingModel::powerLimitedFeed(double width_mm, double depth_mm) const {
     return std::pow(cut_kw / kw_per_feed * std::pow(chip_per_feed, facts_.mc), 1 / (1 - facts_.mc));
 }
 
-LimitedFeed CuttingModel::feedFor(double width_mm, double depth_mm) const {
+/// The force grows with the feed to the power of 1 - mc, and the bending with the force.
+double CuttingModel::bendingLimitedFeed(double width_mm, double depth_mm) const {
+    const double feed = facts_.feed_mm_per_min;
+    const double bent_mm = deflectionMm(width_mm, depth_mm, feed);
+    return feed * std::pow(kMostDeflectionMm / bent_mm, 1 / (1 - facts_.mc));
+}
+
+LimitedFeed CuttingModel::feedAt(double pace, double width_mm, double depth_mm) const {
     const double thinning = chipThinning(width_mm);
-    LimitedFeed found{facts_.feed_mm_per_min * thinning,
-                      thinning > 1 ? FeedLimit::Chip : FeedLimit::ToolFeed};
+    const double share = std::min(pace * thinning, kMostChipThinning);
+    const bool is_thickest = share == kMostChipThinning;
+    LimitedFeed found{facts_.feed_mm_per_min * share,
+                      thinning > 1 || is_thickest ? FeedLimit::Chip : FeedLimit::ToolFeed};
     const auto limitTo = [&](double feed_mm_per_min, FeedLimit limit) {
         if (feed_mm_per_min < found.feed_mm_per_min) found = {feed_mm_per_min, limit};
     };
     if (facts_.max_feed_mm_per_min > 0) limitTo(facts_.max_feed_mm_per_min, FeedLimit::Machine);
     const double section_mm2 = width_mm * depth_mm;
     if (width_mm <= 0 || section_mm2 <= 0) return found;
-    limitTo(facts_.rated_removal_mm3_per_min / section_mm2, FeedLimit::Rated);
+    limitTo(pace * facts_.rated_removal_mm3_per_min / section_mm2, FeedLimit::Rated);
     if (width_mm > facts_.step_over_mm)
-        limitTo(facts_.feed_mm_per_min * slotStepDownFor(width_mm) / depth_mm, FeedLimit::Slot);
+        limitTo(pace * facts_.feed_mm_per_min * slotStepDownFor(width_mm) / depth_mm, FeedLimit::Slot);
     limitTo(powerLimitedFeed(width_mm, depth_mm), facts_.by_torque ? FeedLimit::Torque : FeedLimit::Power);
     return found;
+}
+
+LimitedFeed CuttingModel::feedFor(double width_mm, double depth_mm) const {
+    const LimitedFeed usual = feedAt(1, width_mm, depth_mm);
+    if (facts_.pace <= 1) return usual;
+    const LimitedFeed driven = feedAt(facts_.pace, width_mm, depth_mm);
+    if (width_mm <= 0 || depth_mm <= 0) return driven;
+    const double bending = bendingLimitedFeed(width_mm, depth_mm);
+    if (bending >= driven.feed_mm_per_min) return driven;
+    return {std::max(bending, usual.feed_mm_per_min), FeedLimit::Bending};
 }
 
 double CuttingModel::powerKw(double width_mm, double depth_mm, double feed_mm_per_min) const {

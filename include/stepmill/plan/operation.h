@@ -45,6 +45,9 @@ struct OperationData {
     double breaks_mm3 = 0;
     /// Nothing: its feeds are the library's, whatever is cut.
     std::optional<CutRating> rating;
+    /// How hard it is driven to keep a cycle time: 1 as its cutting data say; below, speed and feeds are as
+    /// many times lower; above, cuts that have a rating are fed higher (CuttingFacts::pace).
+    double pace = 1;
 
     double dwellOfAll_s() const { return dwell_s * std::max(1, holes); }
 };

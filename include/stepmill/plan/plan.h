@@ -16,6 +16,7 @@
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/part/part.h"
 #include "stepmill/plan/assignment.h"
+#include "stepmill/plan/cycle_time.h"
 #include "stepmill/plan/earlier_plan.h"
 #include "stepmill/plan/operation.h"
 #include "stepmill/plan/operation_order.h"
@@ -148,6 +149,9 @@ struct PlanRequest {
     Patience patience;
     /// A plan that this one is made after: what is still there keeps ids and order; empty: none.
     std::vector<EarlierSetup> earlier;
+    std::vector<CycleTarget>
+        cycle_times;  ///< that are to be kept; of the part, a setup or a feature one at most
+    std::map<std::string, SequenceWish> wishes;  ///< by the id of a band, for the cycle times
 };
 
 struct Plan {
@@ -163,6 +167,7 @@ struct Plan {
     Assignment assignment;
     ToolSharing sharing;
     PlanTotals totals;
+    CycleTimes cycle;
     VolumeBalance balance;
     int threads_missing = 0;  ///< holes without the thread or the fit that the hole table asks for
     std::vector<Warning> warnings;
@@ -189,8 +194,25 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});
 
 /// The same after other plans of the part with the same tools, machine and tolerances, in less time.
+/// Operations are driven at the pace that keeps the request's cycle times; where the cutting data alone do
+/// not, `Plan::cycle` says what they take.
+/// \throws Error(Usage) for a cycle time of a setup or feature that the plan has not got
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress,
               SequenceMemory& memory);
+
+/// A plan, and the request that makes it again.
+struct PlanOfRequest {
+    Plan plan;
+    PlanRequest request;
+};
+
+/// planPart(), and where the request's cycle times are still not kept at the fastest pace again with other
+/// tools [Tripathi2005]: features that begin with a wider one, tools chosen by time where they were by money,
+/// features that do without a tool. What makes the times shorter and leaves no more material is kept;
+/// `Plan::cycle` tells of all that was tried. Costs a plan for each, of which the memory makes most.
+PlanOfRequest planToTime(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+                         const Machine& machine, const Tolerances& tol, const Progress& progress,
+                         SequenceMemory& memory);
 
 }  // namespace stepmill

@@ -55,6 +55,8 @@ struct SequenceOptions {
     /// What the chosen sequence leaves on walls and floors, and then takes off in finishing steps. The choice
     /// itself is made without: finishing adds about the same to every sequence.
     FinishAllowance finish;
+    /// The first mill is at least as wide, where any that can be used is [mm].
+    double first_at_least_mm = 0;
     /// A choice that is not made by then ends with Error(TimedOut).
     Deadline deadline;
 };

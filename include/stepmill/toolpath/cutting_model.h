@@ -18,7 +18,8 @@ enum class FeedLimit {
     Slot,      ///< a wide cut deeper than the slot step-down
     Power,     ///< the spindle's power
     Torque,    ///< its torque: it turns slower than where it gives its most
-    Machine    ///< the machine's highest feed
+    Machine,   ///< the machine's highest feed
+    Bending    ///< driven beyond the cutting data's feed the tool would bend by more than kMostDeflectionMm
 };
 std::string toString(FeedLimit limit);
 /// The reverse; nothing for another word.
@@ -26,6 +27,9 @@ std::optional<FeedLimit> feedLimitFrom(std::string_view word);
 
 /// A thin cut goes no faster than this times the cutting feed.
 inline constexpr double kMostChipThinning = 1.5;
+
+/// A tool that bends by more at its tip makes walls that lean, and breaks [mm].
+inline constexpr double kMostDeflectionMm = 0.1;
 
 /// A cut of one tool in one material on one machine: all that its forces follow from.
 struct CuttingFacts {
@@ -45,6 +49,9 @@ struct CuttingFacts {
     double spindle_kw = 0;  ///< that the motor gives at that speed
     bool by_torque = false;
     double efficiency = 1;  ///< what of it gets to the cutter
+    /// All that the cutting data limit may be so many times higher, within what else limits feeds; no more
+    /// than kMostChipThinning.
+    double pace = 1;
 };
 
 /// By the catalog's values.
@@ -68,7 +75,9 @@ class CuttingModel {
     const CuttingFacts& facts() const { return facts_; }
 
     /// The highest feed for a cut of that radial width and axial depth; never higher for a wider or a deeper
-    /// one. Air, of no width or depth, may be fed as the thinnest cut.
+    /// one. Air, of no width or depth, may be fed as the thinnest cut. At a pace over 1 it is never lower
+    /// than at 1, never over kMostChipThinning times the cutting feed, and asks for no more than the spindle
+    /// gives.
     LimitedFeed feedFor(double width_mm, double depth_mm) const;
 
     /// What the cut asks of the spindle's motor [kW].
@@ -83,6 +92,8 @@ class CuttingModel {
     double chipThinning(double width_mm) const;
     double slotStepDownFor(double width_mm) const;
     double powerLimitedFeed(double width_mm, double depth_mm) const;
+    double bendingLimitedFeed(double width_mm, double depth_mm) const;
+    LimitedFeed feedAt(double pace, double width_mm, double depth_mm) const;
 
     CuttingFacts facts_;
 };

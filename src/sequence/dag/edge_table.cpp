@@ -77,14 +77,27 @@ double lowerBound(const Candidate* from, const Candidate& to, const DagTask& tas
     return weigh(edgeCost(least, *to.tool, task.machine), task);
 }
 
+/// Of each tool: may the sequence begin with it?
+std::vector<bool> firstTools(const DagTask& task) {
+    const auto is_wide = [&](const Candidate& tool) {
+        return tool.mills() && tool.tool->diameter_mm >= task.first_at_least_mm;
+    };
+    const bool any = std::any_of(task.tools.begin(), task.tools.end(), is_wide);
+    std::vector<bool> first;
+    for (const Candidate& tool : task.tools)
+        first.push_back(!any || !tool.mills() || is_wide(tool));
+    return first;
+}
+
 }  // namespace
 
 EdgeTable::EdgeTable(const DagTask& task) : task_(task), n_(static_cast<int>(task.tools.size())) {
     slots_.resize(static_cast<std::size_t>(n_ + 1) * n_);
     rings_.resize(n_);
+    const std::vector<bool> first = firstTools(task);
     for (int m = kSource; m < n_; ++m) {
         for (int n = m + 1; n < n_; ++n)
-            slot(m, n).least_weight = lowerBound(tool(m), task.tools[n], task);
+            if (m != kSource || first[n]) slot(m, n).least_weight = lowerBound(tool(m), task.tools[n], task);
     }
 }
 

@@ -24,6 +24,8 @@ struct DagTask {
     /// Weight of the cheapest tool that does the whole feature alone; kNoEdge: not known. Where it is known,
     /// the search is for cheaper sequences of several tools only.
     double alone_weight = kNoEdge;
+    /// Narrower mills do not come first, where any tool is as wide [mm].
+    double first_at_least_mm = 0;
 };
 
 /// An evaluated edge. Its weight still depends on the node after it.

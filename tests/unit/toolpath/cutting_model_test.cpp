@@ -105,6 +105,62 @@ TEST(CuttingModel, FeedsNoWiderOrDeeperCutFaster) {
         }
 }
 
+TEST(CuttingModel, DrivesCutsFasterNoFurtherThanItsThinnestChips) {
+    CuttingFacts facts = endMill12();
+    facts.pace = 1.2;
+    const CuttingModel driven(facts);
+    EXPECT_NEAR(driven.feedFor(5.4, 10).feed_mm_per_min, 1.2 * 2160, 1e-6);
+    EXPECT_NEAR(driven.feedFor(12, 10).feed_mm_per_min, 1.2 * 972, 1e-6);
+    EXPECT_NEAR(driven.feedFor(0.5, 10).feed_mm_per_min, 1.5 * 2160, 1e-6);
+    EXPECT_EQ(driven.feedFor(0.5, 10).limit, FeedLimit::Chip);
+    facts.pace = 1.5;
+    EXPECT_NEAR(CuttingModel(facts).feedFor(2.4, 10).feed_mm_per_min, 1.5 * 2160, 1e-6);
+}
+
+TEST(CuttingModel, DrivesNoCutBeyondSpindleAndBending) {
+    CuttingFacts facts = endMill12();
+    facts.spindle_kw = 1.5;
+    const LimitedFeed usual = CuttingModel(facts).feedFor(5.4, 10);
+    ASSERT_EQ(usual.limit, FeedLimit::Power);
+    facts.pace = 1.5;
+    EXPECT_NEAR(CuttingModel(facts).feedFor(5.4, 10).feed_mm_per_min, usual.feed_mm_per_min, 1e-6);
+
+    CuttingFacts slim = endMill12();
+    slim.stick_out_mm = 50;
+    slim.pace = 1.5;
+    const CuttingModel bending(slim);
+    const LimitedFeed held = bending.feedFor(5.4, 10);
+    EXPECT_EQ(held.limit, FeedLimit::Bending);
+    EXPECT_NEAR(bending.deflectionMm(5.4, 10, held.feed_mm_per_min), kMostDeflectionMm, 1e-9);
+    slim.stick_out_mm = 88;
+    EXPECT_NEAR(CuttingModel(slim).feedFor(5.4, 10).feed_mm_per_min, 2160, 1e-6) << "never slower than usual";
+}
+
+TEST(CuttingModel, IsNeverSlowerAtAFasterPaceNorFasterInAWiderCut) {
+    for (const double stick_out_mm : {43.0, 50.0, 55.0, 120.0})
+        for (const double kw : {0.5, 2.0, 11.0})
+            for (double width_mm = 0.3; width_mm <= 12; width_mm += 0.45)
+                for (double depth_mm = 0.5; depth_mm <= 20; depth_mm *= 1.6) {
+                    CuttingFacts facts = endMill12();
+                    facts.stick_out_mm = stick_out_mm;
+                    facts.spindle_kw = kw;
+                    double before = 0;
+                    for (const double pace : {1.0, 1.05, 1.2, 1.4, 1.5}) {
+                        facts.pace = pace;
+                        const CuttingModel model(facts);
+                        const double feed = model.feedFor(width_mm, depth_mm).feed_mm_per_min;
+                        EXPECT_GE(feed, before * (1 - 1e-12));
+                        EXPECT_LE(feed, kMostChipThinning * facts.feed_mm_per_min * (1 + 1e-12));
+                        EXPECT_LE(model.powerKw(width_mm, depth_mm, feed), kw * (1 + 1e-9));
+                        EXPECT_LE(model.feedFor(width_mm + 0.2, depth_mm).feed_mm_per_min,
+                                  feed * (1 + 1e-12));
+                        EXPECT_LE(model.feedFor(width_mm, depth_mm + 0.2).feed_mm_per_min,
+                                  feed * (1 + 1e-12));
+                        before = feed;
+                    }
+                }
+}
+
 TEST(CuttingFacts, AreTakenFromTheCatalog) {
     const ToolLibrary library = defaultToolLibrary();
     const ToolAssembly& tool = library.tool("EM12");
