@@ -7,6 +7,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/post/post.h"
+#include "stepmill/record/cycle_json.h"
 
 namespace stepmill {
 
@@ -102,6 +103,7 @@ void addWishes(const PlanRequest& request, Json& json) {
     if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
     if (!request.assign) json["reserve"] = false;
     if (request.break_edges_mm > 0) json["break_edges_mm"] = number(request.break_edges_mm);
+    if (!request.cycle_times.empty()) json["cycle_times"] = listOf(request.cycle_times, cycleTargetJson);
 }
 
 /// Of roughing what stays on the part too, and the hole table where there is one.
@@ -292,6 +294,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
         json["rating"] = ratingJson(*operation.rating);
         json["cuts"] = cutsJson(operation.cuts);
     }
+    if (operation.pace != 1) json["pace"] = number(operation.pace);
     if (!operation.takes.empty()) json["takes"] = listOf(operation.takes, reasonJson);
     if (operation.breaks_mm3 > 0) json["breaks_mm3"] = number(operation.breaks_mm3);
     return json;
@@ -464,6 +467,7 @@ std::string planJson(const Plan& plan) {
     if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
     if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
     if (!plan.assignment.tried.empty()) content["assignment"] = listOf(plan.assignment.tried, triedJson);
+    if (!plan.cycle.outcomes.empty()) content["cycle_time"] = cycleTimesJson(plan.cycle);
     if (!forms.empty()) content["forms"] = std::move(forms);
     return finishJson(SchemaName::Plan, std::move(content));
 }

@@ -14,6 +14,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/post/post.h"
+#include "stepmill/record/cycle_json.h"
 
 namespace stepmill {
 namespace {
@@ -101,6 +102,7 @@ RecordedOperation operation(const Json& json, const std::map<std::string, ToolAs
     if (json.contains("thread")) operation.thread = threadCut(json);
     if (json.contains("fit")) operation.fit = fitFrom(json["fit"].get<std::string>());
     if (json.contains("rating")) operation.rating = rating(json["rating"]);
+    operation.pace = json.value("pace", 1.0);
     if (json.contains("takes"))
         for (const Json& entry : json["takes"])
             operation.takes.push_back(
@@ -281,9 +283,13 @@ RecordedRequest request(const Json& json) {
                             json.value("stock_sizes_mm", std::vector<double>{}),
                             json.contains("vise") ? std::optional(vise(json["vise"])) : std::nullopt,
                             json.value("plate_mm", kPlateThicknessMm),
-                            holdKindFrom(json.value("hold", ""))};
+                            holdKindFrom(json.value("hold", "")),
+                            {}};
     if (json.contains("roughing"))
         request.roughing = {json["roughing"]["leaves_on_walls_mm"], json["roughing"]["leaves_on_floors_mm"]};
+    if (json.contains("cycle_times"))
+        for (const Json& target : json["cycle_times"])
+            request.cycle_times.push_back({target["of"], target["time_s"]});
     return request;
 }
 
@@ -386,6 +392,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     readBalance(plan, tol, record);
     readTimes(plan, record);
     record.threads_missing = plan.value("threads_missing", 0);
+    if (plan.contains("cycle_time")) record.cycle = cycleTimesFrom(plan["cycle_time"]);
     return record;
 }
 

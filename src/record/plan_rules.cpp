@@ -129,6 +129,21 @@ void checkRatings(const Json& plan) {
                    "expected none in a plan without cut_material or the machine's spindle");
 }
 
+/// Nothing is driven at another pace than its cutting data's but for a cycle time that was asked for, and
+/// beyond it only what has a rating.
+void checkPaces(const Json& plan) {
+    const bool asked = plan.contains("request") && plan["request"].contains("cycle_times");
+    if (plan.contains("cycle_time") != asked)
+        failAt("#/cycle_time", "expected outcomes where request.cycle_times asks for times, and there alone");
+    for (std::size_t i = 0; i < plan["operations"].size(); ++i) {
+        const Json& operation = plan["operations"][i];
+        if (!operation.contains("pace")) continue;
+        if (!asked) failAt(pointerTo("operations", i, "pace"), "expected none without request.cycle_times");
+        if (operation["pace"] > 1 && !operation.contains("rating"))
+            failAt(pointerTo("operations", i, "pace"), "expected no more than 1 without a rating");
+    }
+}
+
 /// Parents are other bands of the same setup.
 void checkParents(const Json& plan) {
     const std::map<BandName, std::string> setups = setupsOfBands(plan);
@@ -370,6 +385,7 @@ void checkPlanRules(const Json& plan) {
     checkParents(plan);
     checkKeptNames(plan);
     checkRatings(plan);
+    checkPaces(plan);
     std::map<std::string, Json> tools;
     for (std::size_t i = 0; i < plan["tools"].size(); ++i) {
         checkTool(plan["tools"][i], pointerTo("tools", i));

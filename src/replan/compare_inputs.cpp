@@ -45,6 +45,14 @@ std::string holdWord(const std::optional<HoldKind>& hold) {
     return hold ? toString(*hold) : "what will do";
 }
 
+std::string cycleWords(const std::vector<CycleTarget>& targets) {
+    std::string words;
+    for (const CycleTarget& target : targets)
+        words += fmt::format("{}{}{:g} s", words.empty() ? "" : ", ",
+                             target.of.empty() ? "" : target.of + " ", target.time_s);
+    return words.empty() ? "none" : words;
+}
+
 }  // namespace
 
 std::vector<InputChange> inputChanges(const RecordedPlan& before, const RecordedPlan& after) {
@@ -66,6 +74,7 @@ std::vector<InputChange> inputChanges(const RecordedPlan& before, const Recorded
     inputs.length("finish of floors", was.finish.floors_mm, is.finish.floors_mm);
     inputs.length("edges broken by", was.break_edges_mm, is.break_edges_mm);
     inputs.word("stock left for later setups", reserveWord(was.reserve), reserveWord(is.reserve));
+    inputs.word("cycle times", cycleWords(was.cycle_times), cycleWords(is.cycle_times));
     inputs.word("made least", objectiveWord(was.objective), objectiveWord(is.objective));
     return inputs.changes;
 }

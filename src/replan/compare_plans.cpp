@@ -299,6 +299,7 @@ PlanChange comparePlans(const RecordedPlan& before, const RecordedPlan& after, c
     change.currency = after.record.machine.currency;
     change.before = before.record.totals;
     change.after = after.record.totals;
+    change.cycle = after.record.cycle;
     const std::vector<SetupThen> setups_before = setupsThen(before);
     const std::vector<SetupThen> setups_after = setupsThen(after);
     PlanComparison comparison(change, tol);

@@ -64,6 +64,7 @@ struct RecordedRequest {
     std::optional<Vise> vise;            ///< of plans of older versions none
     double plate_mm = kPlateThicknessMm;
     std::optional<HoldKind> hold;  ///< PlanRequest::hold
+    std::vector<CycleTarget> cycle_times;
 };
 
 /// What plan.json says that programs are proven against.
@@ -87,6 +88,7 @@ struct PlanRecord {
     std::map<std::string, RecordedOperation> operations;
     std::map<std::string, double> operation_s;  ///< the time of each, without the change to its tool
     PlanTotals totals;
+    CycleTimes cycle;
     VolumeBalance books;      ///< of the part
     int threads_missing = 0;  ///< Plan::threads_missing
     /// How much of what stays of stock minus part at the end is rounding [mm3].

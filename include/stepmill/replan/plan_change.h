@@ -95,6 +95,7 @@ struct PlanChange {
     std::string currency;
     PlanTotals before;
     PlanTotals after;
+    CycleTimes cycle;  ///< of the new plan
     std::vector<ProgramChange> programs;
     std::vector<FeatureChange> features;      ///< in the order of the new plan, dropped ones after
     std::vector<OperationChange> operations;  ///< the same

@@ -97,6 +97,13 @@ bool hasOtherGround(const FeatureChange& feature) {
     return feature.change != Change::Kept && (feature.more_mm2 > 0 || feature.less_mm2 > 0);
 }
 
+Element cycleSection(const CycleTimes& times) {
+    Element list("ul");
+    for (const std::string& line : report::cycleWords(times))
+        list.add(Element("li", line));
+    return Element("section", Element("h2", "Cycle times, with the machine's acceleration"), std::move(list));
+}
+
 }  // namespace
 
 std::string replanHtml(const PlanChange& change) {
@@ -108,6 +115,7 @@ std::string replanHtml(const PlanChange& change) {
     main.add(std::move(inputs));
     if (change.sameMachining())
         main.add(Element("p", "Nothing that is machined is another: all operations keep their lines."));
+    if (!change.cycle.outcomes.empty()) main.add(cycleSection(change.cycle));
     main.add(changeTotals(change), Element("h2", "Programs"),
              Element("p.soft",
                      "Lines kept are those of operations; block numbers count on over the program and are "

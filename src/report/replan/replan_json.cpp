@@ -1,5 +1,6 @@
 #include "stepmill/catalog/json_schema.h"
 #include "stepmill/catalog/json_values.h"
+#include "stepmill/record/cycle_json.h"
 #include "stepmill/report/replan.h"
 
 namespace stepmill {
@@ -84,6 +85,7 @@ std::string replanJson(const PlanChange& change) {
         {"programs", listOf(change.programs, programJson)},
         {"features", listOf(change.features, featureChangeJson)},
         {"operations", listOf(change.operations, operationChangeJson)}};
+    if (!change.cycle.outcomes.empty()) json["cycle_time"] = cycleTimesJson(change.cycle);
     return finishJson(SchemaName::Replan, std::move(json));
 }
 

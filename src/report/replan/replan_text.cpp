@@ -58,6 +58,10 @@ std::string replanText(const PlanChange& change) {
     std::string text;
     for (const std::string& input : report::inputWords(change))
         text += input + "\n";
+    const std::vector<std::string> cycle = report::cycleWords(change.cycle);
+    if (!cycle.empty()) text += "cycle times, with the machine's acceleration:\n";
+    for (const std::string& line : cycle)
+        text += line + "\n";
     text += "features: " + report::countWords(change.features) + "\n";
     for (const FeatureChange& feature : change.features)
         text += featureText(feature);

@@ -31,6 +31,10 @@ std::string changeWords(const FeatureChange& change);
 /// "through hole by DR5, EM4L"; "-" for nothing.
 std::string featureWords(const std::optional<FeatureThen>& feature);
 
+/// "part: 4:30 asked for, takes 4:29 at 1.12 times the usual feeds; 5:01 without"; then a line for all that
+/// was tried for it. Nothing where no time was asked for.
+std::vector<std::string> cycleWords(const CycleTimes& times);
+
 /// "kept, the same bytes".
 std::string programWords(const ProgramChange& change);
 
