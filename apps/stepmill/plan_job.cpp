@@ -21,7 +21,8 @@ bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol
     const bool doubtful = std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const Warning& warning) {
         return warning.code == "unit-doubt" || warning.code == "input-doubt" || warning.code == "travel";
     });
-    return !plan.complete(tol) || doubtful || (options.strict && !plan.warnings.empty());
+    return !plan.complete(tol) || doubtful || !plan.cycle.areMet() ||
+           (options.strict && !plan.warnings.empty());
 }
 
 }  // namespace

@@ -35,6 +35,16 @@ void writeReplan(const ProvenPlan& proven, const PlanChange& change, const Repla
     tellReplacedEdits(folder);
 }
 
+/// Whoever reads replan.json for programs is told too.
+void tellMissedTimes(const CycleTimes& times) {
+    for (const CycleOutcome& outcome : times.outcomes) {
+        if (outcome.isMet()) continue;
+        tell("cycle time not met: {} takes {:.1f} s at the {}, {:.1f} s were asked for",
+             outcome.target.of.empty() ? "the part" : outcome.target.of, outcome.time_s,
+             outcome.isTooLong() ? "least" : "most", outcome.target.time_s);
+    }
+}
+
 int replanJob(ReplanOptions options, Workplace& place) {
     const Tolerances tol;
     const Deadline end = Deadline::in(options.plan.limits.timeout_s);
@@ -62,6 +72,7 @@ int replanJob(ReplanOptions options, Workplace& place) {
     if (place.folder != nullptr && !options.plan.json)
         printOut("\nReplan: " + (place.folder->path() / "replan.html").string() + "\n");
     tellFailures(proven.verification);
+    tellMissedTimes(proven.plan.cycle);
     return exitCodeOf(proven, options.plan, tol);
 }
 
@@ -98,6 +109,12 @@ void addReplanCommand(CLI::App& app, int& exit_code) {
     replan->add_option("--fixtures", plan.fixtures_file, "other fixtures (JSON); default: the job's");
     replan->add_option("--holes", plan.holes_file, "another hole table (JSON); default: the job's");
     replan->add_option("--material", plan.material, "another material; default: the job's");
+    replan
+        ->add_option(
+            "--cycle-time", options->cycle_times,
+            "a time to take, of the part (4:30), a setup (S1=2:00) or a feature (S1.F3=0:45), as often "
+            "as needed; off: none; default: the job's")
+        ->allow_extra_args(false);
     replan->add_option("--solid", plan.solid, "which solid of a revised file with several: a number");
     addDrawingOptions(*replan, plan.drawing);
     CLI::Option* output =
@@ -121,6 +138,8 @@ void addReplanCommand(CLI::App& app, int& exit_code) {
         "  stepmill replan job42 --part bracket_b.step -o job42\n"
         "  stepmill replan job42 --tools new_shop.json --machine other_mill.json\n"
         "  stepmill replan job42 --material steel --diff --json\n"
+        "  stepmill replan job42 --cycle-time 4:30\n"
+        "  stepmill replan job42 --cycle-time S1=2:00 --cycle-time S2.F3=0:45 --diff\n"
         "  stepmill replan job42 --fixtures clamps.json -o job42-clamps");
     replan->callback([options, &exit_code] { exit_code = runReplan(*options); });
 }

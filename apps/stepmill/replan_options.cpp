@@ -1,10 +1,14 @@
 #include "replan_options.h"
 
+#include <set>
+
 #include <fmt/core.h>
 
+#include "cycle_time_option.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/feature/whole_feature.h"
 
 namespace stepmill {
 
@@ -90,9 +94,9 @@ void fillFromJob(ReplanOptions& options, const PlanRecord& before) {
     PlanOptions& plan = options.plan;
     const RecordedRequest& request = *before.request;
     const JobFiles files(options);
-    const bool same_part = plan.part_file.empty();
+    options.same_part = plan.part_file.empty();
     files.fill("--part", plan.part_file, {before.part_file, before.part_sha256});
-    if (same_part && !isDrawing(plan.part_file)) plan.solid = std::to_string(request.solid);
+    if (options.same_part && !isDrawing(plan.part_file)) plan.solid = std::to_string(request.solid);
     fillRequest(plan, request);
     std::string stock;
     files.fill("--stock", stock, request.stock);
@@ -112,11 +116,36 @@ Shop shopOf(const ReplanOptions& options, const PlanRecord& before) {
     return shop;
 }
 
+namespace {
+
+/// A job that is planned again has its setups and features as a rule: a slip of the pen costs no plan.
+void requireKnown(const std::vector<CycleTarget>& targets, const PlanRecord& before) {
+    std::set<std::string> known{""};
+    for (const RecordedSetup& setup : before.setups)
+        known.insert(setup.id);
+    for (const auto& [id, feature] : before.features)
+        known.insert(wholeOf(feature.feature));
+    for (const CycleTarget& target : targets)
+        if (known.count(target.of) == 0)
+            throw Error(ErrorCode::Usage, "--cycle-time " + target.of,
+                        "expected a setup or a feature of the job, such as " + *std::next(known.begin()));
+}
+
+std::vector<CycleTarget> cycleTimesOf(const ReplanOptions& options, const PlanRecord& before) {
+    if (options.cycle_times.empty()) return before.request->cycle_times;
+    std::vector<CycleTarget> targets = cycleTargets(options.cycle_times);
+    if (options.same_part) requireKnown(targets, before);
+    return targets;
+}
+
+}  // namespace
+
 PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Machine& machine) {
     PlanRequest request = planRequest(options.plan, machine);
     // Materials may come from a file that the plan does not name; what it took of it stands in it.
     if (options.plan.material == before.material) request.cut_material = before.cut_material;
     request.earlier = earlierSetups(before);
+    request.cycle_times = cycleTimesOf(options, before);
     return request;
 }
 

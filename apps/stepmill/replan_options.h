@@ -10,9 +10,11 @@ namespace stepmill {
 
 /// `stepmill replan`, as typed.
 struct ReplanOptions {
-    std::string job;   ///< folder
-    PlanOptions plan;  ///< what is given anew, and what is filled in from the job
+    std::string job;                       ///< folder
+    PlanOptions plan;                      ///< what is given anew, and what is filled in from the job
+    std::vector<std::string> cycle_times;  ///< as typed; none: those of the job
     bool diff = false;
+    bool same_part = false;  ///< none is given anew
 };
 
 /// Fills in what is not given anew as the job's plan says: the words of its command line, and its files where
