@@ -1,7 +1,9 @@
 // Plans again with other tools until cycle times are kept [Tripathi2005, 'Changes in cycle time', step 4].
 
 #include <algorithm>
+#include <exception>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -247,15 +249,28 @@ class CycleSearch {
             if (!is_open()) return;
             trial.step.before_s = best.plan.cycle.outcomes[target].time_s;
             trial.request = withWishesOf(std::move(trial.request), best.request);
-            Plan plan = planPart(part_, trial.request, library_, machine_, tol_, progress_, memory_);
-            trial.step.after_s = plan.cycle.outcomes[target].time_s;
-            trial.step.leaves_more = staysMm3(plan) > staysMm3(best.plan) + kVolumeRoundingMm3;
-            trial.step.taken = overS(plan) < overS(best.plan) - kNoGainS && !trial.step.leaves_more &&
-                               plan.setups.size() <= best.plan.setups.size() &&
-                               plan.threads_missing <= best.plan.threads_missing;
-            if (trial.step.taken) best = {std::move(plan), std::move(trial.request)};
+            std::optional<Plan> plan = planIfPossible(trial.request);
+            if (!plan) continue;
+            judge(*plan, best.plan, target, trial.step);
+            if (trial.step.taken) best = {std::move(*plan), std::move(trial.request)};
             steps.push_back(std::move(trial.step));
         }
+    }
+
+    /// A trial that cannot be planned must not lose the plan there is.
+    std::optional<Plan> planIfPossible(const PlanRequest& request) const {
+        try {
+            return planPart(part_, request, library_, machine_, tol_, progress_, memory_);
+        } catch (const std::exception&) {
+            return std::nullopt;
+        }
+    }
+
+    static void judge(const Plan& plan, const Plan& best, std::size_t target, CycleStep& step) {
+        step.after_s = plan.cycle.outcomes[target].time_s;
+        step.leaves_more = staysMm3(plan) > staysMm3(best) + kVolumeRoundingMm3;
+        step.taken = overS(plan) < overS(best) - kNoGainS && !step.leaves_more &&
+                     plan.setups.size() <= best.setups.size() && plan.threads_missing <= best.threads_missing;
     }
 
     /// The trial's own wishes beside those that were taken since it was thought of.
