@@ -1,6 +1,8 @@
 #include "plan/early_starts.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "stepmill/access/collision.h"
 #include "stepmill/planar/boolean.h"
@@ -9,96 +11,151 @@
 namespace stepmill {
 namespace {
 
-/// What still stands over a band's floor.
-struct Standing {
+/// What still stands over a feature's floor.
+struct StandingOver {
     Region region;
     EdgeIndex edges;
 };
 
-/// Does the cylinder stay clear of what stands up to `top_z_mm` on every move?
-bool passes(const Toolpath& path, double radius_mm, double bottom_mm, const Standing& standing,
-            double top_z_mm, const Tolerances& tol) {
-    Vec3 from = path.start;
-    for (const Move& move : path.moves) {
-        const double low_mm = std::min(from.z(), move.to.z()) + bottom_mm;
-        const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
-        from = move.to;
-        if (low_mm >= top_z_mm) continue;
-        if (standing.edges.anyNearer(way, radius_mm - tol.gouge_mm)) return false;
-        if (contains(standing.region, way.segment.to)) return false;
-    }
-    return true;
-}
+/// An upright cylinder that goes along with the tool: the cutter, or a piece of shank or holder.
+struct Cylinder {
+    double radius_mm = 0;
+    double bottom_mm = 0;  ///< over the tip
+};
 
-bool toolPasses(const BandOperation& lower, const Standing& standing, double top_z_mm,
-                const Tolerances& tol) {
-    const Toolpath& path = lower.operation->path;
-    if (!passes(path, lower.tool.radius_mm(), 0, standing, top_z_mm, tol)) return false;
-    const std::vector<HolderCylinder> cylinders = access::cylindersOf(lower.tool);
-    return std::all_of(cylinders.begin(), cylinders.end(), [&](const HolderCylinder& cylinder) {
-        return passes(path, cylinder.diameter_mm / 2, cylinder.bottom_mm, standing, top_z_mm, tol);
-    });
-}
-
-/// A band and what stands over its floor as its operations run.
-class BandBefore {
+/// An operation of a lower feature, as it may meet what stands above.
+class LowerOperation {
   public:
-    BandBefore(const BandOperations& band, const Tolerances& tol)
-        : band_(band), tol_(tol), after_(band.operations.size()) {}
-
-    /// How many of its operations must be done before that one of a lower band.
-    int operationsBefore(const BandOperation& lower) {
-        const int all = static_cast<int>(band_.operations.size());
-        for (int done = 1; done < all; ++done) {
-            const BandOperation& last = band_.operations[done - 1];
-            // What a wider cutter leaves is in the way of a narrower one that goes there.
-            if (last.tool.diameter_mm > lower.tool.diameter_mm) continue;
-            if (last.operation->leaves.floors_mm > 0) continue;
-            if (toolPasses(lower, after(done), band_.feature().top_z_mm, tol_)) return done;
+    explicit LowerOperation(const EarlyOperation& lower) : path_(lower.operation->path) {
+        cylinders_.push_back({lower.tool.radius_mm(), 0});
+        for (const HolderCylinder& cylinder : access::cylindersOf(lower.tool))
+            cylinders_.push_back({cylinder.diameter_mm / 2, cylinder.bottom_mm});
+        double widest_mm = 0;
+        for (const Cylinder& cylinder : cylinders_)
+            widest_mm = std::max(widest_mm, cylinder.radius_mm);
+        Vec3 from = path_.start;
+        for (const Move& move : path_.moves) {
+            box_.extend(makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc}).box);
+            from = move.to;
         }
+        if (!box_.isEmpty()) box_ = grown(box_, widest_mm);
+    }
+
+    bool passes(const StandingOver& standing, double top_z_mm, const Tolerances& tol) const {
+        if (standing.edges.empty() || !box_.intersects(standing.edges.box())) return true;
+        return std::all_of(cylinders_.begin(), cylinders_.end(), [&](const Cylinder& cylinder) {
+            return passes(cylinder, standing, top_z_mm, tol);
+        });
+    }
+
+  private:
+    /// Does the cylinder stay clear of what stands up to `top_z_mm` on every move?
+    bool passes(const Cylinder& cylinder, const StandingOver& standing, double top_z_mm,
+                const Tolerances& tol) const {
+        Vec3 from = path_.start;
+        for (const Move& move : path_.moves) {
+            const double low_mm = std::min(from.z(), move.to.z()) + cylinder.bottom_mm;
+            const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            from = move.to;
+            if (low_mm >= top_z_mm) continue;
+            if (standing.edges.anyNearer(way, cylinder.radius_mm - tol.gouge_mm)) return false;
+            if (contains(standing.region, way.segment.to)) return false;
+        }
+        return true;
+    }
+
+    const Toolpath& path_;
+    std::vector<Cylinder> cylinders_;
+    Box2 box_;  ///< around all that the tool goes over
+};
+
+/// Does the operation clear its region down to the feature's floor? Spot drills, taps and what brings bores to
+/// their fit clear nothing.
+bool clears(const Operation& operation) {
+    const bool mills = isClearing(operation.role) || operation.role == Role::Finish;
+    return (mills || operation.role == Role::Drill) && operation.leaves.floors_mm <= 0;
+}
+
+/// A feature and what stands over its floor as its operations run.
+class FeatureBefore {
+  public:
+    FeatureBefore(const FeatureOperations& feature, const Tolerances& tol)
+        : feature_(feature), tol_(tol), after_(feature.operations.size()) {}
+
+    /// How many of its operations must be done before that one of a lower feature.
+    int operationsBefore(const LowerOperation& lower) {
+        const int all = static_cast<int>(feature_.operations.size());
+        if (feature_.plain_ways) return all;
+        for (int done = 0; done < all; ++done)
+            if (lower.passes(after(done), feature_.feature().top_z_mm, tol_)) return done;
         return all;
     }
 
   private:
-    const Standing& after(int done) {
-        std::optional<Standing>& known = after_[done - 1];
+    const StandingOver& after(int done) {
+        std::optional<StandingOver>& known = after_[done];
         if (known) return *known;
         std::vector<Region> gone;
-        gone.reserve(static_cast<std::size_t>(done) + band_.planned->sequence.residual.size());
         for (int i = 0; i < done; ++i)
-            gone.push_back(band_.operations[i].cleared);
+            if (clears(*feature_.operations[i].operation)) gone.push_back(feature_.operations[i].cleared);
         // What stays for good is kept clear of anyway.
-        for (const Residual& residual : band_.planned->sequence.residual)
+        for (const Residual& residual : feature_.planned->sequence.residual)
             gone.push_back(residual.region);
         known.emplace();
-        known->region = subtract(band_.feature().target, unite(gone, tol_), tol_);
+        known->region = subtract(feature_.feature().target, unite(gone, tol_), tol_);
         known->edges = EdgeIndex(known->region);
         return *known;
     }
 
-    const BandOperations& band_;
+    const FeatureOperations& feature_;
     const Tolerances& tol_;
-    std::vector<std::optional<Standing>> after_;
+    std::vector<std::optional<StandingOver>> after_;
 };
 
-bool mayBeLeftHalfDone(const BandOperations& band) {
-    return !band.operations.empty() && !band.plain_ways;
+/// Of each feature all above it that have operations, ascending.
+std::vector<std::vector<std::size_t>> allAbove(const std::vector<FeatureOperations>& features) {
+    std::map<std::string, std::size_t> number;
+    std::vector<std::set<std::size_t>> above(features.size());
+    for (std::size_t f = 0; f < features.size(); ++f) {
+        const Feature& feature = features[f].planned->feature;
+        number.emplace(feature.id, f);
+        for (const std::string& parent : feature.parents) {
+            const auto found = number.find(parent);
+            if (found == number.end()) continue;
+            above[f].insert(found->second);
+            above[f].insert(above[found->second].begin(), above[found->second].end());
+        }
+    }
+    std::vector<std::vector<std::size_t>> with_operations(features.size());
+    for (std::size_t f = 0; f < features.size(); ++f)
+        std::copy_if(above[f].begin(), above[f].end(), std::back_inserter(with_operations[f]),
+                     [&](std::size_t one) { return !features[one].operations.empty(); });
+    return with_operations;
 }
 
 }  // namespace
 
-std::vector<BandStarts> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol) {
-    std::vector<BandStarts> starts;
-    starts.reserve(bands.size());
-    for (const BandOperations& band : bands)
-        starts.emplace_back(band.operations.size());
-    const auto end = std::find_if_not(bands.begin(), bands.end(), mayBeLeftHalfDone) - bands.begin();
-    for (std::ptrdiff_t i = 0; i < end; ++i) {
-        BandBefore above(bands[i], tol);
-        for (std::ptrdiff_t lower = i + 1; lower < end; ++lower)
-            for (std::size_t k = 0; k < starts[lower].size(); ++k)
-                starts[lower][k].push_back(
-                    {bands[i].planned->feature.id, above.operationsBefore(bands[lower].operations[k])});
+std::vector<EarlyStarts> earlyStarts(const std::vector<FeatureOperations>& features, const Tolerances& tol) {
+    const std::vector<std::vector<std::size_t>> above = allAbove(features);
+    std::vector<FeatureBefore> before;
+    for (const FeatureOperations& feature : features)
+        before.emplace_back(feature, tol);
+    std::vector<EarlyStarts> starts;
+    for (std::size_t f = 0; f < features.size(); ++f) {
+        const FeatureOperations& lower = features[f];
+        EarlyStarts& of_feature = starts.emplace_back(lower.operations.size());
+        if (lower.plain_ways) continue;
+        for (std::size_t k = 0; k < lower.operations.size(); ++k) {
+            const LowerOperation operation(lower.operations[k]);
+            bool any_early = false;
+            std::vector<Wait> waits;
+            for (const std::size_t one : above[f]) {
+                const int done = before[one].operationsBefore(operation);
+                any_early |= done < static_cast<int>(features[one].operations.size());
+                waits.push_back({features[one].planned->feature.id, done});
+            }
+            if (any_early) of_feature[k] = std::move(waits);
+        }
     }
     return starts;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stepmill/plan/plan.h"
@@ -7,35 +8,35 @@
 namespace stepmill {
 
 /// An operation with what tells whether others may run before it.
-struct BandOperation {
+struct EarlyOperation {
     const Operation* operation = nullptr;
     ToolAssembly tool;  ///< set out as far as the operation needs
-    Region cleared;     ///< of its band's target, down to its floor
+    Region cleared;     ///< of its feature's target, down to its floor
 };
 
-/// The operations of one band, in their order.
-struct BandOperations {
+/// The operations of one feature or band, in their order.
+struct FeatureOperations {
     const PlannedFeature* planned = nullptr;
-    std::vector<BandOperation> operations;
+    std::vector<EarlyOperation> operations;
     bool plain_ways = false;         ///< FeatureCaution::plain_ways
-    std::optional<Feature> grown{};  ///< the band on the grown stock; nothing: as it is planned
+    std::optional<Feature> grown{};  ///< the feature on the grown stock; nothing: as it is planned
 
     const Feature& feature() const { return grown ? *grown : planned->feature; }
 };
 
-/// What each operation of a band waits for; an empty entry waits for all that stands above it.
-using BandStarts = std::vector<std::vector<Wait>>;
+/// What each operation of a feature waits for; an empty entry waits for all features above it.
+using EarlyStarts = std::vector<std::vector<Wait>>;
 
-/// How far the bands above must be cut before each operation of a lower band may run: a wide cutter goes down
-/// all bands before a narrow one comes for their corners.
+/// How far the features above must be cut before each operation of a lower one may run: a wide cutter goes
+/// down through all of them before a narrow one comes for their corners.
 ///
-/// An operation waits for those of a band above until what then still stands there is out of the way of its
-/// cutter, shank and holder on every move, with a tool that is set out no farther than it needs.
+/// An operation waits for those of a feature above until what then still stands there is out of the way of
+/// its cutter, shank and holder on every move, with a tool that is set out no farther than it needs.
 ///
-/// \param bands  of one feature, from above
-/// \return  of every band; entries are empty on the first, and on and below a band that has no operation or
-///          takes plain ways
-/// \note  O(operations x bands x moves x log edges)
-std::vector<BandStarts> earlyStarts(const std::vector<BandOperations>& bands, const Tolerances& tol);
+/// \param features  of one setup, parents before children; parents that are not among them are done before
+/// \return  of every feature; entries are empty where the operation waits for all, as those of features that
+///          take plain ways do. Features that take them are waited for wholly.
+/// \note  O(operations x features above x moves x log edges); most pairs are told apart by their boxes
+std::vector<EarlyStarts> earlyStarts(const std::vector<FeatureOperations>& features, const Tolerances& tol);
 
 }  // namespace stepmill

@@ -104,7 +104,8 @@ double weightOf(const PlannedNest& nest, const PlanningShop& shop) {
     std::vector<Precedence> precedences;
     std::vector<std::vector<SequenceChoice>> choices;
     for (const PlannedFeature& planned : nest.features) {
-        Precedence precedence{planned.feature.id, {}, 0, {}};
+        Precedence precedence;
+        precedence.feature_id = planned.feature.id;
         for (const std::string& parent : planned.feature.parents)
             if (own.count(parent) > 0) precedence.parents.push_back(parent);
         own.insert(planned.feature.id);

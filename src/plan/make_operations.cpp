@@ -71,43 +71,31 @@ ToolAssembly setOutFor(const SequenceStep& step, const ToolLibrary& library) {
 }
 
 /// The operations of a setup's feature, from `first` on.
-BandOperations bandOf(const PlannedFeature& planned, const Operation* first, const StockGrowth& growth,
-                      const OperationSettings& settings) {
-    BandOperations band;
-    band.planned = &planned;
-    if (growth.any()) band.grown = onGrownStock(planned.feature, growth, settings.tol);
-    band.plain_ways = takesPlainWays(planned.feature.id, settings.cautions);
+FeatureOperations operationsOf(const PlannedFeature& planned, const Operation* first,
+                               const StockGrowth& growth, const OperationSettings& settings) {
+    FeatureOperations found;
+    found.planned = &planned;
+    if (growth.any()) found.grown = onGrownStock(planned.feature, growth, settings.tol);
+    found.plain_ways = takesPlainWays(planned.feature.id, settings.cautions);
     for (const SequenceStep& step : planned.sequence.steps)
-        band.operations.push_back({first++, setOutFor(step, settings.library), step.area.area});
-    return band;
+        found.operations.push_back({first++, setOutFor(step, settings.library), step.area.area});
+    return found;
 }
 
-/// The bands of one feature, with where the operations of each begin.
-struct BandedFeature {
-    std::vector<BandOperations> bands;  ///< from above
-    std::vector<std::size_t> first;
-};
-
-/// Operations on lower bands of a feature need not wait until those above are wholly cut.
+/// Operations on lower features need not wait until those above are wholly cut.
 /// \param first  where the setup's operations begin
 void letStartEarly(const PlannedSetup& setup, std::size_t first, const OperationSettings& settings,
                    std::vector<Operation>& operations) {
     const StockGrowth growth = growthOf(setup.setup.stock, setup.setup.part_to_setup);
-    std::map<std::string, BandedFeature> features;
+    std::vector<FeatureOperations> features;
+    std::size_t next = first;
     for (const PlannedFeature& planned : setup.features) {
-        if (planned.feature.band) {
-            BandedFeature& whole = features[planned.feature.band->of];
-            whole.bands.push_back(bandOf(planned, operations.data() + first, growth, settings));
-            whole.first.push_back(first);
-        }
-        first += planned.sequence.steps.size();
+        features.push_back(operationsOf(planned, operations.data() + next, growth, settings));
+        next += planned.sequence.steps.size();
     }
-    for (const auto& [id, whole] : features) {
-        std::vector<BandStarts> starts = earlyStarts(whole.bands, settings.tol);
-        for (std::size_t band = 0; band < starts.size(); ++band)
-            for (std::size_t i = 0; i < starts[band].size(); ++i)
-                operations[whole.first[band] + i].waits = std::move(starts[band][i]);
-    }
+    for (EarlyStarts& of_feature : earlyStarts(features, settings.tol))
+        for (std::vector<Wait>& waits : of_feature)
+            operations[first++].waits = std::move(waits);
 }
 
 /// Where the operations stood in the plan before; empty without one.

@@ -1,176 +1,15 @@
 #include "plan/order_operations.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
+#include "plan/fewest_visits.h"
+#include "plan/visit_problem.h"
 #include "stepmill/core/error.h"
 
 namespace stepmill {
 namespace {
-
-/// So many operations of a feature must be done.
-struct Need {
-    int feature = 0;
-    int operations = 0;
-};
-
-/// The operations as a precedence problem: per feature a queue, whose operations may run when those of its
-/// ancestors that each of them waits for are done.
-struct Problem {
-    std::vector<int> tool;                 ///< of each operation, numbered by first appearance
-    std::vector<int> feature;              ///< of each operation
-    std::vector<int> setup;                ///< of each feature
-    std::vector<std::vector<int>> queue;   ///< operations of each feature in their own order
-    std::vector<std::vector<Need>> needs;  ///< of each operation
-    int tools = 0;
-};
-
-/// How many operations of each feature are done, and the tools called so far.
-struct Partial {
-    std::vector<int> done;
-    std::vector<int> tools;
-    int total = 0;
-    int tools_left = 0;  ///< of every setup, summed: no setup has fewer visits
-};
-
-/// Of each feature its nearest ancestors with operations, ascending: when theirs are done, so are those of
-/// all before them. A parent without operations does not hold its children back, but its own parents do.
-/// \pre
-/// parents come before their children
-std::vector<std::vector<int>> nearestWithOperations(const std::vector<std::vector<int>>& parents,
-                                                    const std::vector<std::vector<int>>& queue) {
-    std::vector<std::vector<int>> nearest(parents.size());
-    for (std::size_t i = 0; i < parents.size(); ++i) {
-        std::set<int> found;
-        for (const int parent : parents[i]) {
-            STEPMILL_CHECK(parent < static_cast<int>(i), "parents come before their children");
-            if (queue[parent].empty())
-                found.insert(nearest[parent].begin(), nearest[parent].end());
-            else
-                found.insert(parent);
-        }
-        nearest[i].assign(found.begin(), found.end());
-    }
-    return nearest;
-}
-
-Problem makeProblem(const std::vector<Operation>& operations, const std::vector<Precedence>& features) {
-    Problem problem;
-    std::map<std::string, int> feature_number;
-    for (const Precedence& feature : features)
-        feature_number.emplace(feature.feature_id, static_cast<int>(feature_number.size()));
-    problem.queue.resize(features.size());
-    for (const Precedence& feature : features)
-        problem.setup.push_back(feature.setup);
-    std::vector<std::vector<int>> parents(features.size());
-    for (std::size_t i = 0; i < features.size(); ++i) {
-        for (const std::string& parent : features[i].parents) {
-            const auto found = feature_number.find(parent);
-            STEPMILL_CHECK(found != feature_number.end(),
-                           "parent " + parent + " of " + features[i].feature_id);
-            parents[i].push_back(found->second);
-        }
-    }
-    std::map<std::string, int> tool_number;
-    for (std::size_t i = 0; i < operations.size(); ++i) {
-        const auto found = feature_number.find(operations[i].feature_id);
-        STEPMILL_CHECK(found != feature_number.end(), "feature of operation " + operations[i].id);
-        const auto tool =
-            tool_number.emplace(operations[i].tool_id, static_cast<int>(tool_number.size())).first;
-        problem.tool.push_back(tool->second);
-        problem.feature.push_back(found->second);
-        problem.queue[found->second].push_back(static_cast<int>(i));
-    }
-    problem.tools = static_cast<int>(tool_number.size());
-    const std::vector<std::vector<int>> waits_for = nearestWithOperations(parents, problem.queue);
-    for (std::size_t i = 0; i < operations.size(); ++i) {
-        std::vector<Need>& needs = problem.needs.emplace_back();
-        for (const Wait& wait : operations[i].waits)
-            needs.push_back({feature_number.at(wait.feature_id), wait.operations});
-        const auto named = [&](int ancestor) {
-            return std::any_of(needs.begin(), needs.end(),
-                               [&](const Need& need) { return need.feature == ancestor; });
-        };
-        for (const int ancestor : waits_for[problem.feature[i]])
-            if (!named(ancestor))
-                needs.push_back({ancestor, static_cast<int>(problem.queue[ancestor].size())});
-    }
-    return problem;
-}
-
-/// The feature's next operation if it may run now, else -1.
-int nextOperation(const Problem& problem, const std::vector<int>& done, int feature) {
-    if (done[feature] == static_cast<int>(problem.queue[feature].size())) return -1;
-    const int next = problem.queue[feature][done[feature]];
-    for (const Need& need : problem.needs[next])
-        if (done[need.feature] < need.operations) return -1;
-    return next;
-}
-
-void countToolsLeft(const Problem& problem, Partial& partial) {
-    std::set<std::pair<int, int>> left;
-    for (std::size_t f = 0; f < problem.queue.size(); ++f) {
-        for (std::size_t i = partial.done[f]; i < problem.queue[f].size(); ++i)
-            left.emplace(problem.setup[f], problem.tool[problem.queue[f][i]]);
-    }
-    partial.tools_left = static_cast<int>(left.size());
-}
-
-/// Runs everything tool `tool` can do now and thereby becomes able to do.
-Partial afterVisit(const Problem& problem, Partial partial, int tool) {
-    partial.tools.push_back(tool);
-    for (bool again = true; again;) {
-        again = false;
-        for (std::size_t f = 0; f < problem.queue.size(); ++f) {
-            const int next = nextOperation(problem, partial.done, static_cast<int>(f));
-            if (next < 0 || problem.tool[next] != tool) continue;
-            ++partial.done[f];
-            ++partial.total;
-            again = true;
-        }
-    }
-    countToolsLeft(problem, partial);
-    return partial;
-}
-
-/// Fewest tools left to call, then most operations done, then the earlier tools.
-bool isMorePromising(const Partial& a, const Partial& b) {
-    if (a.tools_left != b.tools_left) return a.tools_left < b.tools_left;
-    if (a.total != b.total) return a.total > b.total;
-    return a.tools < b.tools;
-}
-
-std::vector<Partial> oneVisitMore(const Problem& problem, const std::vector<Partial>& beam,
-                                  std::size_t width) {
-    std::vector<Partial> wider;
-    std::set<std::vector<int>> seen;
-    for (const Partial& partial : beam) {
-        std::set<int> callable;
-        for (std::size_t f = 0; f < problem.queue.size(); ++f) {
-            const int next = nextOperation(problem, partial.done, static_cast<int>(f));
-            if (next >= 0) callable.insert(problem.tool[next]);
-        }
-        for (const int tool : callable) {
-            Partial longer = afterVisit(problem, partial, tool);
-            if (seen.insert(longer.done).second) wider.push_back(std::move(longer));
-        }
-    }
-    std::sort(wider.begin(), wider.end(), isMorePromising);
-    if (wider.size() > width) wider.resize(width);
-    return wider;
-}
-
-/// The tools in the order of their visits: a beam search, one tool change at a time.
-std::vector<int> visits(const Problem& problem, std::size_t width) {
-    std::vector<Partial> beam(1);
-    beam[0].done.assign(problem.queue.size(), 0);
-    const int operations = static_cast<int>(problem.tool.size());
-    while (beam.front().total < operations) {
-        beam = oneVisitMore(problem, beam, width);
-        STEPMILL_CHECK(!beam.empty(), "features do not wait for each other in a circle");
-    }
-    return beam.front().tools;
-}
 
 Vec2 startOf(const Operation& operation) {
     return operation.path.start.head<2>();
@@ -181,36 +20,29 @@ Vec2 endOf(const Operation& operation) {
     return path.moves.empty() ? startOf(operation) : Vec2(path.moves.back().to.head<2>());
 }
 
+void addNew(std::vector<std::string>& ids, const std::vector<std::string>& others) {
+    for (const std::string& id : others)
+        if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+}
+
 }  // namespace
 
 std::vector<Precedence> inSetupOrder(const std::vector<PlannedSetup>& setups) {
     std::vector<Precedence> order;
-    std::vector<std::string> ends_before;  // features of the setup before that no other waits for
-    std::map<std::string, std::vector<std::string>> bands;  // by the whole feature
-    for (const PlannedSetup& setup : setups) {
-        std::set<std::string> ends;
-        for (const PlannedFeature& planned : setup.features) {
+    for (std::size_t s = 0; s < setups.size(); ++s) {
+        std::map<std::string, std::vector<std::string>> above;
+        for (const PlannedFeature& planned : setups[s].features) {
             const Feature& feature = planned.feature;
-            order.push_back({feature.id,
-                             feature.parents.empty() ? ends_before : feature.parents,
-                             static_cast<int>(&setup - setups.data()),
-                             {}});
-            if (feature.band) {
-                order.back().bands_above = bands[feature.band->of];
-                bands[feature.band->of].push_back(feature.id);
+            std::vector<std::string>& own = above[feature.id];
+            for (const std::string& parent : feature.parents) {
+                addNew(own, above[parent]);
+                addNew(own, {parent});
             }
-            for (const std::string& parent : feature.parents)
-                ends.erase(parent);
-            ends.insert(feature.id);
+            const bool is_profile = feature.feature_class == FeatureClass::OpenProfile;
+            order.push_back({feature.id, feature.parents, static_cast<int>(s), own, is_profile});
         }
-        if (!ends.empty()) ends_before.assign(ends.begin(), ends.end());
     }
     return order;
-}
-
-std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
-                            std::size_t beam_width) {
-    return visits(makeProblem(operations, features), beam_width);
 }
 
 namespace {
@@ -234,7 +66,7 @@ Below belowOf(const std::vector<Precedence>& features) {
 /// What of one tool's operations comes next.
 class NextOperation {
   public:
-    NextOperation(const std::vector<Operation>& operations, const Problem& problem,
+    NextOperation(const std::vector<Operation>& operations, const VisitProblem& problem,
                   const std::vector<Precedence>& features, OrderRule rule)
         : operations_(operations), problem_(problem), rule_(rule) {
         if (rule == OrderRule::Branches) below_ = belowOf(features);
@@ -258,14 +90,14 @@ class NextOperation {
   private:
     /// How much was done when something above the operation was done last; 0 for nothing.
     std::size_t lastAbove(int operation, const std::vector<int>& order) const {
-        const std::vector<bool>& above = below_[problem_.feature[operation]];
+        const std::vector<bool>& above = below_[problem_.operations[operation].feature];
         for (std::size_t done = order.size(); done > 0; --done)
-            if (above[problem_.feature[order[done - 1]]]) return done;
+            if (above[problem_.operations[order[done - 1]].feature]) return done;
         return 0;
     }
 
     const std::vector<Operation>& operations_;
-    const Problem& problem_;
+    const VisitProblem& problem_;
     OrderRule rule_;
     Below below_;
 };
@@ -283,21 +115,20 @@ double travelMm(const std::vector<Operation>& operations, const std::vector<int>
 }
 
 /// The operations in the order of these tools, each tool's by the rule.
-std::vector<int> inOrderOf(const std::vector<int>& tools, const Problem& problem,
+std::vector<int> inOrderOf(const std::vector<int>& tools, const VisitProblem& problem,
                            const NextOperation& next_operation) {
     std::vector<int> done(problem.queue.size(), 0);
     std::vector<int> order;
     for (const int tool : tools) {
         for (;;) {
             int best = -1;
-            for (std::size_t f = 0; f < problem.queue.size(); ++f) {
-                const int next = nextOperation(problem, done, static_cast<int>(f));
-                if (next < 0 || problem.tool[next] != tool) continue;
+            for (const int next : readyOperations(problem, done)) {
+                if (problem.operations[next].tool != tool) continue;
                 if (best < 0 || next_operation.isBetter(next, best, order)) best = next;
             }
             if (best < 0) break;
             order.push_back(best);
-            ++done[problem.feature[best]];
+            ++done[problem.operations[best].feature];
         }
     }
     return order;
@@ -307,7 +138,7 @@ std::vector<int> inOrderOf(const std::vector<int>& tools, const Problem& problem
 class OrderAsBefore {
   public:
     /// \param otherwise  the order of a plan made anew
-    OrderAsBefore(const Problem& problem, const EarlierPlaces& places, const std::vector<int>& otherwise)
+    OrderAsBefore(const VisitProblem& problem, const EarlierPlaces& places, const std::vector<int>& otherwise)
         : problem_(problem), places_(places), position_(otherwise.size()) {
         for (std::size_t i = 0; i < otherwise.size(); ++i)
             position_[otherwise[i]] = static_cast<int>(i);
@@ -316,16 +147,16 @@ class OrderAsBefore {
     std::vector<int> order() {
         done_.assign(problem_.queue.size(), 0);
         std::vector<int> order;
-        while (order.size() < problem_.tool.size()) {
-            const int last_tool = order.empty() ? -1 : problem_.tool[order.back()];
+        while (order.size() < problem_.operations.size()) {
+            const int last_tool = order.empty() ? -1 : problem_.operations[order.back()].tool;
             order.push_back(next(last_tool));
-            ++done_[problem_.feature[order.back()]];
+            ++done_[problem_.operations[order.back()].feature];
         }
         return order;
     }
 
   private:
-    int setupOf(int operation) const { return problem_.setup[problem_.feature[operation]]; }
+    int setupOf(int operation) const { return problem_.setupOf(operation); }
 
     bool isEarlier(int one, int than) const {
         if (setupOf(one) != setupOf(than)) return setupOf(one) < setupOf(than);
@@ -349,38 +180,35 @@ class OrderAsBefore {
     }
 
     int next(int last_tool) const {
-        std::vector<int> ready;
-        for (std::size_t f = 0; f < problem_.queue.size(); ++f)
-            if (const int one = nextOperation(problem_, done_, static_cast<int>(f)); one >= 0)
-                ready.push_back(one);
+        std::vector<int> ready = readyOperations(problem_, done_);
         STEPMILL_CHECK(!ready.empty(), "features do not wait for each other in a circle");
         std::sort(ready.begin(), ready.end(), [this](int a, int b) { return isEarlier(a, b); });
         const int before = nextOfBefore(setupOf(ready.front()));
         const bool may_run = before >= 0 && ready.front() == before;
-        if (may_run && problem_.tool[before] == last_tool) return before;
+        if (may_run && problem_.operations[before].tool == last_tool) return before;
         const auto is_new = [&](int one) { return !places_[one] && setupOf(one) == setupOf(ready.front()); };
         for (const int one : ready)
-            if (is_new(one) && problem_.tool[one] == last_tool) return one;
+            if (is_new(one) && problem_.operations[one].tool == last_tool) return one;
         if (may_run) return before;
         const auto fresh = std::find_if(ready.begin(), ready.end(), is_new);
         return fresh != ready.end() ? *fresh : ready.front();
     }
 
-    const Problem& problem_;
+    const VisitProblem& problem_;
     const EarlierPlaces& places_;
     std::vector<int> position_;
     std::vector<int> done_;  ///< of each feature
 };
 
 /// Puts the earlier plan's order in place of one that was found, in each setup that has operations of it.
-void keepOrder(const std::vector<Operation>& operations, const Problem& problem, const EarlierPlaces& places,
+void keepOrder(const std::vector<Operation>& operations, const VisitProblem& problem, const EarlierPlaces& places,
                std::vector<std::vector<WeighedOrder>>& weighed, std::vector<std::vector<int>>& taken) {
     std::vector<int> otherwise;
     for (const std::vector<int>& of_setup : taken)
         otherwise.insert(otherwise.end(), of_setup.begin(), of_setup.end());
     std::vector<std::vector<int>> kept(taken.size());
     for (const int operation : OrderAsBefore(problem, places, otherwise).order())
-        kept[problem.setup[problem.feature[operation]]].push_back(operation);
+        kept[problem.setupOf(operation)].push_back(operation);
     for (std::size_t setup = 0; setup < taken.size(); ++setup) {
         const bool any = std::any_of(taken[setup].begin(), taken[setup].end(),
                                      [&](int operation) { return places[operation].has_value(); });
@@ -395,8 +223,8 @@ void keepOrder(const std::vector<Operation>& operations, const Problem& problem,
 
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
                                  const std::vector<Precedence>& features, OrderRule rule) {
-    const Problem problem = makeProblem(operations, features);
-    return inOrderOf(visits(problem, kBeamWidth), problem,
+    const VisitProblem problem = visitProblem(operations, features);
+    return inOrderOf(fewestVisits(problem, kPlanSearch).tools, problem,
                      NextOperation(operations, problem, features, rule));
 }
 
@@ -408,8 +236,8 @@ ShortestOrder shortestOrder(const std::vector<Operation>& operations, const std:
         setup_of[feature.feature_id] = feature.setup;
         setups = std::max(setups, feature.setup + 1);
     }
-    const Problem problem = makeProblem(operations, features);
-    const std::vector<int> tools = visits(problem, kBeamWidth);
+    const VisitProblem problem = visitProblem(operations, features);
+    const std::vector<int> tools = fewestVisits(problem, kPlanSearch).tools;
     ShortestOrder shortest;
     shortest.weighed.resize(setups);
     std::vector<std::vector<int>> taken(setups);

@@ -11,25 +11,17 @@ namespace stepmill {
 /// What must be machined before a feature.
 struct Precedence {
     std::string feature_id;
-    std::vector<std::string> parents;
-    int setup = 0;  ///< number of its setup; it waits for the setups before through its parents alone
-    std::vector<std::string> bands_above;  ///< ids of the bands over it of the same feature, from above
+    std::vector<std::string> parents;  ///< in its setup
+    int setup = 0;                     ///< number of its setup; it waits for all of the setups before
+    std::vector<std::string> above;    ///< ids of all it waits for in its setup, but for early starts
+    bool is_profile = false;           ///< an open profile
 };
 
 /// The features of all setups, those of a setup after all of the setup before.
 std::vector<Precedence> inSetupOrder(const std::vector<PlannedSetup>& setups);
 
-/// How many partial orders the look-ahead keeps after each tool change.
-inline constexpr std::size_t kBeamWidth = 16;
-
-/// The tools in the order of their visits, as few as a beam search finds: each feature's operations keep
-/// their order, and parents come before their children but for Operation::waits. One entry a visit, an index
-/// into tools named in the order of their first appearance.
-std::vector<int> toolVisits(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
-                            std::size_t beam_width);
-
 /// Puts operations in an order that keeps parents before children, but for Operation::waits, and each
-/// feature's own tool order, and that changes tools as rarely as a greedy look-ahead finds. Returns indices
+/// feature's own tool order, and that changes tools as rarely as fewestVisits() finds. Returns indices
 /// into `operations`.
 /// \param features  parents before children
 /// \param rule  what comes next of one tool's

@@ -1,8 +1,13 @@
 #include "plan/share_tools.h"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 
+#include "plan/fewest_visits.h"
+#include "plan/visit_problem.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 
@@ -14,7 +19,9 @@ constexpr std::size_t kMostCombinations = 512;
 /// Rounds of improvement; each makes the plan cheaper or is the last.
 constexpr int kMostRounds = 20;
 /// Orders that only compare two choices look ahead less far than the plan's own.
-constexpr std::size_t kTrialBeamWidth = 4;
+constexpr VisitSearch kTrialSearch{4, 0};
+/// Orders of the choices that are compared at last.
+constexpr VisitSearch kSharedSearch{16, 0};
 
 struct Score {
     int too_many = 0;  ///< tools beyond the magazine's places
@@ -30,22 +37,100 @@ struct Score {
     }
 };
 
+/// The features' choices as numbers, for scores that are asked for again and again.
+class ChoiceVisits {
+  public:
+    ChoiceVisits(const std::vector<Precedence>& features,
+                 const std::vector<std::vector<SequenceChoice>>& choices, const ToolLibrary& library) {
+        std::map<std::string, int> number;
+        const auto numbersOf = [&](const std::vector<std::string>& ids) {
+            std::vector<int> numbers;
+            for (const std::string& id : ids)
+                numbers.push_back(number.at(id));
+            return numbers;
+        };
+        for (const Precedence& feature : features) {
+            features_.push_back({feature.setup, numbersOf(feature.parents)});
+            above_.push_back(numbersOf(feature.above));
+            number.emplace(feature.feature_id, static_cast<int>(number.size()));
+        }
+        std::map<std::string, double> diameter_mm;
+        for (const ToolAssembly& tool : library.tools)
+            diameter_mm[tool.id] = tool.diameter_mm;
+        std::map<std::string, int> tool_number;
+        for (const std::vector<SequenceChoice>& of_feature : choices) {
+            std::vector<std::vector<int>>& tools = tools_.emplace_back();
+            for (const SequenceChoice& choice : of_feature) {
+                std::vector<int>& of_choice = tools.emplace_back();
+                for (const std::string& id : choice.tools) {
+                    const auto [found, is_new] =
+                        tool_number.emplace(id, static_cast<int>(tool_number.size()));
+                    if (is_new) {
+                        tool_ids_.push_back(id);
+                        diameter_mm_.push_back(diameter_mm[id]);
+                    }
+                    of_choice.push_back(found->second);
+                }
+            }
+        }
+    }
+
+    /// \param choice  of each feature
+    VisitProblem problem(const std::vector<std::size_t>& choice) const {
+        std::vector<VisitOperation> operations;
+        for (std::size_t f = 0; f < tools_.size(); ++f)
+            if (!tools_[f].empty())
+                for (const int tool : tools_[f][choice[f]])
+                    operations.push_back({tool, static_cast<int>(f), 0, likelyNeeds(choice, f, tool)});
+        return visitProblem(std::move(operations), features_);
+    }
+
+    const std::string& toolId(int tool) const { return tool_ids_[tool]; }
+
+  private:
+    /// What earlyStarts() will say once there are paths: a tool may go down where none wider works any more.
+    std::vector<Need> likelyNeeds(const std::vector<std::size_t>& choice, std::size_t feature,
+                                  int tool) const {
+        std::vector<Need> needs;
+        for (const int above : above_[feature]) {
+            if (tools_[above].empty()) continue;
+            const std::vector<int>& visits = tools_[above][choice[above]];
+            const auto as_narrow = std::find_if(visits.begin(), visits.end(), [&](int visit) {
+                return diameter_mm_[visit] <= diameter_mm_[tool];
+            });
+            const auto all = static_cast<int>(visits.size());
+            needs.push_back({above, std::min(static_cast<int>(as_narrow - visits.begin()) + 1, all)});
+        }
+        return needs;
+    }
+
+    std::vector<VisitFeature> features_;
+    std::vector<std::vector<int>> above_;               ///< of each feature
+    std::vector<std::vector<std::vector<int>>> tools_;  ///< of each feature, of each choice
+    std::vector<std::string> tool_ids_;
+    std::vector<double> diameter_mm_;  ///< of each tool
+};
+
+/// A visit of a tool with the features it works on.
+struct ServingVisit {
+    std::string tool;
+    std::vector<std::size_t> features;
+};
+
 class Sharing {
   public:
     Sharing(const std::vector<Precedence>& features, const std::vector<std::vector<SequenceChoice>>& choices,
             double change_weight, const ToolLibrary& library, int magazine)
-        : features_(features), choices_(choices), change_(change_weight), magazine_(magazine) {
-        for (const ToolAssembly& tool : library.tools)
-            diameter_mm_[tool.id] = tool.diameter_mm;
-        for (std::size_t f = 0; f < features.size(); ++f)
-            number_[features[f].feature_id] = f;
-    }
+        : choices_(choices),
+          visits_(features, choices, library),
+          change_(change_weight),
+          magazine_(magazine) {}
 
     SharedChoice best() const {
         const Choice own(choices_.size(), 0);
         Choice found = combinations() <= kMostCombinations ? bestOfAll() : improved(own);
-        const Score alone = score(own, kBeamWidth);
-        Score together = score(found, kBeamWidth);
+        const Score alone = score(own, kSharedSearch);
+        Score together = score(found, kSharedSearch);
         if (!together.isBetterThan(alone)) {
             found = own;
             together = alone;
@@ -81,48 +166,36 @@ class Sharing {
         return tools;
     }
 
-    Score score(const Choice& choice, std::size_t beam_width) const {
+    Score score(const Choice& choice, const VisitSearch& search) const {
         Score score;
-        std::vector<Operation> operations;
-        for (std::size_t f = 0; f < choices_.size(); ++f) {
-            if (choices_[f].empty()) continue;
-            score.weight += choices_[f][choice[f]].paths;
-            for (const std::string& tool : toolsOf(choice, f)) {
-                Operation operation;
-                operation.feature_id = features_[f].feature_id;
-                operation.tool_id = tool;
-                operation.waits = likelyWaits(choice, f, tool);
-                operations.push_back(std::move(operation));
-            }
-        }
+        for (std::size_t f = 0; f < choices_.size(); ++f)
+            if (!choices_[f].empty()) score.weight += choices_[f][choice[f]].paths;
         score.tools = static_cast<int>(toolsOf(choice).size());
-        score.visits = static_cast<int>(toolVisits(operations, features_, beam_width).size());
+        score.visits = static_cast<int>(fewestVisits(visits_.problem(choice), search).tools.size());
         score.weight += score.visits * change_;
         if (magazine_ > 0) score.too_many = std::max(0, score.tools - magazine_);
         return score;
     }
 
-    /// What earlyStarts() will say once there are paths: a tool may go down where none wider works any more.
-    std::vector<Wait> likelyWaits(const Choice& choice, std::size_t feature, const std::string& tool) const {
-        std::vector<Wait> waits;
-        for (const std::string& band : features_[feature].bands_above) {
-            const std::size_t above = number_.at(band);
-            if (choices_[above].empty()) return {};
-            const std::vector<std::string>& visits = toolsOf(choice, above);
-            const auto as_narrow = std::find_if(visits.begin(), visits.end(), [&](const std::string& visit) {
-                return diameter_mm_.at(visit) <= diameter_mm_.at(tool);
-            });
-            const auto all = static_cast<int>(visits.size());
-            waits.push_back({band, std::min(static_cast<int>(as_narrow - visits.begin()) + 1, all)});
+    /// The visits of a choice in their order.
+    std::vector<ServingVisit> visitsOf(const Choice& choice) const {
+        const VisitProblem problem = visits_.problem(choice);
+        std::vector<ServingVisit> visits;
+        std::vector<int> done(problem.queue.size(), 0);
+        for (const int tool : fewestVisits(problem, kTrialSearch).tools) {
+            std::set<std::size_t> features;
+            for (const int operation : takeAll(problem, tool, done))
+                features.insert(problem.operations[operation].feature);
+            visits.push_back({visits_.toolId(tool), {features.begin(), features.end()}});
         }
-        return waits;
+        return visits;
     }
 
     Choice bestOfAll() const {
         Choice best(choices_.size(), 0);
-        Score best_score = score(best, kBeamWidth);
+        Score best_score = score(best, kSharedSearch);
         for (Choice choice = best; next(choice);) {
-            const Score found = score(choice, kBeamWidth);
+            const Score found = score(choice, kSharedSearch);
             if (!found.isBetterThan(best_score)) continue;
             best = choice;
             best_score = found;
@@ -140,18 +213,19 @@ class Sharing {
     }
 
     Choice improved(Choice choice) const {
-        Score best = score(choice, kTrialBeamWidth);
+        Score best = score(choice, kTrialSearch);
         for (int round = 0; round < kMostRounds; ++round) {
             bool any = false;
             const auto tryOut = [&](const Choice& other) {
-                const Score found = score(other, kTrialBeamWidth);
+                const Score found = score(other, kTrialSearch);
                 if (!found.isBetterThan(best)) return;
                 choice = other;
                 best = found;
                 any = true;
             };
             for (const std::string& tool : toolsOf(choice))
-                if (const auto other = without(choice, tool)) tryOut(*other);
+                if (const auto other = without(choice, tool, allFeatures())) tryOut(*other);
+            giveUpVisits(choice, tryOut);
             for (std::size_t f = 0; f < choices_.size(); ++f)
                 for (std::size_t i = 0; i < choices_[f].size(); ++i)
                     if (mayPay(choice, f, i)) tryOut(changed(choice, f, i));
@@ -165,13 +239,39 @@ class Sharing {
         return choice;
     }
 
-    /// Every feature that calls `tool` takes the cheapest choice without it, beside the tools that are called
-    /// anyway; nothing when one of them has none.
-    std::optional<Choice> without(const Choice& choice, const std::string& tool) const {
+    std::vector<std::size_t> allFeatures() const {
+        std::vector<std::size_t> all(choices_.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
+    }
+
+    /// Tools that are called again: without one of their visits, or without all from one on.
+    template <typename TryOut>
+    void giveUpVisits(const Choice& choice, const TryOut& tryOut) const {
+        const std::vector<ServingVisit> visits = visitsOf(choice);
+        std::map<std::string, std::vector<std::size_t>> from_here_on;
+        std::map<std::string, int> times;
+        for (const ServingVisit& visit : visits)
+            ++times[visit.tool];
+        for (auto visit = visits.rbegin(); visit != visits.rend(); ++visit) {
+            if (times[visit->tool] < 2) continue;
+            if (const auto other = without(choice, visit->tool, visit->features)) tryOut(*other);
+            std::vector<std::size_t>& later = from_here_on[visit->tool];
+            const bool first_asked = later.empty();
+            later.insert(later.end(), visit->features.begin(), visit->features.end());
+            if (first_asked) continue;
+            if (const auto other = without(choice, visit->tool, later)) tryOut(*other);
+        }
+    }
+
+    /// Those of the features that call `tool` take the cheapest choice without it, beside the tools that are
+    /// called anyway; nothing when one of them has none.
+    std::optional<Choice> without(const Choice& choice, const std::string& tool,
+                                  const std::vector<std::size_t>& features) const {
         std::set<std::string> called = toolsOf(choice);
         called.erase(tool);
         Choice other = choice;
-        for (std::size_t f = 0; f < choices_.size(); ++f) {
+        for (const std::size_t f : features) {
             if (choices_[f].empty() || !uses(choices_[f][choice[f]], tool)) continue;
             std::optional<std::size_t> best;
             for (std::size_t i = 0; i < choices_[f].size(); ++i) {
@@ -205,12 +305,10 @@ class Sharing {
         return then.paths < now.paths + change_ * static_cast<double>(now.tools.size());
     }
 
-    const std::vector<Precedence>& features_;
     const std::vector<std::vector<SequenceChoice>>& choices_;
+    ChoiceVisits visits_;
     double change_;
     int magazine_;
-    std::map<std::string, double> diameter_mm_;  ///< by tool id
-    std::map<std::string, std::size_t> number_;  ///< of each feature
 };
 
 }  // namespace

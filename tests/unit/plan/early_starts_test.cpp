@@ -23,61 +23,95 @@ Operation levelCut(double from_x_mm, double to_x_mm, double z_mm) {
     return operation;
 }
 
-/// The upper band, 50 mm wide and 10 mm deep: cut by EM16, which leaves the corner, and by EM6.
+/// The upper feature, 50 mm wide and 10 mm deep: cut by EM16, which leaves the corner, and by EM6.
 class EarlyStarts : public testing::Test {
   protected:
     EarlyStarts() {
         const Region target = makeRectangle({0, 0}, {50, 50});
-        upper_planned_.feature.id = "S1.F1.1";
+        upper_planned_.feature.id = "S1.F1";
         upper_planned_.feature.target = target;
         upper_planned_.feature.top_z_mm = 0;
         upper_planned_.feature.floor_z_mm = -10;
-        lower_planned_.feature.id = "S1.F1.2";
+        lower_planned_.feature.id = "S1.F2";
+        lower_planned_.feature.parents = {"S1.F1"};
+        other_planned_.feature.id = "S1.F3";
         upper_.planned = &upper_planned_;
         upper_.operations.push_back({&wide_, makeMill(16), subtract(target, kCorner, kTol)});
         upper_.operations.push_back({&narrow_, makeMill(6), kCorner});
     }
 
     std::vector<Wait> waitsOf(const Operation& operation, const ToolAssembly& tool) {
-        BandOperations lower{&lower_planned_, {{&operation, tool, {}}}, false};
+        const FeatureOperations lower{&lower_planned_, {{&operation, tool, {}}}, false};
         return earlyStarts({upper_, lower}, kTol).back().front();
     }
 
     PlannedFeature upper_planned_;
     PlannedFeature lower_planned_;
+    PlannedFeature other_planned_;
     Operation wide_;
     Operation narrow_;
-    BandOperations upper_;
+    FeatureOperations upper_;
 };
 
 TEST_F(EarlyStarts, AWideCutterGoesDownBeforeANarrowOneComes) {
     const Operation clear = levelCut(10, 30, -20);
     const std::vector<Wait> waits = waitsOf(clear, makeMill(16));
     ASSERT_EQ(waits.size(), 1U);
-    EXPECT_EQ(waits[0].feature_id, "S1.F1.1");
+    EXPECT_EQ(waits[0].feature_id, "S1.F1");
     EXPECT_EQ(waits[0].operations, 1);
 }
 
 TEST_F(EarlyStarts, ACutterWaitsForWhatStandsInItsWay) {
     const Operation under_the_corner = levelCut(10, 35, -20);
-    EXPECT_EQ(waitsOf(under_the_corner, makeMill(16)).front().operations, 2) << "5 mm beside it, 8 needed";
+    EXPECT_TRUE(waitsOf(under_the_corner, makeMill(16)).empty()) << "for all: 5 mm beside it, 8 needed";
     const Operation over_it = levelCut(10, 35, 0);
-    EXPECT_EQ(waitsOf(over_it, makeMill(16)).front().operations, 1);
+    EXPECT_EQ(waitsOf(over_it, makeMill(16)).front().operations, 0);
 }
 
-TEST_F(EarlyStarts, ANarrowerCutterThanThoseBeforeWaitsForItsOwn) {
+TEST_F(EarlyStarts, ANarrowCutterNeedNotWaitForItsOwnAbove) {
     const Operation clear = levelCut(10, 30, -20);
-    EXPECT_EQ(waitsOf(clear, makeMill(6)).front().operations, 2);
+    EXPECT_EQ(waitsOf(clear, makeMill(6)).front().operations, 1);
+}
+
+TEST_F(EarlyStarts, WhatSpotDrillsTapsAndFloorsLeftOverClearIsNothing) {
+    const Operation clear = levelCut(10, 30, -20);
+    wide_.role = Role::Spot;
+    EXPECT_TRUE(waitsOf(clear, makeMill(16)).empty());
+    wide_.role = Role::Rough;
+    wide_.leaves.floors_mm = 0.2;
+    EXPECT_TRUE(waitsOf(clear, makeMill(16)).empty());
+}
+
+TEST_F(EarlyStarts, FeaturesThatAreNotAboveDoNotCount) {
+    const Operation clear = levelCut(10, 30, -20);
+    const FeatureOperations other{&other_planned_, {{&clear, makeMill(16), {}}}, false};
+    EXPECT_TRUE(earlyStarts({upper_, other}, kTol).back().front().empty());
+}
+
+TEST_F(EarlyStarts, EveryFeatureAboveIsAskedHoweverFarUp) {
+    const Operation clear = levelCut(10, 30, -20);
+    const Operation lowest = levelCut(10, 30, -30);
+    const FeatureOperations lower{&lower_planned_, {{&clear, makeMill(16), kCorner}}, false};
+    other_planned_.feature.parents = {"S1.F2"};
+    lower_planned_.feature.target = makeRectangle({0, 0}, {50, 50});
+    lower_planned_.feature.top_z_mm = -10;
+    const FeatureOperations other{&other_planned_, {{&lowest, makeMill(16), {}}}, false};
+    const std::vector<Wait> waits = earlyStarts({upper_, lower, other}, kTol).back().front();
+    ASSERT_EQ(waits.size(), 2U);
+    EXPECT_EQ(waits[0].feature_id, "S1.F1");
+    EXPECT_EQ(waits[0].operations, 1);
+    EXPECT_EQ(waits[1].feature_id, "S1.F2");
+    EXPECT_EQ(waits[1].operations, 1);
 }
 
 TEST_F(EarlyStarts, AHolderWaitsWhereItWouldMeetWhatStands) {
     const Operation clear = levelCut(10, 30, -20);
-    EXPECT_EQ(waitsOf(clear, test::inHolder(makeMill(16), 15, 40)).front().operations, 2)
+    EXPECT_TRUE(waitsOf(clear, test::inHolder(makeMill(16), 15, 40)).empty())
         << "begins at Z-5, below the top, and is 20 mm wide to each side";
     EXPECT_EQ(waitsOf(clear, test::inHolder(makeMill(16), 25, 40)).front().operations, 1);
 }
 
-TEST_F(EarlyStarts, WithPlainWaysEveryBandWaitsForThoseAbove) {
+TEST_F(EarlyStarts, FeaturesThatTakePlainWaysAreWaitedForWholly) {
     upper_.plain_ways = true;
     const Operation clear = levelCut(10, 30, -20);
     EXPECT_TRUE(waitsOf(clear, makeMill(16)).empty());

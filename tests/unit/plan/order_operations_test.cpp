@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "plan/fewest_visits.h"
 #include "plan/order_operations.h"
 
 namespace stepmill {
@@ -58,7 +59,7 @@ TEST(OrderOperations, AToolStaysInTheSpindleOverTheChangeOfSetup) {
                                             operation("S2.F1", "A")};
     // B first, then A for both; S2 comes last whatever tools it calls.
     EXPECT_EQ(orderOperations(operations, order), (std::vector<int>{1, 0, 2}));
-    EXPECT_EQ(toolVisits(operations, order, kBeamWidth).size(), 2U);
+    EXPECT_EQ(fewestVisits(visitProblem(operations, order), kPlanSearch).tools.size(), 2U);
 }
 
 TEST(OrderOperations, AToolGoesDownAllBandsWhereItNeedNotWait) {
