@@ -12,13 +12,13 @@ namespace {
 
 /// What a setter does first: the faces that others are measured from, then roughing, holes before the profile
 /// that ties them to what is held, finishing last.
-enum class Stage { Face, Rough, Holes, Profile, Finish };
+enum class WorkKind { Face, Rough, Holes, Profile, Finish };
 
-Stage stageOf(const Operation& operation, const Precedence& feature) {
-    if (operation.role == Role::Face) return Stage::Face;
-    if (operation.role == Role::Finish) return Stage::Finish;
-    if (isForHoles(operation.role)) return Stage::Holes;
-    return feature.is_profile ? Stage::Profile : Stage::Rough;
+WorkKind kindOf(const Operation& operation, const Precedence& feature) {
+    if (operation.role == Role::Face) return WorkKind::Face;
+    if (operation.role == Role::Finish) return WorkKind::Finish;
+    if (isForHoles(operation.role)) return WorkKind::Holes;
+    return feature.is_profile ? WorkKind::Profile : WorkKind::Rough;
 }
 
 /// Of each feature its nearest ancestors with operations, ascending: when theirs are done, so are those of
@@ -137,7 +137,7 @@ VisitProblem visitProblem(const std::vector<Operation>& operations, const std::v
         visit.tool =
             tool_number.emplace(operation.tool_id, static_cast<int>(tool_number.size())).first->second;
         visit.feature = numberOf(operation.feature_id, operation.id);
-        visit.stage = static_cast<int>(stageOf(operation, features[visit.feature]));
+        visit.stage = static_cast<int>(kindOf(operation, features[visit.feature]));
         for (const Wait& wait : operation.waits)
             visit.needs.push_back({numberOf(wait.feature_id, operation.id), wait.operations});
     }
