@@ -69,8 +69,8 @@ class LowerOperation {
     Box2 box_;  ///< around all that the tool goes over
 };
 
-/// Does the operation clear its region down to the feature's floor? Spot drills, taps and what brings bores to
-/// their fit clear nothing.
+/// Does the operation clear its region down to the feature's floor? Spot drills, taps and what brings bores
+/// to their fit clear nothing.
 bool clears(const Operation& operation) {
     const bool mills = isClearing(operation.role) || operation.role == Role::Finish;
     return (mills || operation.role == Role::Drill) && operation.leaves.floors_mm <= 0;

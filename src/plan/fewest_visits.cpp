@@ -95,7 +95,8 @@ class LeastVisits {
         runs(operation, own) = 1;
         for (const int later : next)
             for (int tool = 0; tool < problem_.tools; ++tool) {
-                const bool again = tool == own && problem_.operations[later].tool != own && runs(later, tool) > 0;
+                const bool again =
+                    tool == own && problem_.operations[later].tool != own && runs(later, tool) > 0;
                 runs(operation, tool) = std::max(runs(operation, tool), runs(later, tool) + (again ? 1 : 0));
             }
     }
@@ -210,11 +211,13 @@ FewestVisits fewestVisits(const VisitProblem& problem, const VisitSearch& search
     FewestVisits fewest{*searcher.within(kAnyNumber, search.width, dropped), searcher.atLeast()};
     if (!dropped) fewest.at_least = static_cast<int>(fewest.tools.size());
     dropped = false;
-    for (int visits = fewest.at_least; search.proving_width > 0 && visits < static_cast<int>(fewest.tools.size());
-         ++visits) {
+    for (int visits = fewest.at_least;
+         search.proving_width > 0 && visits < static_cast<int>(fewest.tools.size()); ++visits) {
         auto fewer = searcher.within(visits, search.proving_width, dropped);
-        if (fewer) fewest.tools = std::move(*fewer);
-        else if (!dropped) fewest.at_least = visits + 1;
+        if (fewer)
+            fewest.tools = std::move(*fewer);
+        else if (!dropped)
+            fewest.at_least = visits + 1;
     }
     return fewest;
 }

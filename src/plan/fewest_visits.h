@@ -27,9 +27,9 @@ struct FewestVisits {
 ///
 /// A visit does all its tool can do: doing less never saves a visit. After every visit the search keeps those
 /// partial orders that need the fewest more at the least, by chains of operations that wait for each other: a
-/// tool that comes n times in one, with others between, is called n times. Of equals it prefers those that keep
-/// to the stages (VisitOperation::stage). Then it is asked, from the least number on, whether fewer visits do;
-/// where no partial order had to be dropped, the answer is a proof.
+/// tool that comes n times in one, with others between, is called n times. Of equals it prefers those that
+/// keep to the stages (VisitOperation::stage). Then it is asked, from the least number on, whether fewer
+/// visits do; where no partial order had to be dropped, the answer is a proof.
 /// \note  O(visits x width x tools x operations)
 FewestVisits fewestVisits(const VisitProblem& problem, const VisitSearch& search);
 

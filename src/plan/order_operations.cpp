@@ -201,8 +201,9 @@ class OrderAsBefore {
 };
 
 /// Puts the earlier plan's order in place of one that was found, in each setup that has operations of it.
-void keepOrder(const std::vector<Operation>& operations, const VisitProblem& problem, const EarlierPlaces& places,
-               std::vector<std::vector<WeighedOrder>>& weighed, std::vector<std::vector<int>>& taken) {
+void keepOrder(const std::vector<Operation>& operations, const VisitProblem& problem,
+               const EarlierPlaces& places, std::vector<std::vector<WeighedOrder>>& weighed,
+               std::vector<std::vector<int>>& taken) {
     std::vector<int> otherwise;
     for (const std::vector<int>& of_setup : taken)
         otherwise.insert(otherwise.end(), of_setup.begin(), of_setup.end());

@@ -15,11 +15,11 @@ struct SharedChoice {
 /// Chooses one sequence a feature so that paths and tool changes of the whole plan, operations merged, weigh
 /// least, and no more tools are called than the magazine has places, as far as the choices allow: first the
 /// places, then the weight. Exact where the choices have few combinations (kMostCombinations); else from each
-/// feature's own cheapest by giving up tools and changing single features as long as that helps. Never worse
-/// than the features' own cheapest.
+/// feature's own cheapest by giving up tools or single visits of theirs and changing single features as long
+/// as that helps. Never worse than the features' own cheapest.
 /// \param choices        of each feature, its own cheapest first
 /// \param change_weight  of one tool change, in the unit of the choices' paths
-/// \param library        tells the tools' diameters: a wide one may go down all bands of a feature first
+/// \param library        tells the tools' diameters: a wide one may go down through all features first
 /// \param magazine       places for tools; 0: no limit
 SharedChoice shareTools(const std::vector<Precedence>& features,
                         const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,

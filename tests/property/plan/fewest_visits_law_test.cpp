@@ -8,8 +8,8 @@
 namespace stepmill::test {
 namespace {
 
-/// One to seven features in one or two setups, each with up to three operations by up to four tools, that wait
-/// for what stands above them wholly or in part.
+/// One to seven features in one or two setups, each with up to three operations by up to four tools, that
+/// wait for what stands above them wholly or in part.
 struct RandomVisits {
     std::vector<VisitOperation> operations;
     std::vector<VisitFeature> features;

@@ -41,8 +41,8 @@ TEST(FewestVisits, AToolThatComesTwiceInAChainIsCalledTwice) {
 
 TEST(FewestVisits, EachToolOnceWhereNothingForbidsIt) {
     // Four pockets, each roughed by 0 and finished by another tool, and a hole under each.
-    const FewestVisits fewest =
-        fewestOf({{{0, 1}, {0, 2}, {0, 1}, {0, 2}, {3}, {3}, {4}, {4}}, {{}, {}, {}, {}, {0}, {1}, {2}, {3}}});
+    const FewestVisits fewest = fewestOf(
+        {{{0, 1}, {0, 2}, {0, 1}, {0, 2}, {3}, {3}, {4}, {4}}, {{}, {}, {}, {}, {0}, {1}, {2}, {3}}});
     EXPECT_EQ(fewest.tools.size(), 5U);
     EXPECT_EQ(fewest.at_least, 5);
 }
@@ -56,8 +56,8 @@ TEST(FewestVisits, TwoToolsThatWaitForEachOtherTakeThreeVisits) {
 
 TEST(FewestVisits, AStaircaseOfTwoToolsIsCutInOnePassDownEach) {
     // 0 1 0 1 0 in one chain; a second chain 1 0 1 0 1 runs along with it.
-    const FewestVisits fewest =
-        fewestOf({{{0}, {1}, {0}, {1}, {0}, {1}, {0}, {1}, {0}, {1}}, {{}, {0}, {1}, {2}, {3}, {}, {5}, {6}, {7}, {8}}});
+    const FewestVisits fewest = fewestOf({{{0}, {1}, {0}, {1}, {0}, {1}, {0}, {1}, {0}, {1}},
+                                          {{}, {0}, {1}, {2}, {3}, {}, {5}, {6}, {7}, {8}}});
     EXPECT_EQ(fewest.tools.size(), 6U);
 }
 
@@ -73,7 +73,8 @@ TEST(FewestVisits, EarlyStartsLetAToolGoOn) {
 
 TEST(FewestVisits, ASetupIsDoneBeforeTheNextHoweverEarlyOperationsMayStart) {
     // In the first setup 0 over 1 over nothing; in the second 0 alone, which needs nothing of its own setup.
-    const std::vector<VisitOperation> operations{{0, 0, 0, {}}, {1, 1, 0, {}}, {2, 2, 0, {}}, {0, 3, 0, {{2, 0}}}};
+    const std::vector<VisitOperation> operations{
+        {0, 0, 0, {}}, {1, 1, 0, {}}, {2, 2, 0, {}}, {0, 3, 0, {{2, 0}}}};
     const std::vector<VisitFeature> features{{0, {}}, {0, {0}}, {1, {}}, {1, {2}}};
     EXPECT_EQ(fewestVisits(visitProblem(operations, features), kPlanSearch).tools.size(), 4U);
 }
