@@ -220,6 +220,58 @@ void keepOrder(const std::vector<Operation>& operations, const VisitProblem& pro
     }
 }
 
+/// The setups each in the order by the rule with the least travel.
+struct WeighedSetups {
+    std::vector<std::vector<WeighedOrder>> weighed;  ///< by setup; the one taken first
+    std::vector<std::vector<int>> taken;             ///< by setup
+    std::size_t visits = 0;
+
+    double travelMm() const {
+        double sum_mm = 0;
+        for (const std::vector<WeighedOrder>& of_setup : weighed)
+            if (!of_setup.empty()) sum_mm += of_setup.front().travel_mm;
+        return sum_mm;
+    }
+    /// \pre  both are of the same operations
+    bool isShorterThan(const WeighedSetups& other) const {
+        if (visits != other.visits) return visits < other.visits;
+        return travelMm() < other.travelMm();
+    }
+};
+
+VisitProblem withoutStages(VisitProblem problem) {
+    for (VisitOperation& operation : problem.operations)
+        operation.stage = 0;
+    return problem;
+}
+
+/// \param searched  the problem as visits are searched for
+WeighedSetups weighedSetups(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
+                            const VisitProblem& problem, const VisitProblem& searched) {
+    int setups = 0;
+    for (const Precedence& feature : features)
+        setups = std::max(setups, feature.setup + 1);
+    const std::vector<int> tools = fewestVisits(searched, kPlanSearch).tools;
+    WeighedSetups found;
+    found.visits = tools.size();
+    found.weighed.resize(setups);
+    found.taken.resize(setups);
+    for (const OrderRule rule : {OrderRule::Nearest, OrderRule::Branches, OrderRule::Levels}) {
+        std::vector<std::vector<int>> by_setup(setups);
+        const NextOperation by_rule(operations, problem, features, rule);
+        for (const int operation : inOrderOf(tools, problem, by_rule))
+            by_setup[problem.setupOf(operation)].push_back(operation);
+        for (int setup = 0; setup < setups; ++setup) {
+            std::vector<WeighedOrder>& weighed = found.weighed[setup];
+            const WeighedOrder one{rule, travelMm(operations, by_setup[setup])};
+            const bool better = weighed.empty() || one.travel_mm < weighed.front().travel_mm;
+            weighed.insert(better ? weighed.begin() : weighed.end(), one);
+            if (better) found.taken[setup] = std::move(by_setup[setup]);
+        }
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<int> orderOperations(const std::vector<Operation>& operations,
@@ -231,32 +283,15 @@ std::vector<int> orderOperations(const std::vector<Operation>& operations,
 
 ShortestOrder shortestOrder(const std::vector<Operation>& operations, const std::vector<Precedence>& features,
                             const EarlierPlaces& places) {
-    std::map<std::string, int> setup_of;
-    int setups = 0;
-    for (const Precedence& feature : features) {
-        setup_of[feature.feature_id] = feature.setup;
-        setups = std::max(setups, feature.setup + 1);
-    }
     const VisitProblem problem = visitProblem(operations, features);
-    const std::vector<int> tools = fewestVisits(problem, kPlanSearch).tools;
+    WeighedSetups weighed = weighedSetups(operations, features, problem, problem);
+    // What a setter does first may lie farther away: stages are kept where that costs nothing.
+    WeighedSetups any_stage = weighedSetups(operations, features, problem, withoutStages(problem));
+    if (any_stage.isShorterThan(weighed)) weighed = std::move(any_stage);
+    if (!places.empty()) keepOrder(operations, problem, places, weighed.weighed, weighed.taken);
     ShortestOrder shortest;
-    shortest.weighed.resize(setups);
-    std::vector<std::vector<int>> taken(setups);
-    for (const OrderRule rule : {OrderRule::Nearest, OrderRule::Branches, OrderRule::Levels}) {
-        std::vector<std::vector<int>> by_setup(setups);
-        const NextOperation by_rule(operations, problem, features, rule);
-        for (const int operation : inOrderOf(tools, problem, by_rule))
-            by_setup[setup_of.at(operations[operation].feature_id)].push_back(operation);
-        for (int setup = 0; setup < setups; ++setup) {
-            std::vector<WeighedOrder>& weighed = shortest.weighed[setup];
-            const WeighedOrder found{rule, travelMm(operations, by_setup[setup])};
-            const bool better = weighed.empty() || found.travel_mm < weighed.front().travel_mm;
-            weighed.insert(better ? weighed.begin() : weighed.end(), found);
-            if (better) taken[setup] = std::move(by_setup[setup]);
-        }
-    }
-    if (!places.empty()) keepOrder(operations, problem, places, shortest.weighed, taken);
-    for (const std::vector<int>& of_setup : taken)
+    shortest.weighed = std::move(weighed.weighed);
+    for (const std::vector<int>& of_setup : weighed.taken)
         shortest.order.insert(shortest.order.end(), of_setup.begin(), of_setup.end());
     return shortest;
 }
