@@ -3,7 +3,6 @@
 #include "toolpath/adaptive/growth.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "stepmill/core/units.h"
@@ -12,6 +11,7 @@
 #include "stepmill/planar/edge.h"
 #include "stepmill/planar/path_parts.h"
 #include "stepmill/toolpath/swept_region.h"
+#include "toolpath/adaptive/bite.h"
 #include "toolpath/adaptive/engaged_way.h"
 
 namespace stepmill::toolpath {
@@ -45,8 +45,6 @@ constexpr double kWidestBiteShare = 0.95;
 constexpr double kLeastFrontShare = 0.2;
 /// Shares of the limit that are aimed at: between places and along the fitted arcs it may be a little more.
 constexpr double kAims[] = {0.985, 0.95, 0.9};
-/// Stretches of a pass that lie no farther apart than this, in radii, are joined.
-constexpr double kJoinedRadii = 2;
 /// Ways into a pass that begins in material: arcs of these radii, in radii of the cutter ...
 constexpr double kLeadRadii[] = {1, 0.5, 0.25};
 /// ... and no longer than a third of a turn.
@@ -60,13 +58,6 @@ constexpr double kSkinSlivers = 1;
 constexpr int kTakenBeforeSkins = 8;
 /// More passes are no way to clear anything.
 constexpr std::size_t kMostPasses = 4000;
-
-/// Ground that one more pass clears.
-struct Bite {
-    Region ground;
-    std::vector<Path> fronts;  ///< its boundary where it is not that of the cleared ground
-    double distance_mm = 0;    ///< from the cutter to the nearest of them
-};
 
 class Growth {
   public:
@@ -169,7 +160,7 @@ class Growth {
                 if (!front.closed() && length(front) > kLeastFrontShare * task_.radius_mm)
                     fronts.push_back(std::move(front));
         std::stable_sort(fronts.begin(), fronts.end(), [this](const Path& a, const Path& b) {
-            return distanceToStart(a) < distanceToStart(b);
+            return distanceToStart(a, at_) < distanceToStart(b, at_);
         });
         return fronts;
     }
@@ -194,27 +185,12 @@ class Growth {
         const Region next = rounding_mm > 0 ? reach.opening(rounding_mm) : reach.region();
         std::vector<Bite> bites;
         for (Region& piece : piecesToClear(subtract(next, cleared_, tol_))) {
-            Bite bite = biteOf(std::move(piece));
+            Bite bite = biteOf(std::move(piece), cleared_, at_, tol_);
             if (!bite.fronts.empty()) bites.push_back(std::move(bite));
         }
         std::stable_sort(bites.begin(), bites.end(),
                          [](const Bite& a, const Bite& b) { return a.distance_mm < b.distance_mm; });
         return bites;
-    }
-
-    Bite biteOf(Region ground) const {
-        Bite bite{std::move(ground), {}, std::numeric_limits<double>::infinity()};
-        for (const Loop& loop : bite.ground.loops)
-            for (Path& front : split(loop, cleared_, tol_).outside) {
-                if (length(front) <= tol_.sliver_mm) continue;
-                bite.distance_mm = std::min(bite.distance_mm, distanceToStart(front));
-                bite.fronts.push_back(std::move(front));
-            }
-        return bite;
-    }
-
-    double distanceToStart(const Path& front) const {
-        return front.closed() ? nearestOn(front, at_).distance_mm : (front.start - at_).norm();
     }
 
     /// A bite, what its passes do, and the advance it comes from.
@@ -268,11 +244,11 @@ class Growth {
         const std::optional<Path> way = engagedWay(
             {meter, room_, within, task_.radius_mm, aim, longest_mm, front.start, Vec2(-leftOf(along))});
         if (!way) return std::nullopt;
-        const std::optional<Region> ground = groundInside(*way);
+        const std::optional<Region> ground = groundBeside(*way, cleared_, task_.room, tol_);
         if (!ground) return std::nullopt;
         std::optional<Bite> best;
         for (Region& piece : piecesBeyondSkins(*ground, tol_)) {
-            Bite one = biteOf(std::move(piece));
+            Bite one = biteOf(std::move(piece), cleared_, at_, tol_);
             if (!one.fronts.empty() && (!best || area(one.ground) > area(best->ground)))
                 best = std::move(one);
         }
@@ -282,36 +258,10 @@ class Growth {
         return trial;
     }
 
-    /// What lies between a way that leaves the cleared ground and comes back to it, and that ground.
-    std::optional<Region> groundInside(const Path& way) const {
-        for (const Loop& loop : cleared_.loops) {
-            const NearestPoint from = nearestOn(loop, way.start);
-            if (from.distance_mm > onBoundaryMm(tol_)) continue;
-            const Path turned = startingAt(loop, from.edge, from.share);
-            const NearestPoint to = nearestOn(turned, way.end());
-            double length_mm = 0;
-            for (std::size_t i = 0; i <= to.edge; ++i) {
-                const Edge edge =
-                    makeEdge(i == 0 ? turned.start : turned.segments[i - 1].to, turned.segments[i]);
-                length_mm += (i == to.edge ? to.share : 1) * length(edge);
-            }
-            if (length_mm <= tol_.sliver_mm) return std::nullopt;
-            Path around = way;
-            const Path back = reversed(firstPart(turned, length_mm));
-            if (around.end() != back.start) around.segments.push_back({back.start, std::nullopt});
-            around.segments.insert(around.segments.end(), back.segments.begin(), back.segments.end());
-            if (around.end() != around.start) around.segments.push_back({around.start, std::nullopt});
-            const Region inside{{around}};
-            if (signedArea(around) <= 0) return std::nullopt;
-            return subtract(intersect(inside, task_.room, tol_), cleared_, tol_);
-        }
-        return std::nullopt;
-    }
-
     void take(const Trial& trial, const FrontMeter& meter) {
         for (std::size_t i = 0; i < trial.bite.fronts.size(); ++i)
-            for (const Path& pass : stretchesOf(trial.bite.fronts[i], trial.cuts[i], meter))
-                add(pass);
+            for (const Stretch& stretch : cuttingStretches(trial.cuts[i], task_.radius_mm))
+                add(passOf(trial.bite.fronts[i], stretch, meter));
         advance_mm_ = std::min(task_.step_over_mm, trial.advance_mm);
         cleared_ = unite(cleared_, trial.bite.ground, tol_);
         if (++taken_ % kTakenBeforeSkins == 0) takeSkins();
@@ -323,25 +273,12 @@ class Growth {
         cleared_ = left.empty() ? task_.room : subtract(task_.room, unite(left, tol_), tol_);
     }
 
-    /// The stretches of a front that cut, each with a way in from cleared ground.
-    std::vector<Path> stretchesOf(const Path& front, const FrontCut& cut, const FrontMeter& meter) const {
-        std::vector<std::array<double, 2>> found;
-        for (std::size_t i = 0; i < cut.places.size(); ++i) {
-            if (cut.places[i].width_mm <= 0) continue;
-            const double from = cut.places[i > 0 ? i - 1 : 0].along_mm;
-            const double to = cut.places[std::min(i + 1, cut.places.size() - 1)].along_mm;
-            if (!found.empty() && from <= found.back()[1] + kJoinedRadii * task_.radius_mm)
-                found.back()[1] = to;
-            else
-                found.push_back({from, to});
-        }
-        std::vector<Path> stretches;
-        for (const auto& [from, to] : found) {
-            const Path until = firstPart(front, to);
-            const Path stretch = reversed(firstPart(reversed(until), to - from));
-            stretches.push_back(withWayIn(stretch, meter).value_or(until));
-        }
-        return stretches;
+    /// A stretch of a front with a way in from cleared ground: an arc or, where none will do, all of the
+    /// front before it.
+    Path passOf(const Path& front, const Stretch& stretch, const FrontMeter& meter) const {
+        const Path until = firstPart(front, stretch.to_mm);
+        const Path part = reversed(firstPart(reversed(until), stretch.to_mm - stretch.from_mm));
+        return withWayIn(part, meter).value_or(until);
     }
 
     /// With an arc that comes to its start from cleared ground; nothing where none engages little enough.
