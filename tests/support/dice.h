@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -15,9 +16,10 @@ class Dice {
 
     /// Even in [low, high).
     double between(double low, double high) { return low + (high - low) * share(); }
-    /// The same in steps: sizes on drawings are round.
+    /// The same in steps: sizes on drawings are round. Where there is no room between them: `low`.
     double between(double low, double high, double step) {
-        return low + step * static_cast<double>(below(static_cast<std::size_t>((high - low) / step) + 1));
+        const double steps = std::max(0.0, (high - low) / step);
+        return low + step * static_cast<double>(below(static_cast<std::size_t>(steps) + 1));
     }
     /// 0 ... count - 1.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(random_() % count); }
