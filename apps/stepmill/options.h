@@ -35,7 +35,7 @@ struct PlanOptions {
     std::string objective = "time";
     std::string surrogates = "sequence";
     std::string cost_model = "paths";
-    bool reserve = true;  ///< setups may leave to later ones what these cut for less
+    bool reserve = true;                ///< setups may leave to later ones what these cut for less
     std::vector<std::string> patterns;  ///< of clearing paths, to choose from; empty: all
     double finish_walls_mm = 0;
     double finish_floors_mm = 0;

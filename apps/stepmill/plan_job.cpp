@@ -199,7 +199,8 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
             "--patterns", options.patterns,
             "patterns that clearing paths are chosen from, comma-separated: contour-parallel, \"contour-"
             "parallel from outside in\", stock-offset, zigzag, one-way, adaptive; contour-parallel "
-            "stands in where none of them fits; default: all")
+            "stands in where none of them fits; default: all, adaptive where the tool library has a set "
+            "for it; adaptive alone: wherever it can be")
         ->delimiter(',');
     command.add_flag("--strict", options.strict, "exit 1 on any warning as well");
 }

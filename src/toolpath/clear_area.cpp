@@ -200,7 +200,8 @@ Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const Cut
                    "a clearing task has one entry per component of its free centres");
     Toolpath path = byRingsAndLines(task, *rings, tool, cutting, machine, tol);
     if (!mayBeAdaptive(task, cutting)) return path;
-    const bool asked = task.pattern == Pattern::Adaptive;
+    const bool asked =
+        task.pattern == Pattern::Adaptive || task.patterns == std::vector<Pattern>{Pattern::Adaptive};
     const double to_beat_s =
         asked || path.moves.empty() ? std::numeric_limits<double>::infinity() : path.totals.motion_time_s;
     std::optional<Toolpath> adaptive =
