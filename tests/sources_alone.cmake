@@ -2,6 +2,7 @@
 # compiled by themselves where others are joined.
 set_source_files_properties(
   corpus/batch/quote_command_test.cpp
+  corpus/command_line/adaptive_patterns_test.cpp
   corpus/command_line/rank_command_test.cpp
   corpus/hostile_input/extreme_values_test.cpp
   corpus/hostile_input/hostile_names_test.cpp
