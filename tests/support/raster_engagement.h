@@ -96,7 +96,7 @@ class EngagementMeter {
     /// No earlier pass has swept anything as near as a graze.
     bool isDeep(const Vec2& p) const {
         bool deep = true;
-        raster_.forDisc(p, graze_mm_ + 1.5 * raster_.cellMm(),
+        raster_.forDisc(p, graze_mm_ + skinMm() + 1.5 * raster_.cellMm(),
                         [&](std::size_t cell) { deep = deep && cells_[cell] != Cell::Swept; });
         return deep;
     }

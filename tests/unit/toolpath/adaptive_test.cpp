@@ -107,12 +107,14 @@ TEST(Adaptive, IsTheSameEveryTime) {
 
 /// An independent meter agrees to within what its cells leave unsure.
 TEST(Adaptive, EngagesNoMoreByARaster) {
-    constexpr double kCellMm = 0.05;
-    constexpr double kGrazeMm = 0.12;  // of this cutter
-    const double r = 6;
-    const ClearingTask task = commonPocket(r);
-    const Toolpath path = adaptiveOf(task, 2 * r, 2, 12);
-    EngagementMeter meter(task, r, kCellMm, kGrazeMm);
+    constexpr double kCellMm = 0.025;
+    const double r = 4;
+    Region pocket = makeRoundedRectangle({0, 0}, {38, 30}, 5);
+    pocket.loops.push_back(reversed(makeCircle({22, 15}, 3).loops.front()));
+    const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), r, kTol);
+    const Toolpath path = adaptiveOf(task, 2 * r, 0.17 * 2 * r, -task.floor_z_mm);
+    ASSERT_EQ(path.pattern, "adaptive");
+    EngagementMeter meter(task, r, kCellMm, kGrazeShare * r);
     double greatest = 0;
     bool entered = false;  // the way in is full width
     Vec3 from = path.start;
