@@ -6,6 +6,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 #include "stepmill/planar/path_parts.h"
+#include "toolpath/patterns/ring_family.h"
 
 namespace stepmill::toolpath {
 namespace {
