@@ -152,6 +152,7 @@ class PaceSearch {
     PacedSetups paced() {
         const std::vector<CycleTarget>& targets = settings_.request.cycle_times;
         std::vector<Scope> scopes;
+        scopes.reserve(targets.size());
         for (const CycleTarget& target : targets)
             scopes.push_back(scopeOf(target.of, setups_));
         std::vector<CycleOutcome> outcomes(targets.size());

@@ -170,6 +170,7 @@ std::vector<CycleTrial> sequenceTrials(const PlanOfRequest& best, const CycleOut
         features[one.operation->tool_id].insert(one.planned->feature.id);
     }
     std::vector<std::pair<double, std::string>> tools;
+    tools.reserve(time_s.size());
     for (const auto& [tool, cut_s] : time_s)
         tools.emplace_back(cut_s, tool);
     std::sort(tools.begin(), tools.end());
