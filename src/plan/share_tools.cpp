@@ -45,6 +45,7 @@ class ChoiceVisits {
         std::map<std::string, int> number;
         const auto numbersOf = [&](const std::vector<std::string>& ids) {
             std::vector<int> numbers;
+            numbers.reserve(ids.size());
             for (const std::string& id : ids)
                 numbers.push_back(number.at(id));
             return numbers;
@@ -248,19 +249,20 @@ class Sharing {
     /// Tools that are called again: without one of their visits, or without all from one on.
     template <typename TryOut>
     void giveUpVisits(const Choice& choice, const TryOut& tryOut) const {
-        const std::vector<ServingVisit> visits = visitsOf(choice);
+        std::vector<ServingVisit> visits = visitsOf(choice);
+        std::reverse(visits.begin(), visits.end());
         std::map<std::string, std::vector<std::size_t>> from_here_on;
         std::map<std::string, int> times;
         for (const ServingVisit& visit : visits)
             ++times[visit.tool];
-        for (auto visit = visits.rbegin(); visit != visits.rend(); ++visit) {
-            if (times[visit->tool] < 2) continue;
-            if (const auto other = without(choice, visit->tool, visit->features)) tryOut(*other);
-            std::vector<std::size_t>& later = from_here_on[visit->tool];
+        for (const ServingVisit& visit : visits) {
+            if (times[visit.tool] < 2) continue;
+            if (const auto other = without(choice, visit.tool, visit.features)) tryOut(*other);
+            std::vector<std::size_t>& later = from_here_on[visit.tool];
             const bool first_asked = later.empty();
-            later.insert(later.end(), visit->features.begin(), visit->features.end());
+            later.insert(later.end(), visit.features.begin(), visit.features.end());
             if (first_asked) continue;
-            if (const auto other = without(choice, visit->tool, later)) tryOut(*other);
+            if (const auto other = without(choice, visit.tool, later)) tryOut(*other);
         }
     }
 

@@ -55,9 +55,11 @@ void addParents(VisitOperation& operation, const std::vector<int>& nearest,
 /// Leaves out needs that follow from others of the operation, or from those of the one before it.
 class NeedReduction {
   public:
-    explicit NeedReduction(VisitProblem& problem) : problem_(problem), done_(problem.operations.size()) {
+    explicit NeedReduction(VisitProblem& problem) : problem_(problem), done_(problem.operations.size()) {}
+
+    void reduceAll() {
         // Parents come before their children, so what an operation needs is known before it.
-        for (const std::vector<int>& queue : problem.queue)
+        for (const std::vector<int>& queue : problem_.queue)
             for (std::size_t i = 0; i < queue.size(); ++i)
                 reduce(queue[i], i > 0 ? queue[i - 1] : -1);
     }
@@ -111,7 +113,7 @@ VisitProblem visitProblem(std::vector<VisitOperation> operations, const std::vec
     for (VisitOperation& operation : operations)
         addParents(operation, nearest[operation.feature], problem.queue);
     problem.operations = std::move(operations);
-    NeedReduction{problem};
+    NeedReduction(problem).reduceAll();
     return problem;
 }
 

@@ -89,7 +89,7 @@ TEST_F(AdaptivePatterns, EngageNoMoreThanThePlanSays) {
     fs::remove(file("job") / "manifest.json");
     std::ofstream(file("job") / "plan.json") << plan;
     const ProgramRun run = verify();
-    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(run.exit_code, 2);
     EXPECT_NE((run.out + run.err).find("degrees of the cutter's rim; planned are"), std::string::npos)
         << run.out << run.err;
 }
