@@ -62,8 +62,8 @@ class Fitter {
   public:
     Fitter(const std::vector<Vec2>& points, double most_off_mm) : points_(points), most_off_mm_(most_off_mm) {
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const Vec2 from = points[i > 0 ? i - 1 : 0];
-            const Vec2 to = points[std::min(i + 1, points.size() - 1)];
+            const Vec2& from = points[i > 0 ? i - 1 : 0];
+            const Vec2& to = points[std::min(i + 1, points.size() - 1)];
             tangents_.push_back((to - from).normalized());
         }
     }
