@@ -138,6 +138,7 @@ std::vector<std::vector<std::size_t>> allAbove(const std::vector<FeatureOperatio
 std::vector<EarlyStarts> earlyStarts(const std::vector<FeatureOperations>& features, const Tolerances& tol) {
     const std::vector<std::vector<std::size_t>> above = allAbove(features);
     std::vector<FeatureBefore> before;
+    before.reserve(features.size());
     for (const FeatureOperations& feature : features)
         before.emplace_back(feature, tol);
     std::vector<EarlyStarts> starts;
