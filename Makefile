@@ -4,8 +4,9 @@ PART ?= step_parts/rounded_pocket.step
 OUT ?= out/$(basename $(notdir $(PART)))
 PREFIX ?= /usr/local
 STEPMILL = build/release/bin/stepmill
-# Under the sanitizers whole plans and every fault of a disk take two thirds of the time; PlanPart stands for the plans.
-WHOLE_PLANS = *JobFaults*:*PaperCase*:Fixtures.*:FinishingPlan*:PlanProven*:*CutTogether*:*RoughedSample*:StickOuts.*:ChangedGround*:Quote.*:*WhatStaysOfResiduals*
+# Under the sanitizers whole plans, simulated paths and every fault of a disk take two thirds of the time; PlanPart stands
+# for the plans.
+WHOLE_PLANS = *JobFaults*:*PaperCase*:Fixtures.*:FinishingPlan*:PlanProven*:*CutTogether*:*RoughedSample*:CycleTimePlan.*:*AdaptiveCommonPocket*:*ByARaster*:StickOuts.*:ChangedGround*:Quote.*:*WhatStaysOfResiduals*
 SOURCES = $$(git ls-files '*.h' '*.cpp')
 
 all: build/release/tests.configured
