@@ -17,6 +17,8 @@ namespace {
 constexpr std::size_t kMostSpan = 24;
 /// Shorter arcs are none: their ends may fall together [mm].
 constexpr double kLeastArcMm = 1e-3;
+/// Wider arcs are straight: their centres lie farther off than controllers take [mm].
+constexpr double kWidestArcMm = 2e4;
 /// Where the way turns by more it has met a wall: no arc goes through.
 constexpr double kCornerDeg = 25;
 
@@ -24,7 +26,7 @@ constexpr double kCornerDeg = 25;
 Segment arcTo(const Vec2& from, const Vec2& along, const Vec2& to) {
     const Vec2 chord = to - from;
     const double side = cross(along, chord);
-    if (std::abs(side) <= 1e-6 * chord.norm()) return {to, std::nullopt};
+    if (chord.squaredNorm() >= 2 * std::abs(side) * kWidestArcMm) return {to, std::nullopt};
     const double radius_mm = chord.squaredNorm() / (2 * side);
     const Vec2 centre = from + radius_mm * leftOf(along);
     return {to, Arc{centre, std::abs(radius_mm), radius_mm > 0}};
