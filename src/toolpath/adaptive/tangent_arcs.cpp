@@ -18,7 +18,7 @@ constexpr std::size_t kMostSpan = 24;
 /// Shorter arcs are none: their ends may fall together [mm].
 constexpr double kLeastArcMm = 1e-3;
 /// Wider arcs are straight: their centres lie farther off than controllers take [mm].
-constexpr double kWidestArcMm = 2e4;
+constexpr double kWidestArcMm = 9e4;
 /// Where the way turns by more it has met a wall: no arc goes through.
 constexpr double kCornerDeg = 25;
 
