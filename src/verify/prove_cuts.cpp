@@ -14,12 +14,8 @@ namespace {
 /// Widths are taken for so much less, as a share of the diameter: between two positions looked at, and by
 /// rounding, the rim meets more or less.
 constexpr double kWidthRounding = 0.02;
-/// Heights are rounded twice [mm].
-constexpr double kDepthRoundingMm = 2e-3;
 /// Feeds may be this much higher, as a share.
 constexpr double kCutFeedRounding = 5e-3;
-/// Swept ground counts as narrower by this share of the radius: half of what plans take.
-constexpr double kCuspShare = 0.005;
 /// Speeds closer than this are one [1/min].
 constexpr double kSameSpeedRpm = 1;
 
@@ -30,7 +26,7 @@ class CutProver {
         : program_(program), planned_(planned), material_(material), machine_(machine), findings_(findings) {}
 
     void prove(const ReadOperation& operation, const CutGround& ground) {
-        CutFollower follower(ground, planned_.tool.radius_mm(), planned_.step_down_mm, kCuspShare);
+        CutFollower follower(ground, planned_.tool.radius_mm(), planned_.step_down_mm, kProofCuspShare);
         Vec3 from = operation.start;
         for (const ReadMove& read : operation.moves) {
             const MoveCut cut = follower.next(from, read.fed.move);

@@ -8,6 +8,9 @@ namespace stepmill::verify {
 /// [mm].
 inline constexpr double kSamePostedHeightMm = 3e-4;
 
+/// Depths of cuts are told to this: heights are rounded twice [mm].
+inline constexpr double kDepthRoundingMm = 2e-3;
+
 /// What of a feature's target stands above a height: all that no operation has cleared down to there.
 struct StandingAbove {
     double z_mm = 0;

@@ -38,6 +38,12 @@ inline constexpr double kCutStepShare = 0.2;
 /// a corner of the cutter's own radius a quarter of the rim touches what is left, however thin that is.
 inline constexpr double kGrazeShare = 0.02;
 
+/// Proofs take swept ground for narrower by this share of the radius: half of what plans take.
+inline constexpr double kProofCuspShare = 0.005;
+/// Proofs let the rim's angle be more than planned by this share: between two positions looked at, and by
+/// rounding.
+inline constexpr double kProofAngleShare = 0.02;
+
 /// Does a CutFollower measure angles beside widths?
 enum class CutMeasures { Widths, WidthsAndAngles };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "stepmill/planar/boolean.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "toolpath/engagement/rim.h"
 
 namespace stepmill::toolpath {
@@ -17,9 +18,9 @@ constexpr double kPlaceShare = 0.05;
 constexpr int kLeastParts = 4;
 /// Beyond so many times the limit it does not matter how much it is exceeded.
 constexpr double kFarOver = 1.5;
-/// The angle may be more than planned by this share: half of what proofs allow, for what is between the
-/// places that are looked at.
-constexpr double kOverAngleShare = 0.01;
+/// The angle may be more than planned by half of what proofs allow, for what is between the places that are
+/// looked at.
+constexpr double kOverAngleShare = kProofAngleShare / 2;
 /// Swept ground is taken for narrower, and grazes for thinner, than proofs have them by these shares of what
 /// those allow: where both would be equal rounding decides.
 constexpr double kMoreCusp = 1.1;
@@ -29,7 +30,7 @@ constexpr double kThinnerGraze = 0.9;
 
 EngagementLimit engagementLimit(double radius_mm, double step_over_mm) {
     return {step_over_mm + kProofCuspShare * radius_mm,
-            (1 + kOverAngleShare) * std::acos(1 - step_over_mm / radius_mm)};
+            (1 + kOverAngleShare) * engagementRad(radius_mm, step_over_mm)};
 }
 
 FrontMeter::FrontMeter(const ClearanceDiagram& cleared, const Region& target, double radius_mm,

@@ -9,8 +9,6 @@
 
 namespace stepmill::toolpath {
 
-/// Swept ground counts as narrower by this share of the radius, as in proofs of cuts.
-inline constexpr double kProofCuspShare = 0.005;
 /// How much of the cutter's rim a pass may have in material.
 struct EngagementLimit {
     double width_mm = 0;   ///< across the direction of travel
@@ -39,8 +37,8 @@ class FrontMeter {
     FrontMeter(const ClearanceDiagram& cleared, const Region& target, double radius_mm,
                const EngagementLimit& limit, const Tolerances& tol);
 
-    /// Looked for no further where half as much again as the limit is found. Exact at places a tenth of the
-    /// radius apart, five on each edge at least.
+    /// Looked for no further where half as much again as the limit is found. Exact at places a twentieth of
+    /// the radius apart, five on each edge at least.
     FrontCut measure(const Path& pass) const;
 
     /// Of a cutter at that place, as a multiple of the limit.
