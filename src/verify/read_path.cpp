@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "stepmill/toolpath/cutting_model.h"
 
 namespace stepmill::verify {
@@ -25,9 +26,7 @@ ReadOperation withGlidesAsRapids(const ReadOperation& operation, const RecordedO
     ReadOperation proven = operation;
     if (planned.engagement_deg <= 0) return proven;
     const double cuts_at = planned.feed_mm_per_min * (planned.rating ? kMostChipThinning : 1);
-    const double most = machine.max_feed_mm_per_min > 0
-                            ? std::min(machine.max_feed_mm_per_min, machine.rapid_mm_per_min)
-                            : machine.rapid_mm_per_min;
+    const double most = glideFeedMmPerMin(machine);
     for (ReadMove& read : proven.moves) {
         const double feed = read.fed.feed_mm_per_min;
         const bool glides = feed > cuts_at * (1 + kGlideShare) && feed <= most * (1 + kGlideShare);

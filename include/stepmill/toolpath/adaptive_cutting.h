@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 
 namespace stepmill {
@@ -18,6 +19,9 @@ inline constexpr double kUsualAdaptiveLiftMm = 0.2;
 /// \see docs/algorithms/adaptive.md
 std::optional<CuttingData> adaptiveCutting(const ToolAssembly& tool, const CuttingData& cutting,
                                            double depth_mm);
+
+/// Feed of adaptive ways over cleared ground: as fast as the machine feeds, and no faster than its rapids.
+double glideFeedMmPerMin(const Machine& machine);
 
 /// Of the rim, in a straight cut as wide as the step-over [rad].
 double engagementRad(double radius_mm, double step_over_mm);

@@ -37,6 +37,11 @@ CuttingData givenSet(const AdaptiveData& set, CuttingData cutting, double depth_
 
 }  // namespace
 
+double glideFeedMmPerMin(const Machine& machine) {
+    if (machine.max_feed_mm_per_min <= 0) return machine.rapid_mm_per_min;
+    return std::min(machine.max_feed_mm_per_min, machine.rapid_mm_per_min);
+}
+
 double engagementRad(double radius_mm, double step_over_mm) {
     return std::acos(1 - step_over_mm / radius_mm);
 }
