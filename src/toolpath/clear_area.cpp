@@ -9,7 +9,6 @@
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/adaptive/adaptive_path.h"
 #include "toolpath/script/region_cut.h"
-#include "toolpath/script/visit_order.h"
 
 namespace stepmill {
 
@@ -73,26 +72,17 @@ void writeRegions(const ClearingTask& task, const RingFamily& family, const tool
     const RegionCutter cutter(depth, passes, frame, angle_rad, machine);
     std::vector<RegionCut> cuts;
     std::vector<RegionPatterns> weighed;
-    std::vector<Stop> stops;
     for (std::size_t i = 0; i < family.components().size(); ++i) {
         const RingFamily::Component& component = family.components()[i];
         RegionPatterns patterns;
         if (!passes.concerns(component)) continue;
         std::optional<RegionCut> cut = cutter.choose(component, task.entries[i], patterns);
         if (!cut) continue;
-        stops.push_back({cut->blocks.front().begin, cut->blocks.back().end});
         cuts.push_back(std::move(*cut));
         weighed.push_back(std::move(patterns));
     }
     if (cuts.empty()) return;
-    MoveWriter writer(path);
-    for (const std::size_t i : visitOrder(stops)) {
-        const bool over_top =
-            !path.regions.empty() && depth.standing.isClearForAll(writer.at(), cuts[i].blocks.front().begin);
-        cutter.write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
-        path.regions.push_back(std::move(weighed[i]));
-    }
-    writer.retract();
+    cutter.write(cuts, std::move(weighed), path);
     path.pattern = patternWords(path.regions);
 }
 

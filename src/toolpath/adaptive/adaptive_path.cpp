@@ -13,7 +13,6 @@
 #include "toolpath/adaptive/adaptive_room.h"
 #include "toolpath/adaptive/growth.h"
 #include "toolpath/script/region_cut.h"
-#include "toolpath/script/visit_order.h"
 
 namespace stepmill::toolpath {
 namespace {
@@ -38,13 +37,12 @@ class AdaptiveCutter {
   public:
     AdaptiveCutter(const DepthTask& task, const RoomFinder& rooms, const CuttingData& cutting,
                    const Machine& machine, double longest_mm)
-        : task_(task), rooms_(rooms), longest_mm_(longest_mm) {
-        lift_mm_ = cutting.adaptive && cutting.adaptive->lift_mm > 0 ? cutting.adaptive->lift_mm
-                                                                     : kUsualAdaptiveLiftMm;
-        glide_mm_per_min_ = machine.rapid_mm_per_min;
-        if (machine.max_feed_mm_per_min > 0)
-            glide_mm_per_min_ = std::min(glide_mm_per_min_, machine.max_feed_mm_per_min);
-    }
+        : task_(task),
+          rooms_(rooms),
+          longest_mm_(longest_mm),
+          lift_mm_(cutting.adaptive && cutting.adaptive->lift_mm > 0 ? cutting.adaptive->lift_mm
+                                                                     : kUsualAdaptiveLiftMm),
+          glide_mm_per_min_(glideFeedMmPerMin(machine)) {}
 
     /// Nothing where the region cannot be cleared so. Without steps where nothing is to be done.
     std::optional<DepthBlock> cut(const RingFamily::Component& component, const Entry& entry) const {
@@ -108,8 +106,8 @@ class AdaptiveCutter {
     const DepthTask& task_;
     const RoomFinder& rooms_;
     double longest_mm_;
-    double lift_mm_ = 0;
-    double glide_mm_per_min_ = 0;
+    double lift_mm_;
+    double glide_mm_per_min_;
 };
 
 }  // namespace
@@ -137,27 +135,20 @@ std::optional<Toolpath> adaptivePath(const ClearingTask& task, const RingFamily&
     const Toolpath frame = path;
     const double longest_mm = to_beat_s / kSecondsPerMinute * path.feed_mm_per_min / path.depths;
     const AdaptiveCutter cutter(depth, rooms, *adaptive, machine, longest_mm);
-    const RegionCutter writer_of(depth, passes, frame, angle, machine);
+    const RegionCutter regions(depth, passes, frame, angle, machine);
     std::vector<RegionCut> cuts;
-    std::vector<Stop> stops;
+    std::vector<RegionPatterns> weighed;
     for (std::size_t i = 0; i < family.components().size(); ++i) {
         const RingFamily::Component& component = family.components()[i];
         if (!passes.concerns(component)) continue;
         std::optional<DepthBlock> block = cutter.cut(component, task.entries[i]);
         if (!block) return std::nullopt;
         if (block->steps.empty()) continue;
-        stops.push_back({block->begin, block->end});
         cuts.push_back({{std::move(*block)}, {Pattern::Adaptive, 0, 0, false}});
+        weighed.push_back({{regions.timed(cuts.back())}});
     }
     if (cuts.empty()) return std::nullopt;
-    MoveWriter writer(path);
-    for (const std::size_t i : visitOrder(stops)) {
-        const Vec2& begin = cuts[i].blocks.front().begin;
-        const bool over_top = !path.regions.empty() && standing.isClearForAll(writer.at(), begin);
-        writer_of.write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
-        path.regions.push_back({{writer_of.timed(cuts[i])}});
-    }
-    writer.retract();
+    regions.write(cuts, std::move(weighed), path);
     path.pattern = toString(Pattern::Adaptive);
     path.totals = measure(path, machine);
     return withClearRapids(path, task, r, machine);

@@ -150,6 +150,23 @@ DepthHeights RegionCutter::heights(int from_depth, int to_depth) const {
             task_.clearing.top_z_mm, task_.clearing.retract_z_mm, ramp_angle_rad_};
 }
 
+void RegionCutter::write(const std::vector<RegionCut>& cuts, std::vector<RegionPatterns> weighed,
+                         Toolpath& path) const {
+    std::vector<Stop> stops;
+    stops.reserve(cuts.size());
+    for (const RegionCut& cut : cuts)
+        stops.push_back({cut.blocks.front().begin, cut.blocks.back().end});
+    MoveWriter writer(path);
+    for (const std::size_t i : visitOrder(stops)) {
+        const Vec2& begin = cuts[i].blocks.front().begin;
+        const bool over_top = !path.regions.empty() && task_.standing.isClearForAll(writer.at(), begin);
+        write(cuts[i], over_top ? Over::Top : Over::Retract, writer);
+        path.regions.push_back(std::move(weighed[i]));
+    }
+    writer.retract();
+}
+
+/// One cut over all depths.
 void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writer) const {
     Over over = first_over;
     for (std::size_t k = 0; k < cut.blocks.size(); ++k) {

@@ -29,12 +29,15 @@ class RegionCutter {
     std::optional<RegionCut> choose(const RingFamily::Component& component, const Entry& entry,
                                     RegionPatterns& weighed) const;
 
-    /// Writes a cut over all depths.
-    void write(const RegionCut& cut, Over first_over, MoveWriter& writer) const;
+    /// Writes the cuts of several components, each over all depths, in the order with the shortest ways
+    /// between them, and retracts.
+    /// \param weighed  what was weighed for each: goes into the path in the same order
+    void write(const std::vector<RegionCut>& cuts, std::vector<RegionPatterns> weighed, Toolpath& path) const;
     /// The cut's pattern with the time that it takes.
     PatternTime timed(const RegionCut& cut) const;
 
   private:
+    void write(const RegionCut& cut, Over first_over, MoveWriter& writer) const;
     RegionCut cut(const RingFamily::Component& component, const Entry& entry,
                   const RingFamily::Variant& variant, const std::vector<Pass>& passes) const;
     double leastTime(const std::vector<Pass>& passes) const;
