@@ -31,6 +31,10 @@ Path startingAt(const Path& closed, std::size_t edge, double share) {
     return path;
 }
 
+void append(Path& path, const Path& more) {
+    path.segments.insert(path.segments.end(), more.segments.begin(), more.segments.end());
+}
+
 Path firstPart(const Path& path, double length_mm) {
     Path part{path.start, {}};
     double left_mm = length_mm;

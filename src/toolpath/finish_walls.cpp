@@ -56,10 +56,6 @@ class WallPasses {
         return tangentAt(last, 1);
     }
 
-    static void append(Path& path, const Path& more) {
-        path.segments.insert(path.segments.end(), more.segments.begin(), more.segments.end());
-    }
-
     WallPass joined(const Lead& in, const Path& along, const Path& out) const {
         WallPass pass{in.path, in.through_material};
         append(pass.path, along);

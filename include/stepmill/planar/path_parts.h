@@ -18,6 +18,9 @@ NearestPoint nearestOn(const Path& path, const Vec2& p);
 /// \pre closed.closed()
 Path startingAt(const Path& closed, std::size_t edge, double share);
 
+/// Puts the edges of a path that begins where the other ends behind that one's.
+void append(Path& path, const Path& more);
+
 /// The path up to a length from its start, in (0, length]; its end is on the 1 nm grid.
 Path firstPart(const Path& path, double length_mm);
 

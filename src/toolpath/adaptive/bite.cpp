@@ -23,9 +23,8 @@ double lengthTo(const NearestPoint& point, const Path& path) {
     return length_mm;
 }
 
-void append(Path& path, const Path& more) {
-    if (path.end() != more.start) path.segments.push_back({more.start, std::nullopt});
-    path.segments.insert(path.segments.end(), more.segments.begin(), more.segments.end());
+void lineTo(Path& path, const Vec2& to) {
+    if (path.end() != to) path.segments.push_back({to, std::nullopt});
 }
 
 }  // namespace
@@ -54,8 +53,10 @@ std::optional<Region> groundBeside(const Path& way, const Region& cleared, const
         const double length_mm = lengthTo(nearestOn(turned, way.end()), turned);
         if (length_mm <= tol.sliver_mm) return std::nullopt;
         Path around = way;
-        append(around, reversed(firstPart(turned, length_mm)));
-        if (around.end() != around.start) around.segments.push_back({around.start, std::nullopt});
+        const Path back = reversed(firstPart(turned, length_mm));
+        lineTo(around, back.start);
+        append(around, back);
+        lineTo(around, around.start);
         if (signedArea(around) <= 0) return std::nullopt;
         return subtract(intersect(Region{{around}}, room, tol), cleared, tol);
     }

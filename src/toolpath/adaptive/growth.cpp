@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
@@ -49,11 +50,15 @@ constexpr double kAims[] = {0.985, 0.95, 0.9};
 constexpr double kLeadRadii[] = {1, 0.5, 0.25};
 /// ... and no longer than a third of a turn.
 constexpr double kLeadTurnsDeg[] = {20, 30, 45, 60, 90, 120};
+/// Arcs into passes that close on themselves turn so far.
+constexpr double kLoopLeadTurnsDeg[] = {30, 45, 60, 75, 90, 120, 150};
 /// Length of such a way in where the pass itself begins in cleared ground, with an edge shorter than this
 /// [mm].
 constexpr double kLeadMm = 0.1;
 /// What reaches no farther from the cleared ground than so many slivers gets no pass.
 constexpr double kSkinSlivers = 1;
+/// A way that is not straight goes by the start of one of so many passes.
+constexpr std::size_t kMostVias = 8;
 /// After so many bites skins are taken without a pass.
 constexpr int kTakenBeforeSkins = 8;
 /// More passes are no way to clear anything.
@@ -90,8 +95,8 @@ class Growth {
   private:
     /// By what the passes so far have cleared of the room: the first are the best, corners come last.
     bool isTooLong() const {
-        const double to_clear_mm2 = area(task_.room) - cleared_before_mm2_;
-        const double share = (area(cleared_) - cleared_before_mm2_) / to_clear_mm2;
+        const double before_mm2 = area(before_);
+        const double share = (area(cleared_) - before_mm2) / (area(task_.room) - before_mm2);
         return share > kJudgedShare && cut_mm_ > kTooLong * share * task_.longest_mm;
     }
 
@@ -284,22 +289,27 @@ class Growth {
     /// With an arc that comes to its start from cleared ground; nothing where none engages little enough.
     std::optional<Path> withWayIn(const Path& stretch, const FrontMeter& meter) const {
         if (startsClear(stretch)) return stretch;
-        const Edge first = makeEdge(stretch.start, stretch.segments.front());
-        const Vec2 along = tangentAt(first, 0);
         for (const double radii : kLeadRadii) {
-            const double radius_mm = snapToGrid(radii * task_.radius_mm);
-            const Vec2 centre = snapToGrid(Vec2(stretch.start + radius_mm * leftOf(along)));
-            const Vec2 out = stretch.start - centre;
-            for (const double back_deg : kLeadTurnsDeg) {
-                const double angle = std::atan2(out.y(), out.x()) - degToRad(back_deg);
-                const Vec2 start =
-                    snapToGrid(Vec2(centre + radius_mm * Vec2(std::cos(angle), std::sin(angle))));
-                if (!contains(cleared_, start)) continue;
-                Path lead{start, {{stretch.start, Arc{centre, radius_mm, true}}}};
-                if (meter.measure(lead).worst_share > 1 || !staysInRoom(lead)) break;
-                lead.segments.insert(lead.segments.end(), stretch.segments.begin(), stretch.segments.end());
-                return lead;
-            }
+            std::optional<Path> way = leadInto(stretch, radii * task_.radius_mm, kLeadTurnsDeg);
+            if (!way || meter.measure(*way).worst_share > 1 || !staysInRoom(*way)) continue;
+            append(*way, stretch);
+            return way;
+        }
+        return std::nullopt;
+    }
+
+    /// The shortest of some arcs that come to a path's start, tangentially, from cleared ground on its left.
+    /// \param turns_deg  how far they turn
+    std::optional<Path> leadInto(const Path& path, double radius_mm,
+                                 std::span<const double> turns_deg) const {
+        const double r = snapToGrid(radius_mm);
+        const Vec2 along = tangentAt(makeEdge(path.start, path.segments.front()), 0);
+        const Vec2 centre = snapToGrid(Vec2(path.start + r * leftOf(along)));
+        const Vec2 out = path.start - centre;
+        for (const double turn_deg : turns_deg) {
+            const double angle = std::atan2(out.y(), out.x()) - degToRad(turn_deg);
+            const Vec2 start = snapToGrid(Vec2(centre + r * Vec2(std::cos(angle), std::sin(angle))));
+            if (contains(cleared_, start)) return Path{start, {{path.start, Arc{centre, r, true}}}};
         }
         return std::nullopt;
     }
@@ -336,21 +346,12 @@ class Growth {
     /// A closed front from its nearest point on, with an arc that comes to it from cleared ground.
     Path withLead(const Path& front, double rounding_mm) const {
         const NearestPoint at = nearestOn(front, at_);
-        Path loop = startingAt(front, at.edge, at.share);
-        const double radius_mm = snapToGrid(rounding_mm > 0 ? rounding_mm : task_.radius_mm / 4);
-        const Edge first = makeEdge(loop.start, loop.segments.front());
-        const Vec2 along = tangentAt(first, 0);
-        const Vec2 centre = snapToGrid(Vec2(loop.start + radius_mm * leftOf(along)));
-        const Vec2 out = loop.start - centre;
-        for (const double back_deg : {30.0, 45.0, 60.0, 75.0, 90.0, 120.0, 150.0}) {
-            const double angle = std::atan2(out.y(), out.x()) - degToRad(back_deg);
-            const Vec2 start = snapToGrid(Vec2(centre + radius_mm * Vec2(std::cos(angle), std::sin(angle))));
-            if (!contains(cleared_, start)) continue;
-            Path lead{start, {{loop.start, Arc{centre, radius_mm, true}}}};
-            lead.segments.insert(lead.segments.end(), loop.segments.begin(), loop.segments.end());
-            return lead;
-        }
-        return loop;
+        const Path loop = startingAt(front, at.edge, at.share);
+        std::optional<Path> lead =
+            leadInto(loop, rounding_mm > 0 ? rounding_mm : task_.radius_mm / 4, kLoopLeadTurnsDeg);
+        if (!lead) return loop;
+        append(*lead, loop);
+        return *std::move(lead);
     }
 
     /// A pass that begins with a short edge is led in straight, so that it is plain where it goes.
@@ -375,10 +376,9 @@ class Growth {
 
     std::optional<std::vector<Vec2>> wayTo(const Vec2& to) const {
         if (isClear(at_, to)) return std::vector<Vec2>{to};
-        const std::size_t looks = std::min<std::size_t>(passes_.size(), 8);
+        const std::size_t looks = std::min(passes_.size(), kMostVias);
         for (std::size_t i = 0; i < looks; ++i) {
-            const Path& before = passes_[passes_.size() - 1 - i].path;
-            const Vec2 via = snapToGrid(pointAt(makeEdge(before.start, before.segments.front()), 0));
+            const Vec2& via = passes_[passes_.size() - 1 - i].path.start;
             if (isClear(at_, via) && isClear(via, to)) return std::vector<Vec2>{via, to};
         }
         return std::nullopt;
@@ -396,7 +396,6 @@ class Growth {
     int taken_ = 0;            ///< bites
     std::vector<Vec2> stuck_;  ///< starts of fronts from which no way along the limit was found
     std::vector<GrowthPass> passes_;
-    double cleared_before_mm2_ = area(cleared_);
     double cut_mm_ = 0;
 };
 
