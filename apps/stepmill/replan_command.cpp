@@ -38,10 +38,9 @@ void writeReplan(const ProvenPlan& proven, const PlanChange& change, const Repla
 /// Whoever reads replan.json for programs is told too.
 void tellMissedTimes(const CycleTimes& times) {
     for (const CycleOutcome& outcome : times.outcomes) {
-        if (outcome.isMet()) continue;
-        tell("cycle time not met: {} takes {:.1f} s at the {}, {:.1f} s were asked for",
-             outcome.target.of.empty() ? "the part" : outcome.target.of, outcome.time_s,
-             outcome.isTooLong() ? "least" : "most", outcome.target.time_s);
+        const std::string& of = outcome.target.of;
+        if (!outcome.isMet())
+            tell("cycle time not met: {} {}", of.empty() ? "the part" : of, missedWords(outcome));
     }
 }
 

@@ -246,9 +246,7 @@ void warnOfCycleTimes(const Plan& plan, Warnings& into) {
     for (const CycleOutcome& outcome : plan.cycle.outcomes) {
         if (outcome.isMet()) continue;
         const std::string& of = outcome.target.of;
-        into.push_back({"cycle-time", of.empty() ? "part" : of,
-                        fmt::format("takes {:.1f} s at the {}, {:.1f} s were asked for", outcome.time_s,
-                                    outcome.isTooLong() ? "least" : "most", outcome.target.time_s)});
+        into.push_back({"cycle-time", of.empty() ? "part" : of, missedWords(outcome)});
     }
 }
 

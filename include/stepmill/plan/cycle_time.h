@@ -66,6 +66,9 @@ struct CycleOutcome {
     bool isTooLong() const { return time_s > target.time_s; }
 };
 
+/// Of one that is not met: "takes 33.3 s at the least, 20.0 s were asked for".
+std::string missedWords(const CycleOutcome& outcome);
+
 /// Ways to a shorter time, in the order in which they are tried.
 enum class CycleWay {
     Feeds,      ///< the pace, of all operations

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
@@ -51,6 +53,11 @@ std::optional<CycleWay> cycleWayFrom(std::string_view word) {
 
 bool CycleOutcome::isMet() const {
     return std::abs(time_s - target.time_s) <= kCycleTimeShare * target.time_s;
+}
+
+std::string missedWords(const CycleOutcome& outcome) {
+    return fmt::format("takes {:.1f} s at the {}, {:.1f} s were asked for", outcome.time_s,
+                       outcome.isTooLong() ? "least" : "most", outcome.target.time_s);
 }
 
 bool CycleTimes::areMet() const {
