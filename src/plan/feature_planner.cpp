@@ -49,6 +49,14 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
     return sequence;
 }
 
+/// What is chosen from without constant engagement: the others that were asked for, or all others.
+std::vector<Pattern> notAdaptive(std::vector<Pattern> patterns) {
+    std::erase(patterns, Pattern::Adaptive);
+    if (!patterns.empty()) return patterns;
+    return {Pattern::ContourInsideOut, Pattern::ContourOutsideIn, Pattern::StockOffset, Pattern::Zigzag,
+            Pattern::OneWay};
+}
+
 /// Together is taken where it weighs no more than this share: beside other features, which call tools anyway,
 /// less would be no gain.
 constexpr double kGroundPays = 0.995;
@@ -446,7 +454,9 @@ class FeaturePlanner {
     SequenceOptions sequenceOptions(const Feature& feature) const {
         SequenceOptions options = asPlanned(shop_.request.sequence);
         if (feature.band && feature.band->isUpper()) options.finish.floors_mm = 0;
-        if (shop_.cautionOf(feature.id).plain_ways) options.pattern = Pattern::ContourInsideOut;
+        const FeatureCaution& caution = shop_.cautionOf(feature.id);
+        if (caution.not_adaptive) options.patterns = notAdaptive(std::move(options.patterns));
+        if (caution.plain_ways) options.pattern = Pattern::ContourInsideOut;
         options.retract_mm = retractMm(setup_, shop_.request.sequence.retract_mm, shop_.machine);
         const auto wish = shop_.request.wishes.find(feature.id);
         if (wish != shop_.request.wishes.end()) options.first_at_least_mm = wish->second.first_at_least_mm;

@@ -157,7 +157,7 @@ std::string measuresOf(const FeatureCaution& caution) {
     if (!caution.left.empty()) return "what its tools leave is named as staying";
     if (!caution.without_tools.empty())
         return fmt::format("planned without {}", fmt::join(caution.without_tools, ", "));
-    return "planned with plain rapids";
+    return caution.plain_ways ? "planned with plain rapids" : "planned without constant engagement";
 }
 
 void warnOfUnreachable(const Plan& plan, Warnings& into) {

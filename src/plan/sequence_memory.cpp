@@ -86,6 +86,7 @@ class Key {
         add(options.cost_model);
         add(options.clear_of_own_material);
         add(options.pattern);
+        add(options.patterns);
         add(options.finish.walls_mm);
         add(options.finish.floors_mm);
         add(options.first_at_least_mm);

@@ -110,7 +110,8 @@ ProvenPlan proved(Plan plan, const Tolerances& tol, const Prover& prover) {
 /// What failed in one feature.
 struct FailedFeature {
     std::set<std::string> tools;
-    std::string first;  ///< failure, for people
+    std::string first;      ///< failure, for people
+    bool adaptive = false;  ///< one of its failures is in an operation of constant engagement
     int failures = 0;
     std::vector<Residual> left;  ///< each is one of the failures
 
@@ -125,6 +126,7 @@ FailedFeatures failedIn(const PlannedSetup& setup, const Verification& verificat
             if (failure.operation != operation.id) continue;
             FailedFeature& feature = failed[operation.feature_id];
             feature.tools.insert(operation.tool_id);
+            feature.adaptive |= operation.engagement_deg > 0;
             if (feature.failures++ == 0)
                 feature.first = fmt::format("{}, {}, line {}: {}", operation.tool_id, failure.file,
                                             failure.line, failure.text);
@@ -140,7 +142,9 @@ FailedFeatures failedIn(const PlannedSetup& setup, const Verification& verificat
 /// \pre it is not dropped
 void addCaution(FeatureCaution& caution, const FailedFeature& failed) {
     if (caution.why.empty()) caution.why = failed.first;
-    if (!caution.plain_ways) {
+    if (failed.adaptive && !caution.not_adaptive) {
+        caution.not_adaptive = true;
+    } else if (!caution.plain_ways) {
         caution.plain_ways = true;
     } else if (failed.onlyLeaves() && caution.left.size() < kMostLeftNamed) {
         caution.left.insert(caution.left.end(), failed.left.begin(), failed.left.end());

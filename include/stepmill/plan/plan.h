@@ -106,8 +106,9 @@ struct PlannedSetup {
 
 /// How a feature is planned after a plan whose programs were not proven in it. Later fields are safer.
 struct FeatureCaution {
-    std::string why;          ///< what the proof said first, and where
-    bool plain_ways = false;  ///< one pattern of rings, and rapids as withPlainRapids() makes them
+    std::string why;            ///< what the proof said first, and where
+    bool not_adaptive = false;  ///< any pattern but that of constant engagement
+    bool plain_ways = false;    ///< one pattern of rings, and rapids as withPlainRapids() makes them
     std::set<std::string> without_tools;  ///< ids
     std::vector<Residual> left;  ///< what its tools were found to leave: it stays, and what lies below it
     bool dropped = false;        ///< no tool touches it

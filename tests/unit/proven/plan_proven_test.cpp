@@ -20,12 +20,11 @@ const Part& nestedPockets() {
     return part;
 }
 
-ProvenPlan planWith(const Prover& prover) {
+ProvenPlan planWith(const Prover& prover, const ToolLibrary& library = defaultToolLibrary()) {
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.sequence.retract_mm = defaultMachine().safe_height_mm;
-    return planProven(nestedPockets(), request, defaultToolLibrary(), defaultMachine(), Tolerances(), {},
-                      prover);
+    return planProven(nestedPockets(), request, library, defaultMachine(), Tolerances(), {}, prover);
 }
 
 Verification allProven(const PlanFiles&, const Tolerances&) {
@@ -97,6 +96,35 @@ TEST(PlanProven, TakesPlainRapidsFirst) {
     EXPECT_TRUE(proven.files.programs.at("S1").front().text != before);
     ASSERT_EQ(warningsOf(proven).size(), 1u);
     EXPECT_EQ(warningsOf(proven).front().subject, kRest);
+    EXPECT_TRUE(verifyPlan(proven.files, Tolerances()).proven());
+}
+
+/// Mills that rough at constant engagement, for all else they go in many shallow cuts.
+ToolLibrary roughingLibrary() {
+    ToolLibrary library = defaultToolLibrary();
+    for (ToolAssembly& tool : library.tools)
+        for (CuttingData& cutting : tool.cutting) {
+            if (tool.type != ToolType::Flat) continue;
+            cutting.step_down_mm = cutting.slot_step_down_mm = 0.05 * tool.diameter_mm;
+            cutting.adaptive =
+                AdaptiveData{0.15 * tool.diameter_mm, tool.flute_length_mm, cutting.feed_mm_per_min, 0, 0};
+        }
+    return library;
+}
+
+TEST(PlanProven, GoesOnWithoutConstantEngagementWhereThatFails) {
+    const ToolLibrary library = roughingLibrary();
+    const auto engages = [](const Json& operation) { return operation.value("engagement_deg", 0.0) > 0; };
+    const auto any_adaptive = [&](const ProvenPlan& proven) {
+        const std::vector<Json> operations = operationsOf(proven.files, kParent);
+        return std::any_of(operations.begin(), operations.end(), engages);
+    };
+    ASSERT_TRUE(any_adaptive(planWith(allProven, library)));
+    const ProvenPlan proven = planWith(failsIn(kParent, engages), library);
+    EXPECT_FALSE(any_adaptive(proven));
+    EXPECT_FALSE(operationsOf(proven.files, kParent).empty());
+    ASSERT_EQ(warningsOf(proven).size(), 1u);
+    EXPECT_NE(warningsOf(proven).front().text.find("without constant engagement"), std::string::npos);
     EXPECT_TRUE(verifyPlan(proven.files, Tolerances()).proven());
 }
 
