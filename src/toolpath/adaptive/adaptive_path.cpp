@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
@@ -22,6 +23,8 @@ constexpr double kLeastOverVolume = 1.3;
 /// A helix narrower than this share of the radius leaves no room to begin in.
 constexpr double kLeastHelixShare = 0.1;
 constexpr double kWidestHelixShare = 0.98;
+/// Ways are clear for cusps of this share of the radius as well as for those of proofs.
+constexpr double kThinnerCuspShare = 0.9 * kCuspShare;
 
 /// Area of the target that is not cleared before and that the task's centres reach [mm2].
 double areaToClear(const ClearingTask& task, double radius_mm, const Tolerances& tol) {
@@ -56,8 +59,9 @@ class AdaptiveCutter {
         growth.at = entry.at;
         growth.longest_mm = longest_mm_;
         DepthBlock block;
+        std::optional<Path> circle;
         if (growth.cleared.empty()) {
-            const std::optional<Path> circle = helixCircle(component, entry);
+            circle = helixCircle(component, entry);
             if (!circle) return std::nullopt;
             growth.cleared = {{*circle}};
             growth.at = circle->start;
@@ -65,7 +69,7 @@ class AdaptiveCutter {
         }
         const auto passes = growthPasses(growth, task_.tol);
         if (!passes) return std::nullopt;
-        addPasses(*passes, block);
+        if (!addPasses(circle, *passes, block)) return std::nullopt;
         if (block.steps.empty()) return block;
         block.begin = beginOf(block.steps.front());
         block.end = passes->empty() ? growth.at : passes->back().path.end();
@@ -91,16 +95,41 @@ class AdaptiveCutter {
         return makeCircle(snapToGrid(entry.at), radius_mm).loops.front();
     }
 
-    void addPasses(const std::vector<GrowthPass>& passes, DepthBlock& block) const {
+    /// False where a pass cannot be come to: skins along walls count as cleared while the passes grow, but
+    /// neither glides nor plunges may meet them.
+    /// \param circle  of the helix, where the tool comes down by one
+    bool addPasses(const std::optional<Path>& circle, const std::vector<GrowthPass>& passes,
+                   DepthBlock& block) const {
         const SweptGround before(task_.clearing, task_.radius_mm);
+        SweptGround ground = before;
+        std::optional<Vec2> at;  // nothing: over the ground
+        if (circle) at = sweep(*circle, ground);
         for (const GrowthPass& pass : passes) {
             const Vec2& start = pass.path.start;
-            if (pass.way && !block.steps.empty())
+            if (at && pass.way && isClear(*at, *pass.way, ground)) {
                 block.steps.push_back(Glide{*pass.way, lift_mm_, glide_mm_per_min_});
-            else
+            } else {
+                if (!isClear(start, {start}, ground)) return false;
                 block.steps.push_back(ComeDown{start, Over::Retract, before.isClear(start, start)});
+            }
             block.steps.push_back(Cut{pass.path});
+            at = sweep(pass.path, ground);
         }
+        return true;
+    }
+
+    static Vec2 sweep(const Path& path, SweptGround& ground) {
+        for (const Edge& edge : edgesOf(path))
+            ground.add(edge);
+        return path.end();
+    }
+
+    /// As proofs ask it, and so that what rounding moves changes no answer.
+    bool isClear(Vec2 from, const std::vector<Vec2>& way, const SweptGround& ground) const {
+        return std::all_of(way.begin(), way.end(), [&](const Vec2& to) {
+            const Edge leg = makeLine(std::exchange(from, to), to);
+            return ground.isClear(leg) && ground.isClear(leg, kThinnerCuspShare * task_.radius_mm);
+        });
     }
 
     const DepthTask& task_;
