@@ -16,6 +16,7 @@ namespace {
 constexpr double kLeastStepMm = 0.1;
 /// The tip goes so far below the chamfer it makes, then, where that has no room, to its foot [mm].
 constexpr double kBelowChamferMm[] = {0.5, 0.0};
+
 /// How far the next level may be where a wall is touched with the tip at some height.
 struct Demand {
     double tip_z_mm = 0;
@@ -86,31 +87,39 @@ std::vector<double> wallLevels(const FormSite& site, double corner_mm, double st
     return levels;
 }
 
-std::vector<double> chamferLevels(const FormSite& site, const ToolAssembly& tool) {
-    const double lean = flankLean(tool);
-    const double cone_mm = CutterForm(tool).heightMm();
-    const double bottom_mm = site.ground.must_stand.front().bottom_z_mm;
-    std::vector<double> levels;
-    double foot_mm = std::numeric_limits<double>::quiet_NaN();
+struct Chamfer {
+    double bottom_mm = 0;
+    double top_mm = 0;
+};
+
+/// Each stretch of bands with walls that lean like the flank.
+std::vector<Chamfer> chamfersOf(const FormSite& site, double lean) {
+    std::vector<Chamfer> chamfers;
+    bool goes_on = false;
     for (std::size_t i = 0; i < site.leans.size(); ++i) {
         const Obstacle& band = site.ground.must_stand[i];
         const bool fits = std::any_of(site.leans[i].begin(), site.leans[i].end(),
                                       [&](double other) { return std::abs(other - lean) <= kSameLean; });
-        const bool begins = fits && !(foot_mm <= band.bottom_z_mm);
-        if (begins) foot_mm = band.bottom_z_mm;
-        const bool last = i + 1 == site.leans.size() ||
-                          std::none_of(site.leans[i + 1].begin(), site.leans[i + 1].end(),
-                                       [&](double other) { return std::abs(other - lean) <= kSameLean; });
-        if (!fits || !last) continue;
-        const double height_mm = band.top_z_mm - foot_mm;
-        if (height_mm <= cone_mm)
-            for (const double below_mm : kBelowChamferMm)
-                if (height_mm + below_mm <= cone_mm)
-                    levels.push_back(std::max(bottom_mm, onBand(site, foot_mm - below_mm, band.top_z_mm)));
-        foot_mm = std::numeric_limits<double>::quiet_NaN();
+        if (fits && !goes_on) chamfers.push_back({band.bottom_z_mm, band.top_z_mm});
+        if (fits) chamfers.back().top_mm = band.top_z_mm;
+        goes_on = fits;
     }
-    std::sort(levels.begin(), levels.end(), std::greater<>());
-    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+    return chamfers;
+}
+
+std::vector<double> chamferLevels(const FormSite& site, const ToolAssembly& tool) {
+    const std::vector<Chamfer> chamfers = chamfersOf(site, flankLean(tool));
+    const double cone_mm = CutterForm(tool).heightMm();
+    const double lowest_mm = site.ground.must_stand.front().bottom_z_mm;
+    std::vector<double> levels;
+    for (const double below_mm : kBelowChamferMm) {
+        for (auto chamfer = chamfers.rbegin(); chamfer != chamfers.rend(); ++chamfer) {
+            if (chamfer->top_mm - chamfer->bottom_mm + below_mm > cone_mm) continue;
+            const double level_mm =
+                std::max(lowest_mm, onBand(site, chamfer->bottom_mm - below_mm, chamfer->top_mm));
+            if (std::find(levels.begin(), levels.end(), level_mm) == levels.end()) levels.push_back(level_mm);
+        }
+    }
     return levels;
 }
 

@@ -7,13 +7,14 @@
 
 namespace stepmill {
 
-/// Heights of the tip at which a form cutter goes along the walls, from above: so far apart that the ridges
-/// between its passes are no higher than the scallop, and no more than its step-down.
+/// Heights of the tip at which a form cutter goes along the walls, the preferred ones first: where these take
+/// all, later ones have nothing to do. They are so far apart that the ridges between its passes are no higher
+/// than the scallop, and no more than its step-down.
 ///
 /// A corner of radius r leaves on a wall that leans by a ridges of height s where passes are
 /// 2 sqrt(2 r s - s^2) apart along the wall, and cos(a) of that in height. It touches the wall r (1 - sin a)
-/// over its tip. A chamfer mill has one height for each chamfer of its own angle, with the chamfer in the
-/// middle of its flank where there is room; on other walls it has none.
+/// over its tip. A chamfer mill has two heights for each chamfer of its own angle: the tip, which hardly
+/// cuts, below the chamfer, and at its foot where there is no room; on other walls it has none.
 std::vector<double> formLevels(const FormSite& site, const ToolAssembly& tool, double step_down_mm,
                                double scallop_mm);
 

@@ -96,6 +96,8 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
         step.left.cut({z_mm, level->passes}, form);
         levels.push_back(std::move(*level));
     }
+    std::stable_sort(levels.begin(), levels.end(),
+                     [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
     step.path = toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
                                    cutting, shop_.machine, shop_.tol);
     step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();
