@@ -10,6 +10,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/chain.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/emit.h"
@@ -49,6 +50,7 @@ class Ground {
         : task_(task),
           radius_mm_(radius_mm),
           keep_(keep),
+          target_(task.target),
           walls_(task.obstruction),
           skirt_(task.skirt),
           swept_(task, radius_mm),
@@ -86,8 +88,8 @@ class Ground {
         // Over all that stands a way across still keeps its proof, which looks at walls below the retract
         // height whatever their height.
         if (high && z_mm >= task_.stands_to_mm)
-            return a == b || !walls_.anyNearer(makeLine(a, b), radius_mm_);
-        const bool own_ground = a != b || contains(task_.target, a);
+            return a == b || !walls_.boundary().anyNearer(makeLine(a, b), radius_mm_);
+        const bool own_ground = a != b || target_.contains(a);
         const double keep_mm = own_ground ? keep_.inside_mm : keep_.side_mm;
         if (!isOffWalls(a, b, radius_mm_ + keep_.inside_mm, radius_mm_ + keep_mm)) return false;
         const std::vector<CutEdge>& cuts = a == b ? near_ : cuts_;
@@ -98,7 +100,7 @@ class Ground {
     /// the holder away?
     bool isFreeInAir(const Vec2& a, const Vec2& b, double z_mm) const {
         const Edge way = makeLine(a, b);
-        if (walls_.anyNearer(way, radius_mm_)) return false;
+        if (walls_.boundary().anyNearer(way, radius_mm_)) return false;
         for (const Holder& holder : holder_)
             if (holder.edges.anyNearer(way, holder.distance_mm)) return false;
         return z_mm >= task_.top_z_mm || isSweptClear(z_mm, a, b, 0, near_);
@@ -131,8 +133,8 @@ class Ground {
 
     bool isOffWalls(const Vec2& a, const Vec2& b, double walls_mm, double skirt_mm) const {
         const Edge way = makeLine(a, b);
-        return !walls_.anyNearer(way, walls_mm) && !skirt_.anyNearer(way, skirt_mm) &&
-               !contains(task_.obstruction, b) && !contains(task_.skirt, b);
+        return !walls_.boundary().anyNearer(way, walls_mm) && !skirt_.boundary().anyNearer(way, skirt_mm) &&
+               !walls_.contains(b) && !skirt_.contains(b);
     }
 
     /// Is the straight way clear of what has not been cut down to that height? Most depths of cut are like
@@ -161,8 +163,9 @@ class Ground {
     const ClearingTask& task_;
     double radius_mm_;
     RapidClearance keep_;
-    EdgeIndex walls_;
-    EdgeIndex skirt_;
+    IndexedRegion target_;
+    IndexedRegion walls_;
+    IndexedRegion skirt_;
     std::vector<Holder> holder_;
     toolpath::SweptGround swept_;
     double top_mm_;  ///< rapids over the target stay over this

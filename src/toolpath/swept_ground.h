@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill::toolpath {
@@ -21,7 +21,6 @@ inline constexpr double kSkinSlivers = 2;
 /// asked.
 class SweptGround {
   public:
-    /// Keeps `task`.
     SweptGround(const ClearingTask& task, double radius_mm);
 
     void add(const Edge& edge) { swept_.push_back(edge); }
@@ -36,35 +35,14 @@ class SweptGround {
     bool isClearFor(double disc_mm, const Vec2& a, const Vec2& b) const;
 
   private:
-    using Edges = std::vector<const Edge*>;
-    struct Square {
-        Vec2 centre;
-        double half_mm;
-    };
-    /// The edges that matter to a square.
-    struct Near {
-        Edges swept;
-        Edges target;   ///< boundary edges that may meet the square
-        Edges cleared;  ///< edges of the cleared centres that, or whose discs, may meet the square
-        /// The square is known to lie inside the target or outside the cleared centres: its parent does.
-        bool in_target = false;
-        bool off_cleared = false;
-        double disc_mm = 0;  ///< that asks
-        double cusp_mm = 0;
-    };
     bool isClear(const Edge& way, double disc_mm, double cusp_mm) const;
-    bool isClear(const Edge& way, const Square& square, const Near& near) const;
-    /// A quick look for material on a way that is blocked; most of those that are asked for are.
-    bool meetsAtOnce(const Edge& way, const Near& near) const;
-    bool isMaterial(const Vec2& p, const Near& near) const;
 
-    /// Boundaries of the target and the cleared centres; copies share them.
+    /// Of the target and the cleared centres; copies share them.
     struct Boundaries {
-        EdgeIndex target;
-        EdgeIndex cleared;
+        IndexedRegion target;
+        IndexedRegion cleared;
     };
     std::shared_ptr<const Boundaries> boundaries_;
-    const ClearingTask* task_;
     double radius_mm_;
     std::vector<Edge> swept_;
 };
