@@ -15,8 +15,9 @@
 namespace stepmill {
 namespace {
 
-/// Edges in the first portion of a round that goes a few at a time.
-constexpr std::size_t kFew = 4;
+/// So many edges are evaluated before it is asked anew which others may pay: enough for the cores of a
+/// machine, few enough that what the first ones weigh rules most others out.
+constexpr std::size_t kEdgesAtATime = 8;
 
 /// Takes the edges with the least bounds out of `open`; they keep their order.
 EdgeList takeMostPromising(const EdgeTable& table, std::size_t count, EdgeList& open) {
@@ -79,28 +80,20 @@ class DagSearch {
         table_.evaluate(edges, kNoEdge);
     }
 
-    /// Evaluates the edges from these nodes to the tools wanted, the most promising first, twice as many in
-    /// each round.
+    /// Evaluates the edges from these nodes to the tools wanted, a few at a time and the most promising
+    /// first: what they weigh bounds the paths through the others, and shortens the path to beat.
     template <typename Wanted>
     void evaluate(int m_first, int m_last, const Wanted& wanted) {
         EdgeList open;
         for (int m = m_first; m <= m_last; ++m)
             for (int n = m + 1; n <= last_; ++n)
                 if (table_.exists(m, n) && wanted(n)) open.emplace_back(m, n);
-        for (std::size_t size = firstPortion(open); !open.empty(); size *= 2) {
+        while (!open.empty()) {
             const double known = weightToBeat();
             table_.bound();
             leaveOutHopeless(known, open);
-            pruned_ += table_.evaluate(takeMostPromising(table_, size, open), known);
+            pruned_ += table_.evaluate(takeMostPromising(table_, kEdgesAtATime, open), known);
         }
-    }
-
-    /// Edges that may pay are all evaluated, because tools are shared between features. A few at a time, the
-    /// most promising first, let most of the others be left out: where surrogates make each one dear, and
-    /// where a tool that does all alone is known and only cheaper sequences count.
-    std::size_t firstPortion(const EdgeList& open) const {
-        const bool dear = !open.empty() && hasSurrogates(open.front().second);
-        return dear || aloneIsKnown() ? kFew : open.size();
     }
 
     /// The bounds hold for real paths. An area model may be below them, and costs little to evaluate: all its
