@@ -31,7 +31,8 @@ Element cards(const Plan& plan, const Measures& in) {
         cards.add(card(clockTime(totals.motion_s), "of it with the machine's acceleration"));
     cards.add(
         card(fixed(totals.cost, 2) + " " + plan.machine.currency, "machine and tool cost"),
-        card(timesBound(totals.time_s, totals.lower_bound_s), "times the least possible with these tools"),
+        card(timesBound(totals.time_s, totals.lower_bound_s),
+             "times the least of any sequence of these tools over these features"),
         card(std::to_string(totals.tool_changes), "tool changes"),
         card(fixed(totals.time_s > 0 ? 100 * totals.air_s / totals.time_s : 0.0, 1) + " %", "of it rapids"),
         card(volumeWords(in, books.planned_mm3, 2), "removed"),

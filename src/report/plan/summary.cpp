@@ -74,7 +74,8 @@ std::string summaryText(const Plan& plan) {
     if (plan.machine.acceleration_mm_per_s2 > 0)
         text += fmt::format("with the machine's acceleration {}\n", clockTime(totals.motion_s));
     text += sharingLine(plan.sharing);
-    text += fmt::format("no plan with these tools can take less than {}\n", clockTime(totals.lower_bound_s));
+    text += fmt::format("no sequence of these tools over these features can take less than {}\n",
+                        clockTime(totals.lower_bound_s));
     const VolumeBalance& books = plan.balance;
     text += fmt::format(
         "books: stock - part {:.3f} cm3 = planned {:.3f} + stays {:.3f} + out of reach {:.3f} (gap {:.1e})\n",

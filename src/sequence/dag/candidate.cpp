@@ -1,5 +1,8 @@
 #include "sequence/dag/candidate.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "stepmill/core/units.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/sequence/drilling.h"
@@ -43,11 +46,27 @@ bool mayPreDrill(const Feature& feature, const ToolAssembly& drill, const Sequen
     return !options.finish.any() || isOfSize(feature, drill, tol);
 }
 
+/// Of the usual cutting data and of those at constant engagement the faster along walls.
+double wallRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
+    const auto rate = [&](const CuttingData& data) {
+        const double depths =
+            data.step_down_mm > 0 ? std::max(1.0, feature.depth_mm() / data.step_down_mm) : 1.0;
+        return data.feed_mm_per_min / depths / kSecondsPerMinute;
+    };
+    const auto adaptive = adaptiveCutting(tool, cutting, feature.depth_mm());
+    return adaptive ? std::max(rate(cutting), rate(*adaptive)) : rate(cutting);
+}
+
 /// What a tool takes part with: nothing for a drill that neither makes the hole nor makes room for a mill.
-std::optional<Candidate> candidateOf(const Feature& feature, const ToolAssembly& tool, const ToolReach& reach,
-                                     const CuttingData& cutting, const SequenceOptions& options,
-                                     const Tolerances& tol) {
-    Candidate candidate{&tool, &reach, &reach.cleared(), &reach.own(), cutting};
+std::optional<Candidate> candidateOf(const Feature& feature, const Walls& walls, const ToolAssembly& tool,
+                                     const ToolReach& reach, const CuttingData& cutting,
+                                     const SequenceOptions& options, const Tolerances& tol) {
+    Candidate candidate;
+    candidate.tool = &tool;
+    candidate.reach = &reach;
+    candidate.cleared = &reach.cleared();
+    candidate.own = &reach.own();
+    candidate.cutting = cutting;
     candidate.coverable_mm2 = reach.cleared().coverable_area_mm2;
     candidate.volume_rate_mm3_per_s = candidate.joint_rate_mm3_per_s = volumeRate(feature, tool, cutting);
     if (tool.isSpot()) {
@@ -61,6 +80,10 @@ std::optional<Candidate> candidateOf(const Feature& feature, const ToolAssembly&
         if (makes) candidate.coverable_mm2 = feature.area_mm2;
     }
     if (candidate.coverable_mm2 <= tol.area_mm2) return std::nullopt;
+    if (candidate.mills() && !candidate.hasSurrogates()) {
+        candidate.walls = walls.touchedBy(*candidate.own);
+        candidate.wall_rate_mm_per_s = wallRate(feature, tool, cutting);
+    }
     return candidate;
 }
 
@@ -92,7 +115,30 @@ void putSpotsFirst(std::vector<Candidate>& tools) {
     std::stable_partition(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.spots; });
 }
 
+/// Most that a mill removes in a minute [mm3], along the level or the best slope it may take.
+double mostRemoved(const ToolAssembly& tool, const CuttingData& data, double front_mm2) {
+    const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
+    const double feed = data.feed_mm_per_min;
+    const double sink = std::min(feed, data.plunge_feed_mm_per_min);
+    const auto along = [&](double angle_rad) {
+        const double per_mm = front_mm2 * std::cos(angle_rad) + disc_mm2 * std::sin(angle_rad);
+        return per_mm * (angle_rad > 0 ? rampFeed(feed, sink, angle_rad) : feed);
+    };
+    // It rises up to the slope at which the sinking holds the feed back, or at which the way is best, and
+    // falls from there on.
+    const double best_rad = std::min(std::asin(sink / feed), std::atan2(disc_mm2, front_mm2));
+    const double most = along(std::min(best_rad, toolpath::rampAngle(data)));
+    return tool.max_plunge_mm > 0 ? std::max(most, disc_mm2 * sink) : most;
+}
+
 }  // namespace
+
+double leastWallS(const Candidate* from, const Candidate& to) {
+    if (to.wall_rate_mm_per_s <= 0) return 0;
+    const double new_mm = from != nullptr ? to.walls.least_mm - from->walls.most_mm
+                                          : to.walls.least_mm + to.walls.hollow_least_mm;
+    return std::max(0.0, new_mm) / to.wall_rate_mm_per_s;
+}
 
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
     const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
@@ -104,8 +150,7 @@ double volumeRate(const Feature& feature, const ToolAssembly& tool, const Cuttin
     const auto swept = [&](const CuttingData& data, double width_mm) {
         const double depth_of_cut =
             feature.depth_mm() / toolpath::depthsFor(feature.depth_mm(), data.step_down_mm);
-        const double front_mm2 = width_mm * depth_of_cut;
-        return front_mm2 * data.feed_mm_per_min + disc_mm2 * data.plunge_feed_mm_per_min;
+        return mostRemoved(tool, data, width_mm * depth_of_cut);
     };
     double most = swept(cutting, tool.diameter_mm);
     // A derived set removes no more than the usual one.
@@ -153,12 +198,14 @@ std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library) {
 std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,
                                    const Machine& machine, const Tolerances& tol) {
+    const Walls walls(feature, tol);
     std::vector<Candidate> usable;
     for (const ToolReach& reach : reaches) {
         const ToolAssembly& tool = library.tool(reach.tool_id);
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr || reach.exclusion() != nullptr) continue;
-        if (auto candidate = candidateOf(feature, tool, reach, limitedBy(machine, *cutting), options, tol))
+        const CuttingData limited = limitedBy(machine, *cutting);
+        if (auto candidate = candidateOf(feature, walls, tool, reach, limited, options, tol))
             usable.push_back(std::move(*candidate));
     }
     if (isHole(feature.feature_class)) {

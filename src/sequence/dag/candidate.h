@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sequence/dag/wall_lengths.h"
 #include "stepmill/access/access.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
@@ -20,6 +21,8 @@ struct Candidate {
     CuttingData cutting;
     double coverable_mm2 = 0;          ///< of the target; a matching drill's is the whole target
     double volume_rate_mm3_per_s = 0;  ///< no move of this tool removes more per second
+    WallLength walls;                  ///< that a mill touches by itself
+    double wall_rate_mm_per_s = 0;     ///< no more wall is gone along in a second, over the whole depth
     /// No move of this tool or, where it has surrogates, of any of them removes more per second.
     double joint_rate_mm3_per_s = 0;
     /// The same of its surrogates that are no candidates themselves; 0 without surrogates.
@@ -43,12 +46,16 @@ double weightOf(const EdgeCost& cost, Objective objective);
 /// What that time on the machine costs, without wear and tool changes.
 EdgeCost machineCost(double seconds, const Machine& machine);
 
-/// Upper bound of the material one tool can remove per second.
+/// Upper bound of the material one tool can remove per second [costs.md, 'The lower bound'].
 ///
-/// Moving level, a cutter sweeps its diameter times the depth of cut, at most at the cutting feed.
-/// Descending, it also removes its own cross-section, at most at the plunge feed: a ramp's vertical part is
-/// held to that (rampFeed). The sum of both is an upper bound for every mixture. A drill only descends.
+/// Along a way that falls by t a cutter sweeps d a cos t + (pi d^2 / 4) sin t per length, d wide and a deep,
+/// at the feed of that slope (rampFeed). It goes down no steeper than it ramps, or straight, where it may
+/// plunge. A drill only descends.
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
+
+/// Least seconds that `to` takes along the walls that it is the first to touch, with none but its own ways
+/// there. \param from  null: nothing is cut before
+double leastWallS(const Candidate* from, const Candidate& to);
 
 /// Tools by falling diameter, ties by rising stick-out, then in the library's order [tool-dag.md,
 /// 'Nodes and edges'].

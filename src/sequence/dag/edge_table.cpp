@@ -60,8 +60,8 @@ bool mayCome(const Candidate* from, const Candidate& to, const DagTask& task) {
 }
 
 /// Lower bound of an edge's weight: the area that the tool covers and the one before it does not, cut at the
-/// best rates, and one tool change. A surrogate saves no more than its own change, which the bound leaves
-/// out.
+/// best rates, or the walls that it touches and the one before it does not, and one tool change. A surrogate
+/// saves no more than its own change, which the bound leaves out.
 double lowerBound(const Candidate* from, const Candidate& to, const DagTask& task) {
     if (!mayCome(from, to, task)) return kNoEdge;
     if (to.spots) return changeWeight(to, task);
@@ -74,6 +74,9 @@ double lowerBound(const Candidate* from, const Candidate& to, const DagTask& tas
     if (to.hasSurrogates()) return leastWithLumps(to, new_mm2, to.own->coverable_area_mm2 - from_mm2, task);
     PathTotals least;
     least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
+    // Which walls the surrogates of the tool before have touched is not known.
+    if (from == nullptr || !from->hasSurrogates())
+        least.feed_time_s = std::max(least.feed_time_s, leastWallS(from, to));
     return weigh(edgeCost(least, *to.tool, task.machine), task);
 }
 

@@ -1,7 +1,10 @@
 #include "sequence/dag/lower_bound.h"
 
+#include <algorithm>
+
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/tool_dag.h"
+#include "stepmill/toolpath/cutting_model.h"
 
 namespace stepmill {
 namespace {
@@ -64,12 +67,19 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
     const std::vector<double> reached = reachedAreas(feature, tools, clearedAtTheEnd(tools, ends), tol);
     const std::vector<double> fastest = fastestFrom(tools);
     const std::vector<bool> last = smallestUsed(tools, ends);
+    const bool plain =
+        std::none_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     const int n = static_cast<int>(tools.size());
     // What tool k is the first in the sequence to reach, it, a later one or a surrogate must clear, at best
     // as fast as the fastest of these.
+    // Surrogates touch walls that no candidate does. Narrow cuts may be fed faster than the cutting data say.
+    const auto along_walls = [&](int m, int k) {
+        return plain ? leastWallS(m == kSource ? nullptr : &tools[m], tools[k]) / kMostChipThinning : 0;
+    };
     const auto cutting = [&](int m, int k) {
         const double before = m == kSource ? 0 : reached[m];
-        return std::max(0.0, reached[k] - before) * feature.depth_mm() / fastest[k];
+        const double volume_s = std::max(0.0, reached[k] - before) * feature.depth_mm() / fastest[k];
+        return std::max(volume_s, along_walls(m, k));
     };
     TimeBounds bounds;
     const CheapestPath with = cheapestPath(
