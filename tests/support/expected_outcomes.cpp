@@ -114,7 +114,7 @@ std::vector<ExpectedOutcome> slowPlans() {
 }
 
 std::vector<ExpectedOutcome> withSlowProofs(std::vector<ExpectedOutcome> rows, bool slow) {
-    std::erase_if(rows, [slow](const ExpectedOutcome& row) { return row.slow_proofs != slow; });
+    std::erase_if(rows, [slow](const ExpectedOutcome& row) { return (row.slow || row.slow_proofs) != slow; });
     return rows;
 }
 

@@ -91,18 +91,18 @@ TEST_F(Batches, PlansEachPartByItselfAndNamesWhatCameOfIt) {
     part("block.step");
     part("sub/slots.STP", "open_slots");
     part("sub/again.step");
-    part("core.step", "mold_core");
+    part("die.step", "die_cavity");
     noise("noise.step");
     const ProgramRun run = batch();
     EXPECT_EQ(run.exit_code, 1) << run.err;
     EXPECT_EQ(outcome("block.step"), "complete");
     EXPECT_EQ(outcome("sub/slots.STP"), "complete");
-    EXPECT_EQ(outcome("core.step"), "gaps");
+    EXPECT_EQ(outcome("die.step"), "gaps");
     EXPECT_EQ(outcome("noise.step"), "refused");
     EXPECT_TRUE(tells(run.out, {"5 parts", "3 complete", "1 gaps", "1 refused"}));
     EXPECT_TRUE(tells(run.out, {"/5", "complete", "sub/again.step"})) << "a line a part";
     EXPECT_TRUE(tells(status().out, {"noise.step", "refused", "STEP"}));
-    EXPECT_TRUE(tells(slurp(out_ / "parts.csv"), {"core.step", "gaps", "cm3"}));
+    EXPECT_TRUE(tells(slurp(out_ / "parts.csv"), {"die.step", "gaps", "cm3"}));
     EXPECT_TRUE(tells(slurp(out_ / "tools.csv"), {"EM"}));
     EXPECT_NE(slurp(out_ / "index.html").find("sub/slots.STP"), std::string::npos);
     for (const auto& [name, job] : entries(out_))

@@ -112,14 +112,16 @@ TEST_P(GrownBlank, MeetsNoRapidAndNoHolderInAnyDialect) {
     }
 }
 
+const auto kSampleName = [](const auto& parameter) { return std::string(parameter.param); };
+
 // Not mold_core: its second setup comes down where the first has cut from the other side, which a height map
 // of one setup does not know.
 INSTANTIATE_TEST_SUITE_P(SampleParts, GrownBlank,
-                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity",
-                                         "die_with_islands", "four_setups", "nested_pockets", "open_slots",
-                                         "plate_with_holes", "pocket_without_bosses", "rounded_pocket",
-                                         "shoulder_block"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
+                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity", "four_setups",
+                                         "nested_pockets", "open_slots", "plate_with_holes",
+                                         "pocket_without_bosses", "rounded_pocket", "shoulder_block"),
+                         kSampleName);
+INSTANTIATE_TEST_SUITE_P(Slow, GrownBlank, testing::Values("die_with_islands"), kSampleName);
 
 /// A plan that takes the blank for exact touches it with rapids: so the test above can fail.
 TEST(ExactBlank, IsMetByRapidsWhereItIsLarger) {

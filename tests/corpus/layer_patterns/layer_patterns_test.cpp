@@ -98,8 +98,10 @@ TEST_P(RoughedLayers, TakeNoLongerThanWithOnePatternForAllOfThem) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, DieLayers, testing::Values("die_cavity", "die_with_islands"));
-INSTANTIATE_TEST_SUITE_P(Parts, RoughedLayers, testing::Values("die_cavity", "mold_core"));
+INSTANTIATE_TEST_SUITE_P(Parts, DieLayers, testing::Values("die_cavity"));
+INSTANTIATE_TEST_SUITE_P(Slow, DieLayers, testing::Values("die_with_islands"));
+INSTANTIATE_TEST_SUITE_P(Parts, RoughedLayers, testing::Values("die_cavity"));
+INSTANTIATE_TEST_SUITE_P(Slow, RoughedLayers, testing::Values("mold_core"));
 
 }  // namespace
 }  // namespace stepmill::test

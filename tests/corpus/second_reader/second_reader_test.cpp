@@ -220,8 +220,8 @@ const std::vector<ExpectedOutcome> kAllParts = expectedPlans({"step_parts", "mac
 INSTANTIATE_TEST_SUITE_P(Corpus, SecondReaderOf, testing::ValuesIn(kAllParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(Corpus, SecondReaderOfFinishing,
                          testing::ValuesIn(withSlowProofs(kSampleParts, false)), kPartName);
-INSTANTIATE_TEST_SUITE_P(Slow, SecondReaderOfFinishing, testing::ValuesIn(withSlowProofs(kSampleParts, true)),
-                         kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, SecondReaderOfFinishing,
+                         testing::ValuesIn(withSlowProofs(expectedOf("step_parts"), true)), kPartName);
 
 }  // namespace
 }  // namespace stepmill::test

@@ -146,12 +146,14 @@ TEST_P(SimulatePlan, CutsTheSameWithAFinishingAllowance) {
     expectCutsWhatItSays(plan({0.3, 0.2}), GetParam());
 }
 
+const auto kSampleName = [](const auto& parameter) { return std::string(parameter.param); };
+
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulatePlan,
-                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity",
-                                         "die_with_islands", "four_setups", "nested_pockets", "open_slots",
-                                         "plate_with_holes", "pocket_without_bosses", "rounded_pocket",
-                                         "shoulder_block"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
+                         testing::Values("bossed_pocket", "butterfly_pocket", "die_cavity", "four_setups",
+                                         "nested_pockets", "open_slots", "plate_with_holes",
+                                         "pocket_without_bosses", "rounded_pocket", "shoulder_block"),
+                         kSampleName);
+INSTANTIATE_TEST_SUITE_P(Slow, SimulatePlan, testing::Values("die_with_islands"), kSampleName);
 
 class SimulateRoughing : public SimulatePlan {};
 
@@ -161,8 +163,8 @@ TEST_P(SimulateRoughing, CutsWhatItSaysAndNothingElse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateRoughing,
-                         testing::Values("die_cavity", "mold_core", "nested_pockets", "open_slots"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
+                         testing::Values("die_cavity", "nested_pockets", "open_slots"), kSampleName);
+INSTANTIATE_TEST_SUITE_P(Slow, SimulateRoughing, testing::Values("mold_core"), kSampleName);
 
 class SimulateForms : public SimulatePlan {};
 
@@ -172,8 +174,8 @@ TEST_P(SimulateForms, CutWhatTheySayAndNothingElse) {
     expectCutsWhatItSays(planned, GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateForms, testing::Values("die_cavity", "die_with_islands"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
+INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateForms, testing::Values("die_cavity"), kSampleName);
+INSTANTIATE_TEST_SUITE_P(Slow, SimulateForms, testing::Values("die_with_islands"), kSampleName);
 
 /// The shop's drills as the simulation knows them: with their points, and one for each blind hole there is.
 ToolLibrary libraryWithSmallDrills() {

@@ -74,13 +74,13 @@ INSTANTIATE_TEST_SUITE_P(RealParts, VerifyPlan, testing::ValuesIn(kRealParts), k
 INSTANTIATE_TEST_SUITE_P(Slow, VerifyPlan, testing::ValuesIn(slowPlans()), kPartName);
 INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyFinishing, testing::ValuesIn(withSlowProofs(kSampleParts, false)),
                          kPartName);
-INSTANTIATE_TEST_SUITE_P(Slow, VerifyFinishing, testing::ValuesIn(withSlowProofs(kSampleParts, true)),
-                         kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, VerifyFinishing,
+                         testing::ValuesIn(withSlowProofs(expectedOf("step_parts"), true)), kPartName);
 INSTANTIATE_TEST_SUITE_P(RealParts, VerifyFinishing, testing::ValuesIn(kRealParts), kPartName);
 INSTANTIATE_TEST_SUITE_P(SampleParts, VerifyDialects, testing::ValuesIn(withSlowProofs(kSampleParts, false)),
                          kPartName);
-INSTANTIATE_TEST_SUITE_P(Slow, VerifyDialects, testing::ValuesIn(withSlowProofs(kSampleParts, true)),
-                         kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, VerifyDialects,
+                         testing::ValuesIn(withSlowProofs(expectedOf("step_parts"), true)), kPartName);
 
 TEST(VerifyPlans, MovesAsShortAsALastDecimalAreNoPlunges) {
     // Walls moved in by so little have edges that short, which ramps run along.
