@@ -21,7 +21,7 @@ bool isDrillPoint(const FaceTrace& trace) {
     if (trace.cause != SlopeCause::DrillPoint || !trace.axis_point) return false;
     const double depth_mm = trace.top_z_mm - trace.bottom_z_mm;
     if (depth_mm <= 0 || 2 * trace.radius_mm > kWidestPointMm) return false;
-    const double angle_deg = 2 * std::atan2(trace.radius_mm, depth_mm) * 180 / kPi;
+    const double angle_deg = radToDeg(2 * std::atan2(trace.radius_mm, depth_mm));
     return angle_deg >= kLeastPointDeg && angle_deg <= kMostPointDeg;
 }
 

@@ -40,7 +40,7 @@ void measureFaces(FeatureMeasures& measures, const Feature& feature, const FaceG
         }
         if (face.surface != "plane" && face.surface != "cone") continue;
         for (const FaceSample& sample : face.samples) {
-            const double lean = std::asin(std::clamp(sample.normal.dot(axis), -1.0, 1.0)) * 180 / kPi;
+            const double lean = radToDeg(std::asin(std::clamp(sample.normal.dot(axis), -1.0, 1.0)));
             if (lean > 1e-3 && lean <= kMostDraftDeg) measures.draft_deg = std::max(measures.draft_deg, lean);
         }
     }

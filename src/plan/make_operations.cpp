@@ -52,7 +52,7 @@ Operation operationOf(PlannedFeature& planned, SequenceStep& step, double stock_
                              ? operation.z_floor_mm + operation.path.depths * operation.path.step_down_mm
                              : planned.feature.top_z_mm;
     operation.speed_rpm = step.speed_rpm;
-    operation.engagement_deg = operation.path.engagement_rad * 180 / kPi;
+    operation.engagement_deg = radToDeg(operation.path.engagement_rad);
     operation.holes = step.holes;
     operation.thread = step.thread;
     operation.fit = step.fit;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "setup/ways_to_hold.h"
+#include "stepmill/core/units.h"
 #include "stepmill/planar/edge.h"
 
 namespace stepmill::setup {
@@ -331,7 +332,7 @@ Fixture viseJaw(const Vise& vise, const Vec2& out, double offset_mm, double midd
 std::string directionName(const Vec2& across) {
     if (std::abs(across.y()) < kSameSine) return "x";
     if (std::abs(across.x()) < kSameSine) return "y";
-    return fmt::format("a line {:.1f} degrees from x", std::atan2(across.y(), across.x()) * 180 / M_PI);
+    return fmt::format("a line {:.1f} degrees from x", radToDeg(std::atan2(across.y(), across.x())));
 }
 
 WayToHold inVise(const StockToHold& stock, const HoldWish& wish) {

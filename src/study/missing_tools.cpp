@@ -61,7 +61,7 @@ void MissingTools::lookAtChamfers(const LayerStack& layers) {
             return tool.type == ToolType::Chamfer && std::abs(flankLean(tool) - lean) <= kSameLean;
         };
         if (hasTool(fits)) continue;
-        const double included_deg = std::round(2 * std::asin(std::clamp(lean, 0.0, 1.0)) * 180 / kPi);
+        const double included_deg = std::round(radToDeg(2 * std::asin(std::clamp(lean, 0.0, 1.0))));
         MissingTool& mill =
             named(fmt::format("chamfer mill, {:g} degrees", included_deg), "chamfers and countersinks");
         ++mill.faces;

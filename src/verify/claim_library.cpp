@@ -144,7 +144,7 @@ void compareCutting(const RecordedOperation& operation, const ToolAssembly& in_l
     const CuttingData& data = *found;
     if (operation.engagement_deg > 0)
         compare.atMost("the engagement", operation.engagement_deg,
-                       engagementRad(in_library.radius_mm(), data.step_over_mm) * 180 / kPi);
+                       radToDeg(engagementRad(in_library.radius_mm(), data.step_over_mm)));
     compareRating(operation, in_library, data, record, compare);
     // A tap's feed is its pitch x speed, whatever the library rounds it to.
     const double feed =

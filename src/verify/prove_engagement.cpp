@@ -24,7 +24,7 @@ void proveEngagement(const ReadOperation& operation, const RecordedOperation& pl
         // What a way in has left of its slope is no cut at depth.
         if (cut.depth_mm < whole_mm || cut.engaged_rad <= allowed_rad) continue;
         findings.add(read.line, fmt::format("engages {:.1f} degrees of the cutter's rim; planned are {:.1f}",
-                                            cut.engaged_rad * 180 / kPi, planned.engagement_deg));
+                                            radToDeg(cut.engaged_rad), planned.engagement_deg));
         return;
     }
 }

@@ -18,5 +18,8 @@ constexpr double mmToInch(double mm) {
 constexpr double degToRad(double deg) {
     return deg * kPi / 180.0;
 }
+constexpr double radToDeg(double rad) {
+    return rad * 180.0 / kPi;
+}
 
 }  // namespace stepmill

@@ -13,7 +13,7 @@ namespace {
 
 /// Faces whose normals turn by less at their edge run on smoothly for a cutter [rad]: fillets of files are
 /// tangent to their neighbours only about as well as that.
-constexpr double kSmoothRad = kPi / 180;
+constexpr double kSmoothRad = degToRad(1);
 
 }  // namespace
 

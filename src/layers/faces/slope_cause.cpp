@@ -10,9 +10,9 @@ namespace {
 /// Heights closer than that are the same [mm].
 constexpr double kSameMeshMm = 2e-3;
 /// Leaning that much or less from the vertical is draft.
-const double kDraftNormal = std::sin(20 * kPi / 180);
+const double kDraftNormal = std::sin(degToRad(20));
 /// Steeper than that from the horizontal, a bevel is a chamfer rather than a nearly level face.
-const double kChamferNormal = std::sin(80 * kPi / 180);
+const double kChamferNormal = std::sin(degToRad(80));
 
 class Namer {
   public:

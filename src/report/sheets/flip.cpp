@@ -63,7 +63,7 @@ std::string turnsWords(const std::optional<std::vector<Turn>>& turns, const Eige
     if (!turns) {
         const Eigen::AngleAxisd turn(rotation);
         return fmt::format("{:.2f}° about ({:.4f}, {:.4f}, {:.4f}): a sine vise or a rotary axis",
-                           turn.angle() * 180 / kPi, turn.axis().x(), turn.axis().y(), turn.axis().z());
+                           radToDeg(turn.angle()), turn.axis().x(), turn.axis().y(), turn.axis().z());
     }
     if (turns->empty()) return "no turn";
     std::string words = turnWords(turns->front());

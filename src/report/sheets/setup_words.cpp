@@ -74,7 +74,7 @@ std::string partWords(const Measures& in, const Plan& plan, const Setup& setup) 
 std::string acrossWords(const Vec3& across) {
     if (std::abs(across.y()) < kAlongAxis) return "X";
     if (std::abs(across.x()) < kAlongAxis) return "Y";
-    return fmt::format("{:.2f}° from X", std::atan2(across.y(), across.x()) * 180 / kPi);
+    return fmt::format("{:.2f}° from X", radToDeg(std::atan2(across.y(), across.x())));
 }
 
 std::string seatWords(const Measures& in, const Clamping& held) {

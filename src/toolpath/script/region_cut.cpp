@@ -20,7 +20,7 @@ constexpr double kLeastLevelMm = 0.01;
 constexpr double kSavedShare = 1e-6;
 
 double degrees(double angle_rad) {
-    return angle_rad * 180 / kPi;
+    return radToDeg(angle_rad);
 }
 
 /// Could scripting the depth leave this pass out? Innermost rings may lie in the next ones' ground.
