@@ -7,6 +7,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/path_parts.h"
 
 namespace stepmill::feature {
 namespace {
@@ -68,8 +69,7 @@ class EdgeSorter {
 
 void append(std::vector<BoundaryPiece>& pieces, OpenOrClosed part) {
     if (!pieces.empty() && pieces.back().open == part.open) {
-        std::vector<Segment>& to = pieces.back().path.segments;
-        to.insert(to.end(), part.path.segments.begin(), part.path.segments.end());
+        append(pieces.back().path, part.path);
     } else {
         pieces.push_back({std::move(part.path), part.open});
     }
@@ -85,8 +85,7 @@ std::vector<BoundaryPiece> piecesOf(const Loop& loop, const EdgeSorter& sorter) 
     if (pieces.size() > 1 && pieces.front().open == pieces.back().open) {
         BoundaryPiece last = std::move(pieces.back());
         pieces.pop_back();
-        last.path.segments.insert(last.path.segments.end(), pieces.front().path.segments.begin(),
-                                  pieces.front().path.segments.end());
+        append(last.path, pieces.front().path);
         pieces.front() = std::move(last);
     }
     return pieces;

@@ -41,9 +41,7 @@ void append(const Edge& edge, std::vector<Path>& stretches) {
 /// A loop's first and last stretch are one where they meet.
 void closeUp(std::vector<Path>& stretches) {
     if (stretches.size() < 2 || stretches.back().end() != stretches.front().start) return;
-    Path& last = stretches.back();
-    const Path& first = stretches.front();
-    last.segments.insert(last.segments.end(), first.segments.begin(), first.segments.end());
+    append(stretches.back(), stretches.front());
     stretches.erase(stretches.begin());
 }
 

@@ -8,6 +8,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/path_parts.h"
 
 namespace stepmill {
 
@@ -92,8 +93,7 @@ SplitPath split(const Path& path, const Region& region, const Tolerances& tol) {
     if (path.closed() && stretches.size() > 1 && stretches.front().side == stretches.back().side) {
         Path joined = std::move(stretches.back().path);
         stretches.pop_back();
-        const std::vector<Segment>& rest = stretches.front().path.segments;
-        joined.segments.insert(joined.segments.end(), rest.begin(), rest.end());
+        append(joined, stretches.front().path);
         stretches.front().path = std::move(joined);
     }
     SplitPath result;

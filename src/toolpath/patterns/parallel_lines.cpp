@@ -269,8 +269,8 @@ std::vector<Path> joinedLines(const RingFamily::Component& component, const Ring
             const Path run = straight_on ? line : reversed(line);
             const std::optional<Path> way = linkFrom(path.end(), run.start);
             if (!way) break;
-            path.segments.insert(path.segments.end(), way->segments.begin(), way->segments.end());
-            path.segments.insert(path.segments.end(), run.segments.begin(), run.segments.end());
+            append(path, *way);
+            append(path, run);
             at = static_cast<std::size_t>(to);
             joined[at] = 1;
         }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "stepmill/planar/path_parts.h"
 #include "toolpath/patterns/parallel_lines.h"
 
 namespace stepmill::toolpath {
@@ -104,9 +105,7 @@ class PassMaker::Clipper {
         if (whole && !pieces.empty()) return addPass(ring.path, ring.path.closed(), ring);
         // The loop's start is no end of a pass: join the pieces before and after it.
         if (ring.path.closed() && pieces.size() > 1 && last_kept && pieces.front().start == ring.path.start) {
-            Path& last = pieces.back();
-            last.segments.insert(last.segments.end(), pieces.front().segments.begin(),
-                                 pieces.front().segments.end());
+            stepmill::append(pieces.back(), pieces.front());
             pieces.erase(pieces.begin());
         }
         for (const Path& piece : pieces)
