@@ -8,7 +8,6 @@
 #include "setup/cover.h"
 #include "setup/frame.h"
 #include "setup/order.h"
-#include "setup/reach.h"
 #include "setup/solid_stock.h"
 #include "stepmill/core/error.h"
 #include "stepmill/part/part_shape.h"
@@ -92,7 +91,6 @@ class SetupMaker {
         for (const int index : choice.order) {
             setups.push_back(make(axes[index], stock));
             setups.back().chosen = true;
-            setups.back().alone_share = setup::aloneShare(choice.groups, index, choice.order);
         }
         return setups;
     }
@@ -154,15 +152,7 @@ class SetupMaker {
         made.stock = stock;
         made.removable_mm3 = stock.volume_mm3 - part_.volume_mm3;
         made.indexed = !isBoxDirection(axis);
-        const Box3 turned = turnedStock(stock, axis, stock_facets_);
-        placeOn(made, turned);
-        const bool upright_box = stock.kind == Stock::Kind::Box && !made.indexed;
-        const setup::Facets tilted_box = upright_box || stock.kind != Stock::Kind::Box
-                                             ? setup::Facets{}
-                                             : setup::coarseFacets(stock.shape->solid);
-        made.reachable_share =
-            setup::reachableShare(mesh_.facets, stock.kind == Stock::Kind::Box ? tilted_box : stock_facets_,
-                                  setup::rotationFor(axis), turned, stock.volume_mm3 - part_.volume_mm3);
+        placeOn(made, turnedStock(stock, axis, stock_facets_));
         return made;
     }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "setup/reach.h"
+#include "setup/facets.h"
 
 namespace stepmill::setup {
 

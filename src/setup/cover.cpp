@@ -124,16 +124,4 @@ std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vec
     return Search(groups, bonus).run();
 }
 
-double aloneShare(const std::vector<SampleGroup>& groups, int axis, const std::vector<int>& others) {
-    double share = 0;
-    for (const SampleGroup& group : groups) {
-        if (group.reach[axis] == Reach::None) continue;
-        const bool alone = std::none_of(others.begin(), others.end(), [&](int other) {
-            return other != axis && group.reach[other] != Reach::None;
-        });
-        if (alone) share += group.volume_share;
-    }
-    return share;
-}
-
 }  // namespace stepmill::setup

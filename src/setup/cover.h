@@ -22,7 +22,4 @@ inline constexpr double kFinishPaysShare = 0.05;
 /// \return indices of axes, ascending; empty when nothing is to be removed
 std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus);
 
-/// Share of the volume that the axis reaches and none of the others does.
-double aloneShare(const std::vector<SampleGroup>& groups, int axis, const std::vector<int>& others);
-
 }  // namespace stepmill::setup

@@ -73,11 +73,6 @@ struct Setup {
     Stock stock;
     Box3 stock_bbox_mm;        ///< in setup coordinates: min.z = -height, max.z = 0
     double removable_mm3 = 0;  ///< raw stock less part, in every setup: what all of them have to remove
-    /// Share of (raw stock - part) that is open to a tool along the axis, from the height map [0..1].
-    double reachable_share = 0;
-    /// Share of (raw stock - part) that of all setups only this one reaches, from samples [0..1]. 1 where
-    /// the setup was asked for.
-    double alone_share = 1;
     /// What holds the part, grown by kFixtureGrowth or as the shop's file says; set by SetupWalk.
     std::vector<Fixture> fixtures;
     bool indexed = false;  ///< the axis is no direction of the part's box: needs a sine vise or a rotary axis

@@ -61,10 +61,3 @@ TEST(BestAxes, TakesTheLargerBonusAmongEquals) {
     EXPECT_EQ(bestAxes({group({F, F}, 1)}, {0.001, 0.002}), (std::vector<int>{1}));
     EXPECT_EQ(bestAxes({group({F, F}, 1)}, {0.002, 0.002}), (std::vector<int>{0}));
 }
-
-TEST(AloneShare, CountsWhatNoOtherChosenAxisReaches) {
-    const std::vector<SampleGroup> groups = {group({F, F, N}, 0.5), group({F, N, N}, 0.3),
-                                             group({F, N, P}, 0.2)};
-    EXPECT_DOUBLE_EQ(aloneShare(groups, 0, {0, 1}), 0.5);
-    EXPECT_DOUBLE_EQ(aloneShare(groups, 0, {0, 1, 2}), 0.3);
-}
