@@ -25,10 +25,6 @@ std::optional<CribFormat> cribFormatFrom(std::string_view word) {
     return valueOf(kFormats, word);
 }
 
-std::string cribFormatWords() {
-    return allWords(kFormats);
-}
-
 std::optional<CribFormat> cribFormatOf(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file)) return CribFormat::FreeCad;
     std::string ending = file.extension().string();

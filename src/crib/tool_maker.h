@@ -17,8 +17,6 @@ inline constexpr double kThinnestMm = 0.01;
 inline constexpr double kWidestMm = 500;
 /// More tools than any library has: beyond it a file is no library.
 inline constexpr std::size_t kMostTools = 20000;
-/// Of a holder: as the schema of tool libraries allows.
-inline constexpr std::size_t kMostCylinders = 50;
 
 /// mm of "mm", "millimeters", "inch", "inches", "in"; nothing for other words.
 std::optional<double> mmPerUnit(std::string_view word);

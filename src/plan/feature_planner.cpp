@@ -87,8 +87,7 @@ struct PlannedNest {
 
 /// Seconds or money of a path with the change to its tool.
 double weightOf(const PathTotals& path, const std::string& tool, const PlanningShop& shop) {
-    const EdgeCost cost = edgeCost(path, shop.library.tool(tool), shop.machine);
-    return shop.request.sequence.objective == Objective::Time ? cost.motion_s : cost.motion_cost;
+    return weightOf(edgeCost(path, shop.library.tool(tool), shop.machine), shop.request.sequence.objective);
 }
 
 /// Seconds or money of a tool change.

@@ -112,7 +112,7 @@ class SizedHoles {
     }
 
     double weightOf(const EdgeCost& cost) const {
-        return shop_.request.sequence.objective == Objective::Time ? cost.motion_s : cost.motion_cost;
+        return stepmill::weightOf(cost, shop_.request.sequence.objective);
     }
     double weightOf(const ToolSequence& sequence) const {
         return shop_.request.sequence.objective == Objective::Time ? sequence.motion_s : sequence.cost;

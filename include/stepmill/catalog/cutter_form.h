@@ -15,8 +15,6 @@ class CutterForm {
     /// The height from which the radius is the full one; 0 for a flat end mill [mm].
     double heightMm() const { return height_mm_; }
     double fullRadiusMm() const { return full_mm_; }
-    /// Of the flat or the point at the tip [mm].
-    double tipRadiusMm() const { return tip_mm_; }
 
   private:
     double full_mm_;

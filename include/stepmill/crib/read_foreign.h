@@ -23,8 +23,6 @@ enum class CribFormat {
 std::string toString(CribFormat format);
 /// The reverse; nothing for another word.
 std::optional<CribFormat> cribFormatFrom(std::string_view word);
-/// All words, for help.
-std::string cribFormatWords();
 /// The format by the name's ending, folders are FreeCAD's; nothing where it is none of ours.
 std::optional<CribFormat> cribFormatOf(const std::filesystem::path& file);
 

@@ -17,12 +17,6 @@ struct View {
 /// \note  Hidden lines are found edge against face: about quadratic in the number of faces.
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup);
 
-/// The same with what is visible of each face filled, nothing where its tint is negative: class
-/// "shade tint<k>" where k is tints[face] modulo 8.
-/// \pre one tint a part face
-std::vector<View> shadedViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
-                              const std::vector<int>& tints);
-
 /// Frame of smallPicture().
 inline constexpr int kSmallPictureWidth = 96;
 inline constexpr int kSmallPictureHeight = 72;

@@ -192,12 +192,8 @@ struct EdgeCost {
 };
 EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Machine& machine);
 
-/// Least time any sequence of these tools needs: for each cell of the target the fastest tool that reaches
-/// it, layers x area / (cutter diameter x feed), and one tool change per tool used. The diameter stands
-/// where a step-over would be quicker to write but wrong: a first pass cuts full width. 0 when no tool can
-/// machine anything. See docs/algorithms/costs.md.
-double lowerBoundS(const FeatureGround& ground, const std::vector<ToolReach>& tools,
-                   const ToolLibrary& library, const SequenceOptions& options, const Machine& machine);
+/// What a sequence makes least: seconds or money, with acceleration where the machine gives it.
+double weightOf(const EdgeCost& cost, Objective objective);
 
 /// The optimal tool sequence for a feature: areas of all tools, costs of all DAG edges on real paths
 /// (evaluated in parallel), the cheapest path [tool-dag.md]. The result does not depend on the

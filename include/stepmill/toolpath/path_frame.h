@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stepmill/toolpath/step_over.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill::toolpath {
@@ -8,9 +9,6 @@ namespace stepmill::toolpath {
 double rampAngleDeg(const CuttingData& cutting);
 /// The same in radians.
 double rampAngle(const CuttingData& cutting);
-
-/// The step-over as used: no wider than the radius, so that rings leave nothing between them.
-double usedStepOver(const CuttingData& cutting, double radius_mm);
 
 /// More depths of cut than this are no way to clear anything; a path of them would not fit in memory.
 inline constexpr int kMostDepths = 1000;

@@ -80,7 +80,6 @@ class SolidMesh {
     const std::vector<MeshTriangle>& triangles() const { return triangles_; }
     const Handle(Geom_Curve) & curve(int edge) const { return curves_[edge]; }
     double chord_mm() const { return chord_mm_; }
-    std::size_t edgeCount() const { return curves_.size(); }
     /// Indices of the triangles of each face.
     const std::vector<std::vector<int>>& trianglesOfFace() const { return of_face_; }
     /// Heights where a face's outline seen from above turns back, other than its ends: centres of spheres

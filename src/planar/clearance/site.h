@@ -52,8 +52,6 @@ struct Site {
     bool sharp_end = false;
 
     bool round() const { return kind != SiteKind::Line; }
-    /// Discs on a concave arc grow to its centre and no further.
-    double ownLimit() const { return kind == SiteKind::Concave ? radius : kNever; }
 };
 
 /// Where a disc touches the boundary and which way it grows.

@@ -108,9 +108,4 @@ std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_s
     return asText(report::partDrawings(part, part_to_setup));
 }
 
-std::vector<View> shadedViews(const Part& part, const Eigen::Isometry3d& part_to_setup,
-                              const std::vector<int>& tints) {
-    return asText(report::partDrawings(part, part_to_setup, tints));
-}
-
 }  // namespace stepmill

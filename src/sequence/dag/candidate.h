@@ -40,9 +40,6 @@ struct Candidate {
     bool hasSurrogates() const { return reach->surrogates() != nullptr; }
 };
 
-/// What a sequence makes least: seconds or money, with acceleration where the machine gives it.
-double weightOf(const EdgeCost& cost, Objective objective);
-
 /// What that time on the machine costs, without wear and tool changes.
 EdgeCost machineCost(double seconds, const Machine& machine);
 

@@ -90,12 +90,4 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
     return bounds;
 }
 
-double lowerBoundS(const FeatureGround& ground, const std::vector<ToolReach>& tools,
-                   const ToolLibrary& library, const SequenceOptions& options, const Machine& machine) {
-    const Feature& feature = ground.feature();
-    const Tolerances& tol = ground.tolerances();
-    const std::vector<Candidate> usable = usableTools(feature, tools, library, options, machine, tol);
-    return timeBounds(feature, usable, endTools(feature, usable, tol), machine, tol).with_changes_s;
-}
-
 }  // namespace stepmill

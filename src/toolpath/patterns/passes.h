@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "stepmill/toolpath/step_over.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/patterns/ring_family.h"
 
