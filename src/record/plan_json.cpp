@@ -160,7 +160,6 @@ Json machineJson(const Machine& machine) {
     return json;
 }
 
-/// The tools the plan calls, by number, as they must stand in the magazine.
 Json sharingJson(const ToolSharing& sharing) {
     return {{"features_changed", sharing.features_changed},
             {"tool_changes_alone", sharing.visits_alone},

@@ -23,7 +23,8 @@ struct FeatureState {
     /// At every height that operations of the feature go down to, from below; the first is what stands over
     /// the floor. Each holds the ones above it.
     std::vector<StandingAbove> standing;
-    /// The same as the ways that were gone; nothing where no operation of the feature has a rating.
+    /// The same as the ways that were gone; nothing where no operation of the feature has a rating or
+    /// a planned angle.
     std::optional<CutGround> ground;
     double safe_z_mm = 0;  ///< nothing stands higher in the setup, neither stock nor fixture
 

@@ -134,7 +134,7 @@ class SetupProver {
 
     /// Is it asked of some operation what its moves cut? Plans that rate operations tell the material that
     /// is cut; see record/plan_rules.h.
-    bool hasRatings(const std::string& feature_id) const {
+    bool asksWhatMovesCut(const std::string& feature_id) const {
         return std::any_of(record_.operations.begin(), record_.operations.end(), [&](const auto& entry) {
             return entry.second.feature_id == feature_id &&
                    (entry.second.rating || entry.second.engagement_deg > 0);
@@ -166,7 +166,7 @@ class SetupProver {
         const Feature& feature = record_.features.at(id).feature;
         FeatureState state;
         state.feature = asFound(feature, by_id_, setup_.fixtures, growth_, tol_);
-        if (hasRatings(id)) state.ground.emplace(state.feature.target, state.feature.top_z_mm);
+        if (asksWhatMovesCut(id)) state.ground.emplace(state.feature.target, state.feature.top_z_mm);
         state.safe_z_mm = safeZ();
         std::set<double> heights;
         for (const auto& [operation_id, operation] : record_.operations)

@@ -7,9 +7,9 @@
 
 namespace stepmill {
 
-/// "0.50, 3.00" or "sharp", "-" where there is no inner corner.
+/// "0.50" or "sharp", "-" where there is no inner corner.
 std::string cornerWords(const FeatureMeasures& measures);
-/// "2.1 x 14.0" (thickness by height) with "!" where it is thin, "-" where there is none.
+/// "2.10 x 14.0" (thickness by height) with "!" where it is thin, "-" where there is none.
 std::string wallWords(const FeatureMeasures& measures);
 
 /// Names of the coarse threads that the hole's narrowest bore could be tapped with: a hint, for STEP says

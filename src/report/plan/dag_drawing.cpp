@@ -138,7 +138,7 @@ class Picture {
     int nodes_ = 0;
 };
 
-/// What an edge weighs in the plan's choice.
+/// What an edge weighs in the plan's choice; money at the programmed feeds, without acceleration.
 double weightOf(const Plan& plan, const DagEdge& edge) {
     if (plan.objective == Objective::Cost) return edge.cost;
     return edge.motion_s > 0 ? edge.motion_s : edge.time_s;

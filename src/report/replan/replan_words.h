@@ -9,7 +9,7 @@
 
 namespace stepmill::report {
 
-/// "part: a.step and b.step", "tool library: ... instead of ..."; none where all is as before.
+/// "part: b.step instead of a.step"; none where all is as before.
 std::vector<std::string> inputWords(const PlanChange& change);
 
 /// "3 kept, 1 changed, 1 new" of features or operations.
@@ -28,11 +28,11 @@ std::string countWords(const std::vector<Item>& items) {
 /// What is another of a feature: "12.57 mm2 more and 12.57 mm2 less ground, 12 mm deep instead of 10 mm".
 std::string changeWords(const FeatureChange& change);
 
-/// "through hole by DR5, EM4L"; "-" for nothing.
+/// "0:12 through hole by DR5, EM4L"; "-" for nothing.
 std::string featureWords(const std::optional<FeatureThen>& feature);
 
-/// "part: 4:30 asked for, takes 4:29 at 1.12 times the usual feeds; 5:01 without"; then a line for all that
-/// was tried for it. Nothing where no time was asked for.
+/// "part: 4:30 asked for, takes 4:29: cuts fed up to 1.12 times as fast"; then a line for all that was tried
+/// for it. Nothing where no time was asked for.
 std::vector<std::string> cycleWords(const CycleTimes& times);
 
 /// "kept, the same bytes".

@@ -26,7 +26,7 @@ struct HoleWork {
     double time_s = 0;  ///< of all its operations, without tool changes
 };
 
-/// "drilled", "tapped M8x1.25 17.5 deep".
+/// "drilled", "tapped M8x1.25 17.50 mm deep".
 std::string workWords(const Operation& operation, const Measures& in) {
     if (operation.fit)
         return fmt::format("{} {}", operation.role == Role::Bore ? "bored" : "reamed", operation.fit->name);
