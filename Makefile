@@ -6,7 +6,7 @@ PREFIX ?= /usr/local
 STEPMILL = build/release/bin/stepmill
 # Under the sanitizers whole plans, simulated paths and every fault of a disk take two thirds of the time; PlanPart stands
 # for the plans.
-WHOLE_PLANS = *JobFaults*:*PaperCase*:Fixtures.*:FinishingPlan*:PlanProven*:*CutTogether*:*RoughedSample*:CycleTimePlan.*:*AdaptiveCommonPocket*:*ByARaster*:StickOuts.*:ChangedGround*:Quote.*:*WhatStaysOfResiduals*
+WHOLE_PLANS = *JobFaults*:*PaperCase*:Fixtures.*:FinishingPlan*:PlanProven*:*CutTogether*:*RoughedSample*:CycleTimePlan.*:*AdaptiveCommonPocket*:*ByARaster*:Adaptive.IsTheSameEveryTime:Adaptive.NeverMakes*:StickOuts.*:ChangedGround*:Quote.*:*WhatStaysOfResiduals*
 SOURCES = $$(git ls-files '*.h' '*.cpp')
 
 all: build/release/tests.configured
