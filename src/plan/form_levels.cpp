@@ -92,7 +92,7 @@ struct Chamfer {
     double top_mm = 0;
 };
 
-/// Each stretch of bands with walls that lean like the flank.
+/// Each stretch of bands with walls that lean like the flank, from above.
 std::vector<Chamfer> chamfersOf(const FormSite& site, double lean) {
     std::vector<Chamfer> chamfers;
     bool goes_on = false;
@@ -104,6 +104,7 @@ std::vector<Chamfer> chamfersOf(const FormSite& site, double lean) {
         if (fits) chamfers.back().top_mm = band.top_z_mm;
         goes_on = fits;
     }
+    std::reverse(chamfers.begin(), chamfers.end());
     return chamfers;
 }
 
@@ -113,10 +114,10 @@ std::vector<double> chamferLevels(const FormSite& site, const ToolAssembly& tool
     const double lowest_mm = site.ground.must_stand.front().bottom_z_mm;
     std::vector<double> levels;
     for (const double below_mm : kBelowChamferMm) {
-        for (auto chamfer = chamfers.rbegin(); chamfer != chamfers.rend(); ++chamfer) {
-            if (chamfer->top_mm - chamfer->bottom_mm + below_mm > cone_mm) continue;
+        for (const Chamfer& chamfer : chamfers) {
+            if (chamfer.top_mm - chamfer.bottom_mm + below_mm > cone_mm) continue;
             const double level_mm =
-                std::max(lowest_mm, onBand(site, chamfer->bottom_mm - below_mm, chamfer->top_mm));
+                std::max(lowest_mm, onBand(site, chamfer.bottom_mm - below_mm, chamfer.top_mm));
             if (std::find(levels.begin(), levels.end(), level_mm) == levels.end()) levels.push_back(level_mm);
         }
     }

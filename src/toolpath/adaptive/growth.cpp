@@ -346,7 +346,7 @@ class Growth {
     /// A closed front from its nearest point on, with an arc that comes to it from cleared ground.
     Path withLead(const Path& front, double rounding_mm) const {
         const NearestPoint at = nearestOn(front, at_);
-        const Path loop = startingAt(front, at.edge, at.share);
+        Path loop = startingAt(front, at.edge, at.share);
         std::optional<Path> lead =
             leadInto(loop, rounding_mm > 0 ? rounding_mm : task_.radius_mm / 4, kLoopLeadTurnsDeg);
         if (!lead) return loop;
