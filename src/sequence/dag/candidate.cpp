@@ -134,16 +134,16 @@ double mostRemoved(const ToolAssembly& tool, const CuttingData& data, double fro
 }  // namespace
 
 double leastWallS(const Candidate* from, const Candidate& to) {
-    if (to.wall_rate_mm_per_s <= 0) return 0;
+    if (to.wall_rate_mm_per_s <= 0 || (from != nullptr && from->hasSurrogates())) return 0;
     const double new_mm = from != nullptr ? to.walls.least_mm - from->walls.most_mm
                                           : to.walls.least_mm + to.walls.hollow_least_mm;
     return std::max(0.0, new_mm) / to.wall_rate_mm_per_s;
 }
 
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
-    const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
     if (tool.isSpot()) return 0;  // it clears no ground
     if (tool.isDrill()) {
+        const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
         const double feed = std::max(cutting.plunge_feed_mm_per_min, cutting.feed_mm_per_min);
         return std::max(disc_mm2, feature.area_mm2) * feed / kSecondsPerMinute;
     }

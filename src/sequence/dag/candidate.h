@@ -50,8 +50,8 @@ EdgeCost machineCost(double seconds, const Machine& machine);
 /// plunge. A drill only descends.
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
 
-/// Least seconds that `to` takes along the walls that it is the first to touch, with none but its own ways
-/// there. \param from  null: nothing is cut before
+/// Least seconds that `to` takes along the walls that it is the first to touch. 0 where that is not known:
+/// where surrogates of either touch walls too. \param from  null: nothing is cut before
 double leastWallS(const Candidate* from, const Candidate& to);
 
 /// Tools by falling diameter, ties by rising stick-out, then in the library's order [tool-dag.md,

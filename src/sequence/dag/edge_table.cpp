@@ -73,10 +73,8 @@ double lowerBound(const Candidate* from, const Candidate& to, const DagTask& tas
     if (new_mm2 <= sameArea(feature, task.ground.tolerances())) return kNoEdge;
     if (to.hasSurrogates()) return leastWithLumps(to, new_mm2, to.own->coverable_area_mm2 - from_mm2, task);
     PathTotals least;
-    least.feed_time_s = new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s;
-    // Which walls the surrogates of the tool before have touched is not known.
-    if (from == nullptr || !from->hasSurrogates())
-        least.feed_time_s = std::max(least.feed_time_s, leastWallS(from, to));
+    least.feed_time_s =
+        std::max(new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s, leastWallS(from, to));
     return weigh(edgeCost(least, *to.tool, task.machine), task);
 }
 

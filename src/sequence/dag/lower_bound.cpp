@@ -70,12 +70,12 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
     const bool plain =
         std::none_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     const int n = static_cast<int>(tools.size());
-    // What tool k is the first in the sequence to reach, it, a later one or a surrogate must clear, at best
-    // as fast as the fastest of these.
     // Surrogates touch walls that no candidate does. Narrow cuts may be fed faster than the cutting data say.
     const auto along_walls = [&](int m, int k) {
         return plain ? leastWallS(m == kSource ? nullptr : &tools[m], tools[k]) / kMostChipThinning : 0;
     };
+    // What tool k is the first in the sequence to reach, it, a later one or a surrogate must clear, at best
+    // as fast as the fastest of these.
     const auto cutting = [&](int m, int k) {
         const double before = m == kSource ? 0 : reached[m];
         const double volume_s = std::max(0.0, reached[k] - before) * feature.depth_mm() / fastest[k];

@@ -80,6 +80,8 @@ WallLength Walls::touchedBy(const CutterArea& cutter) const {
     const double r = cutter.radius_mm;
     // Where a stretch ends this much of it may be left: its sliver is thin enough.
     const double at_an_end_mm = std::sqrt(2 * r * tol_.sliver_mm);
+    // In a slot as wide as the cutter one way touches both walls, and hardly any centre is free.
+    const double in_slots = cutter.slot_middles.empty() ? 0 : 1;
     WallLength touched;
     for (const Edge& wall : walls_) {
         const double wall_mm = length(wall.from, wall.segment);
@@ -95,13 +97,9 @@ WallLength Walls::touchedBy(const CutterArea& cutter) const {
             continue;
         }
         touched.least_mm += std::max(0.0, least.share * wall_mm - less_mm);
-        touched.most_mm += std::max(most.share, least.share) * wall_mm +
+        touched.most_mm += (std::max(most.share, least.share) + in_slots) * wall_mm +
                            2 * at_an_end_mm * std::max(most.stretches, least.stretches);
     }
-    // In a slot as wide as the cutter one way touches both walls, and hardly any centre is free.
-    if (!cutter.slot_middles.empty())
-        for (const Edge& wall : walls_)
-            if (!isHollow(wall)) touched.most_mm += length(wall.from, wall.segment);
     return touched;
 }
 
