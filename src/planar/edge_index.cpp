@@ -60,4 +60,14 @@ bool EdgeIndex::anyNearer(const Edge& edge, double distance_mm) const {
     return least(edge, distance, distance_mm, true) < distance_mm;
 }
 
+std::vector<double> sharesWhereMet(const Edge& edge, const EdgeIndex& others) {
+    std::vector<double> shares{0, 1};
+    others.forEachIn(grown(edge.box, kGridMm), [&](const Edge& other) {
+        for (const Vec2& p : meetingPoints(edge, other))
+            shares.push_back(shareOf(edge, p));
+    });
+    std::sort(shares.begin(), shares.end());
+    return shares;
+}
+
 }  // namespace stepmill

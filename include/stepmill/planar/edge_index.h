@@ -48,4 +48,8 @@ class EdgeIndex {
     BoxTree tree_;
 };
 
+/// Shares of an edge's length at which others meet it, ascending, with its ends 0 and 1; equal ones may
+/// repeat.
+std::vector<double> sharesWhereMet(const Edge& edge, const EdgeIndex& others);
+
 }  // namespace stepmill

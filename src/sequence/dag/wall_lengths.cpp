@@ -49,12 +49,7 @@ struct Inside {
 };
 
 Inside insideOf(const Edge& way, const IndexedRegion& region) {
-    std::vector<double> shares{0, 1};
-    region.boundary().forEachIn(grown(way.box, kGridMm), [&](const Edge& edge) {
-        for (const Vec2& p : meetingPoints(way, edge))
-            shares.push_back(std::clamp(shareOf(way, p), 0.0, 1.0));
-    });
-    std::sort(shares.begin(), shares.end());
+    const std::vector<double> shares = sharesWhereMet(way, region.boundary());
     Inside inside;
     bool goes_on = false;
     for (std::size_t i = 1; i < shares.size(); ++i) {

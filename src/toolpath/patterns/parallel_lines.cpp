@@ -119,12 +119,7 @@ class LineMaker {
     /// The pieces of a line inside the ground.
     void addRow(const Vec2& from, const Vec2& to, int row, std::vector<RingFamily::Ring>& lines) const {
         const Edge line = makeLine(snapToGrid(from), snapToGrid(to));
-        std::vector<double> shares;
-        edges_.forEachIn(grown(line.box, kGridMm), [&](const Edge& edge) {
-            for (const Vec2& p : meetingPoints(line, edge))
-                shares.push_back(shareOf(line, p));
-        });
-        std::sort(shares.begin(), shares.end());
+        const std::vector<double> shares = sharesWhereMet(line, edges_);
         for (std::size_t i = 1; i < shares.size(); ++i) {
             const std::optional<Edge> part = cutOut(line, shares[i - 1], shares[i]);
             if (!part || length(*part) < kLeastLineShare * step_over_mm_) continue;

@@ -40,6 +40,10 @@ class PassMaker::Clipper {
     bool isCleared(const Vec2& p) const {
         return !task_.cleared_centres.empty() && isIn(task_.cleared_centres, p);
     }
+    /// Of an edge that nothing crosses. Cleared ground that touches it half-way leaves it towards its ends.
+    bool isCleared(const Edge& edge) const {
+        return isCleared(pointAt(edge, 0.5)) && isCleared(edge.from) && isCleared(edge.to());
+    }
     /// At a point, or all along an edge.
     template <typename Place>
     bool cutsNothing(const Place& place) const {
@@ -66,7 +70,7 @@ class PassMaker::Clipper {
             const Vec2 p = pointAt(edge, 0.5);
             if (variant_.leaves_component && !isIn(component_.region, p)) return false;
             if (ring.level == 0 && cutsNothing(edge)) return false;
-            return !isCleared(p) && (!maker_.limited_ || isIn(task_.centres, p));
+            return !isCleared(edge) && (!maker_.limited_ || isIn(task_.centres, p));
         });
     }
 
@@ -80,31 +84,36 @@ class PassMaker::Clipper {
             keep({loop, 0, false}, cutters, [&](const Edge& edge) {
                 const Vec2 p = pointAt(edge, 0.5);
                 return contains(component_.region, p) && distanceToBoundary(component_.region, p) > on_mm_ &&
-                       !isCleared(p) && !cutsNothing(edge);
+                       !isCleared(edge) && !cutsNothing(edge);
             });
     }
+
+    /// A stretch of an edge by shares of its length.
+    struct Stretch {
+        double from = 0;
+        double to = 1;
+    };
 
     /// Cuts the ring at the cutters. Pieces that are needed become passes.
     template <typename Needed>
     void keep(const RingFamily::Ring& ring, const EdgeIndex& cutters, Needed needed) {
         std::vector<Path> pieces;
         bool whole = true;
-        bool last_kept = false;
+        bool goes_on = false;
         for (const Edge& edge : edgesOf(ring.path)) {
-            const std::vector<double> shares = sharesOf(edge, cutters);
-            for (std::size_t i = 1; i < shares.size(); ++i) {
-                const std::optional<Edge> part = cutOut(edge, shares[i - 1], shares[i]);
+            const std::vector<Stretch> kept = neededOf(edge, cutters, needed);
+            whole = whole && kept.size() == 1 && kept.front().from == 0 && kept.front().to == 1;
+            for (const Stretch& stretch : kept) {
+                const std::optional<Edge> part = cutOut(edge, stretch.from, stretch.to);
                 if (!part) continue;
-                const bool kept = needed(*part);
-                whole = whole && kept;
-                if (kept && !last_kept) pieces.push_back({part->from, {}});
-                if (kept) pieces.back().segments.push_back(part->segment);
-                last_kept = kept;
+                if (!goes_on || stretch.from > 0) pieces.push_back({part->from, {}});
+                pieces.back().segments.push_back(part->segment);
             }
+            goes_on = !kept.empty() && kept.back().to == 1;
         }
         if (whole && !pieces.empty()) return addPass(ring.path, ring.path.closed(), ring);
         // The loop's start is no end of a pass: join the pieces before and after it.
-        if (ring.path.closed() && pieces.size() > 1 && last_kept && pieces.front().start == ring.path.start) {
+        if (ring.path.closed() && pieces.size() > 1 && goes_on && pieces.front().start == ring.path.start) {
             stepmill::append(pieces.back(), pieces.front());
             pieces.erase(pieces.begin());
         }
@@ -112,11 +121,31 @@ class PassMaker::Clipper {
             if (length(piece) > tol_.sliver_mm) addPass(piece, false, ring);
     }
 
-    static std::vector<double> sharesOf(const Edge& edge, const EdgeIndex& cutters) {
-        std::vector<double> shares{0, 1};
-        cutters.forEachIn(grown(edge.box, kGridMm), [&](const Edge& cutter) {
-            for (const Vec2& p : meetingPoints(edge, cutter))
-                shares.push_back(shareOf(edge, p));
+    /// The stretches that are needed, each as long as it goes.
+    template <typename Needed>
+    std::vector<Stretch> neededOf(const Edge& edge, const EdgeIndex& cutters, const Needed& needed) const {
+        std::vector<Stretch> kept;
+        bool goes_on = false;
+        double from = 0;
+        for (const double to : sharesOf(edge, cutters)) {
+            const std::optional<Edge> part = cutOut(edge, from, to);
+            if (!part) continue;
+            const bool is_needed = needed(*part);
+            if (is_needed && !goes_on) kept.push_back({from, to});
+            if (is_needed) kept.back().to = to;
+            goes_on = is_needed;
+            from = to;
+        }
+        if (goes_on) kept.back().to = 1;
+        return kept;
+    }
+
+    /// Where the need may change: where the edge meets cutters, and where these, having run along it nearer
+    /// than is told apart, turn off.
+    std::vector<double> sharesOf(const Edge& edge, const EdgeIndex& cutters) const {
+        std::vector<double> shares = sharesWhereMet(edge, cutters);
+        cutters.forEachIn(grown(edge.box, on_mm_), [&](const Edge& cutter) {
+            if (distanceTo(cutter.from, edge) < on_mm_) shares.push_back(shareOf(edge, cutter.from));
         });
         std::sort(shares.begin(), shares.end());
         return shares;

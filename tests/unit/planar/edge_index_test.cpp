@@ -35,5 +35,11 @@ TEST(EdgeIndex, NamesTheEdgesInABoxInTheirOrder) {
     EXPECT_EQ(corner, 2) << "edges that touch the box are in it";
 }
 
+TEST(SharesWhereMet, AreThoseOfTheMeetingsAndTheEnds) {
+    const EdgeIndex square(makeRectangle({0, 0}, {10, 10}));
+    EXPECT_EQ(sharesWhereMet(makeLine({15, 5}, {-5, 5}), square), (std::vector<double>{0, 0.25, 0.75, 1}));
+    EXPECT_EQ(sharesWhereMet(makeLine({2, 2}, {8, 8}), square), (std::vector<double>{0, 1}));
+}
+
 }  // namespace
 }  // namespace stepmill

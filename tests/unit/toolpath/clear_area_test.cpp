@@ -85,6 +85,25 @@ TEST(ClearArea, GoesAlongAWallThatALargerCutterReachedInItsMiddle) {
     }
 }
 
+TEST(ClearArea, CutsANotchInClearedGroundThatRunsAlongTheWall) {
+    // The cleared ground keeps nearer to the wall's ring than is told apart and crosses it nowhere.
+    constexpr double kHardlyOffMm = 6e-4;
+    const Region pocket = makeRectangle({0, 0}, {60, 30});
+    const Region notch = makeRectangle({10, 0}, {18, 10});
+    for (const Pattern pattern : {Pattern::ContourInsideOut, Pattern::Zigzag}) {
+        ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 4, kTol);
+        task.cleared_centres = subtract(offset(task.free_centres, -kHardlyOffMm, kTol), notch, kTol);
+        task.centres = intersect(task.free_centres, notch, kTol);
+        task.pattern = pattern;
+        bool cuts_along_wall = false;
+        for (const Move& move : clearArea(task, flatEndMill(8), cuttingData(3.6, 6), kMachine, kTol).moves)
+            cuts_along_wall =
+                cuts_along_wall || (move.kind == MoveKind::Feed && move.to.z() == task.floor_z_mm &&
+                                    move.to.y() < 4.1 && contains(notch, move.to.head<2>()));
+        EXPECT_TRUE(cuts_along_wall);
+    }
+}
+
 TEST(ClearArea, StaysBelowTheTopBetweenDepthsOfAPocket) {
     const Region pocket = makeRoundedRectangle({0, 0}, {50, 40}, 6);
     const ClearingTask task = fullTask(pocket, blockAround(pocket, {}, kTol), 5, kTol);
