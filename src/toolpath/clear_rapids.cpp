@@ -53,6 +53,7 @@ class Ground {
           target_(task.target),
           walls_(task.obstruction),
           skirt_(task.skirt),
+          above_(task.stands_above.value_or(task.obstruction)),
           swept_(task, radius_mm),
           top_mm_(task.top_z_mm + keep.top_mm) {
         for (const KeptOff& kept : task.kept_off)
@@ -91,7 +92,11 @@ class Ground {
             return a == b || !walls_.boundary().anyNearer(makeLine(a, b), radius_mm_);
         const bool own_ground = a != b || target_.contains(a);
         const double keep_mm = own_ground ? keep_.inside_mm : keep_.side_mm;
-        if (!isOffWalls(a, b, radius_mm_ + keep_.inside_mm, radius_mm_ + keep_mm)) return false;
+        // Straight down to the top a narrow feature's own walls are still below.
+        const IndexedRegion& walls = high && a == b ? above_ : walls_;
+        const Edge way = makeLine(a, b);
+        if (!isOff(walls, way, radius_mm_ + keep_.inside_mm) || !isOff(skirt_, way, radius_mm_ + keep_mm))
+            return false;
         const std::vector<CutEdge>& cuts = a == b ? near_ : cuts_;
         return high || isSweptClear(z_mm, a, b, keep_mm, cuts);
     }
@@ -131,10 +136,8 @@ class Ground {
         double distance_mm;
     };
 
-    bool isOffWalls(const Vec2& a, const Vec2& b, double walls_mm, double skirt_mm) const {
-        const Edge way = makeLine(a, b);
-        return !walls_.boundary().anyNearer(way, walls_mm) && !skirt_.boundary().anyNearer(way, skirt_mm) &&
-               !walls_.contains(b) && !skirt_.contains(b);
+    static bool isOff(const IndexedRegion& stands, const Edge& way, double distance_mm) {
+        return !stands.boundary().anyNearer(way, distance_mm) && !stands.contains(way.to());
     }
 
     /// Is the straight way clear of what has not been cut down to that height? Most depths of cut are like
@@ -166,6 +169,7 @@ class Ground {
     IndexedRegion target_;
     IndexedRegion walls_;
     IndexedRegion skirt_;
+    IndexedRegion above_;
     std::vector<Holder> holder_;
     toolpath::SweptGround swept_;
     double top_mm_;  ///< rapids over the target stay over this

@@ -153,6 +153,8 @@ struct ClearingTask {
     Region skirt;             ///< rapids stay off this too; cutters may cut it [Feature::skirt]
     /// Nothing stands over this height where the cutter goes [mm].
     double stands_to_mm = std::numeric_limits<double>::infinity();
+    /// What stands beside the target over its top; nothing: the obstruction.
+    std::optional<Region> stands_above;
     Pattern pattern = Pattern::Best;  ///< a region that cannot have it gets contour-parallel
     std::vector<Pattern> patterns;    ///< the best is chosen from these; empty: from all
     /// makeRings() of a task with the same free centres, target, obstruction, pattern, tool and cutting data;

@@ -177,24 +177,20 @@ std::vector<Stretch> stretchesOf(const DagTask& task, const Candidate* m) {
 ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Stretch& stretch,
                           const DecomposedArea& decomposed, Pattern pattern, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
-    ClearingTask clearing;
-    clearing.free_centres = n.own->free_centres;
+    ClearingTask clearing = clearingTaskOf(feature, *n.own, task.retract_z_mm);
     clearing.entries = n.own->entries;
     clearing.slot_middles = n.own->slot_middles;
     clearing.in_slot =
         stretch.after != nullptr && !stretch.after->predrills && !stretch.after->own->slot_middles.empty();
     clearing.centres = decomposed.centres;
     clearing.cleared_centres = decomposed.cleared_centres;
-    clearing.target = feature.target;
-    clearing.obstruction = n.own->obstructionIn(feature);
     // The plan may set the tool out shorter than the library allows: it takes the shortest stick-out that
     // works.
     addHolder(feature, *n.tool, clearing);
+    // Below where a hole was drilled first its own walls stand over the stretch.
+    if (stretch.top_z_mm < feature.top_z_mm) clearing.stands_above.reset();
     clearing.top_z_mm = stretch.top_z_mm;
     clearing.floor_z_mm = stretch.floor_z_mm;
-    clearing.retract_z_mm = task.retract_z_mm;
-    clearing.skirt = feature.skirt;
-    clearing.stands_to_mm = highestMm(feature);
     clearing.pattern = pattern;
     clearing.patterns = task.options.patterns;
     clearing.rings = rings;

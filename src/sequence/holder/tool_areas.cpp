@@ -1,6 +1,7 @@
 #include "sequence/holder/tool_areas.h"
 
 #include "stepmill/access/collision.h"
+#include "stepmill/feature/heights.h"
 
 namespace stepmill {
 
@@ -9,6 +10,21 @@ ToolReach reachFor(const FeatureGround& ground, const ToolAssembly& tool, const 
     if (options.clear_of_own_material)
         if (auto trouble = access::ownMaterialTrouble(ground, tool, reach)) reach.use = std::move(*trouble);
     return reach;
+}
+
+ClearingTask clearingTaskOf(const Feature& feature, const CutterArea& reach, double retract_z_mm) {
+    ClearingTask clearing;
+    clearing.free_centres = reach.free_centres;
+    clearing.target = feature.target;
+    clearing.obstruction = reach.obstructionIn(feature);
+    clearing.top_z_mm = feature.top_z_mm;
+    clearing.floor_z_mm = feature.floor_z_mm;
+    clearing.retract_z_mm = retract_z_mm;
+    clearing.skirt = feature.skirt;
+    clearing.stands_to_mm = highestMm(feature);
+    const auto above = access::obstacleAbove(feature.obstacles, feature.top_z_mm, kSameHeightMm);
+    clearing.stands_above = above ? feature.obstacles[*above].section : Region{};
+    return clearing;
 }
 
 void addHolder(const Feature& feature, const ToolAssembly& tool, ClearingTask& clearing) {

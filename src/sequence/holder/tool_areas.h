@@ -9,6 +9,10 @@ namespace stepmill {
 /// leaves of the feature is excluded.
 ToolReach reachFor(const FeatureGround& ground, const ToolAssembly& tool, const SequenceOptions& options);
 
+/// What the task of clearing a feature in one go takes from the feature: target, skirt, heights and what
+/// stands over the top. The obstruction is the reach's.
+ClearingTask clearingTaskOf(const Feature& feature, const CutterArea& reach, double retract_z_mm);
+
 /// Tells the task what shank and holder keep off, as far in as the tool may be set: set out farther, it only
 /// has more room.
 void addHolder(const Feature& feature, const ToolAssembly& tool, ClearingTask& clearing);

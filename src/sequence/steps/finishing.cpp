@@ -1,10 +1,12 @@
 // Roughing that leaves an allowance, and the steps that take it off.
 
 #include "sequence/steps/finishing.h"
+#include "sequence/holder/tool_areas.h"
 
 #include <fmt/format.h>
 
 #include "sequence/holder/holder_limits.h"
+#include "sequence/holder/tool_areas.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/access/slivers.h"
 #include "stepmill/planar/boolean.h"
@@ -175,16 +177,8 @@ class AllowanceTrial {
     /// Sets `trouble_` where the moves are not proven.
     SequenceStep wallStep() {
         const CutterArea& reached = *last().own;
-        ClearingTask clearing;
-        clearing.free_centres = reached.free_centres;
+        ClearingTask clearing = clearingTaskOf(feature_, reached, task_.retract_z_mm);
         clearing.cleared_centres = reaches_.back().cutter.free_centres;
-        clearing.target = feature_.target;
-        clearing.obstruction = reached.obstructionIn(feature_);
-        clearing.top_z_mm = feature_.top_z_mm;
-        clearing.floor_z_mm = feature_.floor_z_mm;
-        clearing.retract_z_mm = task_.retract_z_mm;
-        clearing.skirt = feature_.skirt;
-        clearing.stands_to_mm = highestMm(feature_);
         SequenceStep step;
         step.tool_id = last().tool->id;
         step.role = Role::Finish;

@@ -120,6 +120,32 @@ TEST(WithClearRapids, GoAcrossHigherWhereALandingBesideLeadsThemTooNearToAWall) 
     EXPECT_GE(prove(clear, task, kRadiusMm, kTol).least_clearance_mm, -kTol.gouge_mm);
 }
 
+TEST(WithClearRapids, GoDownToANarrowFeatureInAWideOne) {
+    const auto square = [](double half_mm) {
+        return makeRectangle(Vec2(-half_mm, -half_mm), Vec2(half_mm, half_mm));
+    };
+    const Region block = square(100);
+    const double narrow_mm = kRadiusMm + kInsideMm / 2;
+    ClearingTask task =
+        fullTask(square(narrow_mm), subtract(block, square(narrow_mm), kTol), kRadiusMm, kTol);
+    task.stands_to_mm = 40;
+    task.retract_z_mm = 45;
+    Toolpath path = pathFrom({0, 0}, {0, 0});
+    path.start.z() = path.moves.back().to.z() = task.retract_z_mm;
+    const auto lowest = [&](std::optional<Region> above) {
+        task.stands_above = std::move(above);
+        const Toolpath clear = withClearRapids(path, task, kRadiusMm, carefulMachine());
+        EXPECT_TRUE(prove(clear, task, kRadiusMm, kTol).rapids_clear);
+        double lowest_mm = task.retract_z_mm;
+        for (const Move& move : clear.moves)
+            if (move.kind == MoveKind::Rapid) lowest_mm = std::min(lowest_mm, move.to.z());
+        return lowest_mm;
+    };
+    EXPECT_GT(lowest(std::nullopt), task.stands_to_mm);
+    EXPECT_GT(lowest(subtract(block, square(kRadiusMm + 0.8 * kInsideMm), kTol)), task.stands_to_mm);
+    EXPECT_NEAR(lowest(subtract(block, square(20), kTol)), kTopMm, 1e-9);
+}
+
 TEST(WithClearRapids, OfAMachineWithoutClearancesAreAsTheyWere) {
     ClearingTask task = slot();
     task.skirt = {};
