@@ -1,4 +1,6 @@
-// The ground a disc sweeps: a box or a piece of ring along every edge, a disc at every corner.
+// The ground a disc sweeps: a box or a piece of ring along every edge, a sector on the outside of every
+// corner, a disc at every end. What is near the way is nearest to an edge, or to a corner from outside, or to
+// an end.
 
 #include "stepmill/toolpath/swept_region.h"
 
@@ -6,14 +8,23 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge.h"
 
 namespace stepmill::toolpath {
 namespace {
 
-/// Corners that turn less than this need no disc of their own: the gap is some nanometres thin [rad].
-constexpr double kNoDiscRad = 1e-6;
+/// Corners that turn less than this need no sector: the gap is some nanometres thin [rad].
+constexpr double kNoSectorRad = 1e-6;
+/// Corners that turn more get a whole disc.
+constexpr double kLargestSectorRad = kPi / 2;
+/// Sectors reach this far over the ends of the edges, where all is swept: no gap stays between them [rad].
+constexpr double kSectorOverlapRad = 0.01;
 /// Arcs are cut into pieces no longer than this, so that none meets itself.
 constexpr double kLongestSweepRad = kPi / 2;
+
+Vec2 pointAround(const Vec2& centre, double distance_mm, double angle_rad) {
+    return snapToGrid(Vec2(centre + distance_mm * Vec2(std::cos(angle_rad), std::sin(angle_rad))));
+}
 
 void addLine(const Vec2& from, const Vec2& to, double radius_mm, std::vector<Region>& into) {
     const Vec2 left = leftOf((to - from).normalized()) * radius_mm;
@@ -23,20 +34,17 @@ void addLine(const Vec2& from, const Vec2& to, double radius_mm, std::vector<Reg
 /// A quarter of a ring at most; down to the centre where the disc is wider than the arc.
 void addArcPiece(const Arc& arc, double from_rad, double to_rad, double radius_mm,
                  std::vector<Region>& into) {
-    const auto at = [&](double distance_mm, double angle_rad) {
-        return snapToGrid(Vec2(arc.centre + distance_mm * Vec2(std::cos(angle_rad), std::sin(angle_rad))));
-    };
     const double a = std::min(from_rad, to_rad);
     const double b = std::max(from_rad, to_rad);
     const Vec2 centre = snapToGrid(arc.centre);
     const double outer = snapToGrid(arc.radius_mm + radius_mm);
     const double inner = snapToGrid(arc.radius_mm - radius_mm);
-    const Vec2 outer_a = at(outer, a);
-    const Vec2 outer_b = at(outer, b);
+    const Vec2 outer_a = pointAround(arc.centre, outer, a);
+    const Vec2 outer_b = pointAround(arc.centre, outer, b);
     if ((outer_a - outer_b).norm() <= kGridMm) return;
     Loop loop{outer_a, {{outer_b, Arc{centre, outer, true}}}};
-    const Vec2 inner_a = inner > 0 ? at(inner, a) : centre;
-    const Vec2 inner_b = inner > 0 ? at(inner, b) : centre;
+    const Vec2 inner_a = inner > 0 ? pointAround(arc.centre, inner, a) : centre;
+    const Vec2 inner_b = inner > 0 ? pointAround(arc.centre, inner, b) : centre;
     loop.segments.push_back({inner_b, std::nullopt});
     if (inner_a != inner_b) loop.segments.push_back({inner_a, Arc{centre, inner, false}});
     loop.segments.push_back({outer_a, std::nullopt});
@@ -57,28 +65,37 @@ void addDisc(const Vec2& at, double radius_mm, std::vector<Region>& into) {
     into.push_back(makeCircle(snapToGrid(at), snapToGrid(radius_mm)));
 }
 
+/// What is nearest to a corner where the way turns from one direction into another.
+void addCorner(const Vec2& at, const Vec2& before, const Vec2& after, double radius_mm,
+               std::vector<Region>& into) {
+    const double turn_rad = std::atan2(cross(before, after), before.dot(after));
+    if (std::abs(turn_rad) < kNoSectorRad) return;
+    if (std::abs(turn_rad) > kLargestSectorRad) return addDisc(at, radius_mm, into);
+    const double heading_rad = std::atan2(before.y(), before.x());
+    const double first_rad = turn_rad > 0 ? heading_rad - kPi / 2 : heading_rad + turn_rad + kPi / 2;
+    const Vec2 centre = snapToGrid(at);
+    const double radius = snapToGrid(radius_mm);
+    const Vec2 from = pointAround(centre, radius, first_rad - kSectorOverlapRad);
+    const Vec2 to = pointAround(centre, radius, first_rad + std::abs(turn_rad) + kSectorOverlapRad);
+    if (from == to || from == centre || to == centre) return addDisc(at, radius_mm, into);
+    into.push_back(
+        {{{centre, {{from, std::nullopt}, {to, Arc{centre, radius, true}}, {centre, std::nullopt}}}}});
+}
+
 void addWay(const Path& way, double radius_mm, std::vector<Region>& into) {
     addDisc(way.start, radius_mm, into);
-    Vec2 from = way.start;
-    for (std::size_t i = 0; i < way.segments.size(); ++i) {
-        const Segment& segment = way.segments[i];
-        if (segment.arc) {
-            addArc(from, segment, radius_mm, into);
-        } else if (segment.to != from) {
-            addLine(from, segment.to, radius_mm, into);
-        }
-        bool smooth = false;
-        if (i + 1 < way.segments.size() && (segment.arc || segment.to != from)) {
-            const Segment& next = way.segments[i + 1];
-            if (next.arc || next.to != segment.to) {
-                const Vec2 before = tangentAt(from, segment, 1);
-                const Vec2 after = tangentAt(segment.to, next, 0);
-                smooth = (before - after).norm() < kNoDiscRad;
-            }
-        }
-        if (!smooth) addDisc(segment.to, radius_mm, into);
-        from = segment.to;
+    std::vector<Edge> edges = edgesOf(way);
+    std::erase_if(edges, [](const Edge& edge) { return !edge.segment.arc && edge.from == edge.to(); });
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Edge& edge = edges[i];
+        if (edge.segment.arc)
+            addArc(edge.from, edge.segment, radius_mm, into);
+        else
+            addLine(edge.from, edge.to(), radius_mm, into);
+        if (i + 1 < edges.size())
+            addCorner(edge.to(), tangentAt(edge, 1), tangentAt(edges[i + 1], 0), radius_mm, into);
     }
+    addDisc(way.end(), radius_mm, into);
 }
 
 }  // namespace

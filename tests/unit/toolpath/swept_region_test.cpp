@@ -34,14 +34,16 @@ TEST(SweptRegion, OfACircleNarrowerThanTheDiscHasNoHole) {
     EXPECT_EQ(swept.loops.size(), 1U);
 }
 
-/// A wandering chain of lines and arcs.
+/// A wandering chain of lines and arcs, longer or much shorter than discs are wide.
 Path randomWay(std::mt19937& random) {
     const auto uniform = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
     Path way{snapToGrid(Vec2(uniform(0, 50), uniform(0, 50))), {}};
-    const int edges = std::uniform_int_distribution(1, 12)(random);
+    const bool is_fine = uniform(0, 1) < 0.3;
+    const double step_mm = is_fine ? 0.8 : 15;
+    const int edges = std::uniform_int_distribution(1, is_fine ? 60 : 12)(random);
     for (int i = 0; i < edges; ++i) {
         const Vec2 from = way.end();
-        const Vec2 to = snapToGrid(Vec2(from + Vec2(uniform(-15, 15), uniform(-15, 15))));
+        const Vec2 to = snapToGrid(Vec2(from + Vec2(uniform(-step_mm, step_mm), uniform(-step_mm, step_mm))));
         if (uniform(0, 1) < 0.5) {
             way.segments.push_back({to, std::nullopt});
             continue;
