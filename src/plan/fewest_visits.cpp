@@ -1,8 +1,8 @@
 #include "plan/fewest_visits.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -11,15 +11,10 @@
 namespace stepmill {
 namespace {
 
-/// More visits than any plan has: nothing is dropped for having too many.
-constexpr int kAnyNumber = std::numeric_limits<int>::max();
-
 /// How often each tool must be called, by the chains of operations that wait for each other.
 class LeastVisits {
   public:
     explicit LeastVisits(const VisitProblem& problem) : problem_(problem) {
-        for (const int setup : problem.setup)
-            setups_ = std::max(setups_, setup + 1);
         runs_.assign(problem.operations.size() * problem.tools, 0);
         std::vector<std::vector<int>> next(problem.operations.size());
         for (std::size_t i = 0; i < problem.operations.size(); ++i)
@@ -27,30 +22,36 @@ class LeastVisits {
                 next[before].push_back(static_cast<int>(i));
         for (const int operation : lastFirst(next))
             countRuns(operation, next[operation]);
+        const std::vector<int> nothing_done(problem.queue.size(), 0);
+        for (const std::vector<int>& features : problem.in_setup)
+            untouched_.push_back(visitsOf(features, nothing_done));
     }
 
     /// What is left of a setup cannot be done in fewer visits; each later setup may begin with the tool that
-    /// the one before ends with.
+    /// the one before ends with. No setup is begun before those ahead of it are done.
     int after(const std::vector<int>& done) const {
-        std::vector<int> most(static_cast<std::size_t>(setups_) * problem_.tools, 0);
-        for (std::size_t f = 0; f < done.size(); ++f) {
-            const std::vector<int>& queue = problem_.queue[f];
-            if (done[f] == static_cast<int>(queue.size())) continue;
-            int* of_setup = &most[static_cast<std::size_t>(problem_.setup[f]) * problem_.tools];
-            for (int tool = 0; tool < problem_.tools; ++tool)
-                of_setup[tool] = std::max(of_setup[tool], runs(queue[done[f]], tool));
-        }
         int visits = 0;
-        for (int setup = 0; setup < setups_; ++setup) {
-            int own = 0;
-            for (int tool = 0; tool < problem_.tools; ++tool)
-                own += most[static_cast<std::size_t>(setup) * problem_.tools + tool];
+        for (std::size_t setup = 0; setup < untouched_.size(); ++setup) {
+            const int own = visits > 0 ? untouched_[setup] : visitsOf(problem_.in_setup[setup], done);
             visits += visits > 0 && own > 0 ? own - 1 : own;
         }
         return visits;
     }
 
   private:
+    /// What is left of one setup's features.
+    int visitsOf(const std::vector<int>& features, const std::vector<int>& done) const {
+        std::vector<int> most(problem_.tools, 0);
+        for (const int f : features) {
+            const std::vector<int>& queue = problem_.queue[f];
+            if (done[f] == static_cast<int>(queue.size())) continue;
+            const int* of_next = &runs_[static_cast<std::size_t>(queue[done[f]]) * problem_.tools];
+            for (int tool = 0; tool < problem_.tools; ++tool)
+                most[tool] = std::max(most[tool], of_next[tool]);
+        }
+        return std::accumulate(most.begin(), most.end(), 0);
+    }
+
     int& runs(int operation, int tool) {
         return runs_[static_cast<std::size_t>(operation) * problem_.tools + tool];
     }
@@ -102,8 +103,8 @@ class LeastVisits {
     }
 
     const VisitProblem& problem_;
-    int setups_ = 0;
-    std::vector<int> runs_;  ///< of each operation, of each tool: on the chain from it on with the most
+    std::vector<int> runs_;       ///< of each operation, of each tool: on the chain from it on with the most
+    std::vector<int> untouched_;  ///< visits of each setup before it is begun
 };
 
 /// How many operations of each feature are done, and the tools called so far.
@@ -204,11 +205,26 @@ class VisitSearcher {
 
 }  // namespace
 
+int leastVisits(const VisitProblem& problem) {
+    return problem.operations.empty() ? 0 : VisitSearcher(problem).atLeast();
+}
+
+std::optional<int> visitsWithin(const VisitProblem& problem, int most_visits, int spare_visits,
+                                std::size_t width) {
+    if (most_visits < 0) return std::nullopt;
+    if (problem.operations.empty()) return 0;
+    const VisitSearcher searcher(problem);
+    if (searcher.atLeast() > most_visits - spare_visits) return std::nullopt;
+    bool dropped = false;
+    const auto tools = searcher.within(most_visits, width, dropped);
+    return tools ? std::optional(static_cast<int>(tools->size())) : std::nullopt;
+}
+
 FewestVisits fewestVisits(const VisitProblem& problem, const VisitSearch& search) {
     if (problem.operations.empty()) return {};
     const VisitSearcher searcher(problem);
     bool dropped = false;
-    FewestVisits fewest{*searcher.within(kAnyNumber, search.width, dropped), searcher.atLeast()};
+    FewestVisits fewest{*searcher.within(kAnyNumberOfVisits, search.width, dropped), searcher.atLeast()};
     if (!dropped) fewest.at_least = static_cast<int>(fewest.tools.size());
     dropped = false;
     for (int visits = fewest.at_least;

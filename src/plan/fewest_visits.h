@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "plan/visit_problem.h"
@@ -21,6 +23,17 @@ struct FewestVisits {
     std::vector<int> tools;
     int at_least = 0;  ///< no order has fewer; as many as the tools where these are proven the fewest
 };
+
+/// More visits than any plan has.
+inline constexpr int kAnyNumberOfVisits = std::numeric_limits<int>::max();
+
+/// No order of the operations has fewer visits. O(operations x needs x tools)
+int leastVisits(const VisitProblem& problem);
+
+/// How many visits an order takes that a search of that width finds, at most so many; nothing where it finds
+/// none, or where not even the least number of visits would leave the spare ones.
+std::optional<int> visitsWithin(const VisitProblem& problem, int most_visits, int spare_visits,
+                                std::size_t width);
 
 /// An order of the tools with as few visits as a search finds, each feature's operations in their order and
 /// none before what it waits for.

@@ -1,6 +1,7 @@
 #include "plan/share_tools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -20,6 +21,10 @@ constexpr std::size_t kMostCombinations = 512;
 constexpr int kMostRounds = 20;
 /// Orders that only compare two choices look ahead less far than the plan's own.
 constexpr VisitSearch kTrialSearch{4, 0};
+/// A plan has more visits than the least number that its chains of operations need. A change of a choice is
+/// looked at closely where it would pay if it saved so many of these, beside what it saves of the least
+/// number.
+constexpr int kSavedBesideTheLeast = 1;
 /// Orders of the choices that are compared at last.
 constexpr VisitSearch kSharedSearch{16, 0};
 
@@ -167,15 +172,40 @@ class Sharing {
         return tools;
     }
 
-    Score score(const Choice& choice, const VisitSearch& search) const {
+    Score score(const Choice& choice, int visits) const {
         Score score;
         for (std::size_t f = 0; f < choices_.size(); ++f)
             if (!choices_[f].empty()) score.weight += choices_[f][choice[f]].paths;
         score.tools = static_cast<int>(toolsOf(choice).size());
-        score.visits = static_cast<int>(fewestVisits(visits_.problem(choice), search).tools.size());
+        score.visits = visits;
         score.weight += score.visits * change_;
         if (magazine_ > 0) score.too_many = std::max(0, score.tools - magazine_);
         return score;
+    }
+
+    Score score(const Choice& choice, const VisitSearch& search) const {
+        return score(choice, static_cast<int>(fewestVisits(visits_.problem(choice), search).tools.size()));
+    }
+
+    /// The score where it is better than the best.
+    /// \param spare_visits  even the least number of visits there can be, and so many more, must be better
+    std::optional<Score> scoreIfBetter(const Choice& choice, const VisitSearch& search, int spare_visits,
+                                       const Score& best) const {
+        const std::optional<int> visits = visitsWithin(
+            visits_.problem(choice), mostVisits(score(choice, 0), best), spare_visits, search.width);
+        if (!visits) return std::nullopt;
+        const Score found = score(choice, *visits);
+        return found.isBetterThan(best) ? std::optional(found) : std::nullopt;
+    }
+
+    /// With how many visits a choice is better than the best; -1: with no number.
+    /// \param without  the choice's score without visits
+    int mostVisits(const Score& without, const Score& best) const {
+        if (without.too_many != best.too_many)
+            return without.too_many < best.too_many ? kAnyNumberOfVisits : -1;
+        if (change_ <= 0) return without.isBetterThan(best) ? kAnyNumberOfVisits : -1;
+        const double most = std::floor((best.weight - without.weight) / change_);
+        return static_cast<int>(std::min<double>(most, kAnyNumberOfVisits));
     }
 
     /// The visits of a choice in their order.
@@ -196,10 +226,10 @@ class Sharing {
         Choice best(choices_.size(), 0);
         Score best_score = score(best, kSharedSearch);
         for (Choice choice = best; next(choice);) {
-            const Score found = score(choice, kSharedSearch);
-            if (!found.isBetterThan(best_score)) continue;
+            const std::optional<Score> found = scoreIfBetter(choice, kSharedSearch, 0, best_score);
+            if (!found) continue;
             best = choice;
-            best_score = found;
+            best_score = *found;
         }
         return best;
     }
@@ -215,13 +245,18 @@ class Sharing {
 
     Choice improved(Choice choice) const {
         Score best = score(choice, kTrialSearch);
+        const auto spareVisits = [&] {
+            return std::max(0, best.visits - leastVisits(visits_.problem(choice)) - kSavedBesideTheLeast);
+        };
+        int spare_visits = spareVisits();
         for (int round = 0; round < kMostRounds; ++round) {
             bool any = false;
             const auto tryOut = [&](const Choice& other) {
-                const Score found = score(other, kTrialSearch);
-                if (!found.isBetterThan(best)) return;
+                const std::optional<Score> found = scoreIfBetter(other, kTrialSearch, spare_visits, best);
+                if (!found) return;
                 choice = other;
-                best = found;
+                best = *found;
+                spare_visits = spareVisits();
                 any = true;
             };
             for (const std::string& tool : toolsOf(choice))

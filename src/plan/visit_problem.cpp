@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "stepmill/core/error.h"
@@ -89,13 +88,32 @@ class NeedReduction {
     std::vector<std::vector<int>> done_;  ///< of each operation, once it is done: so many of each feature
 };
 
-/// The first setup that is not done.
-std::optional<int> openSetup(const VisitProblem& problem, const std::vector<int>& done) {
-    std::optional<int> open;
-    for (std::size_t f = 0; f < done.size(); ++f)
-        if (done[f] < static_cast<int>(problem.queue[f].size()) && (!open || problem.setup[f] < *open))
-            open = problem.setup[f];
-    return open;
+/// The features of the first setup that is not done; none where all are.
+const std::vector<int>& featuresInWork(const VisitProblem& problem, const std::vector<int>& done) {
+    static const std::vector<int> kNone;
+    const auto is_open = [&](int f) { return done[f] < static_cast<int>(problem.queue[f].size()); };
+    const auto open =
+        std::find_if(problem.in_setup.begin(), problem.in_setup.end(), [&](const std::vector<int>& features) {
+            return std::any_of(features.begin(), features.end(), is_open);
+        });
+    return open == problem.in_setup.end() ? kNone : *open;
+}
+
+/// The operations that are asked for and may run now.
+template <typename IsAskedFor>
+std::vector<int> readyOf(const VisitProblem& problem, const std::vector<int>& done,
+                         const IsAskedFor& isAskedFor) {
+    std::vector<int> ready;
+    for (const int f : featuresInWork(problem, done)) {
+        if (done[f] == static_cast<int>(problem.queue[f].size())) continue;
+        const int next = problem.queue[f][done[f]];
+        const VisitOperation& operation = problem.operations[next];
+        if (isAskedFor(operation) &&
+            std::all_of(operation.needs.begin(), operation.needs.end(),
+                        [&](const Need& need) { return done[need.feature] >= need.operations; }))
+            ready.push_back(next);
+    }
+    return ready;
 }
 
 }  // namespace
@@ -108,6 +126,11 @@ VisitProblem visitProblem(std::vector<VisitOperation> operations, const std::vec
     for (std::size_t i = 0; i < operations.size(); ++i) {
         problem.tools = std::max(problem.tools, operations[i].tool + 1);
         problem.queue[operations[i].feature].push_back(static_cast<int>(i));
+    }
+    for (std::size_t f = 0; f < features.size(); ++f) {
+        const auto setup = static_cast<std::size_t>(features[f].setup);
+        if (setup >= problem.in_setup.size()) problem.in_setup.resize(setup + 1);
+        if (!problem.queue[f].empty()) problem.in_setup[setup].push_back(static_cast<int>(f));
     }
     const std::vector<std::vector<int>> nearest = nearestWithOperations(features, problem.queue);
     for (VisitOperation& operation : operations)
@@ -147,29 +170,18 @@ VisitProblem visitProblem(const std::vector<Operation>& operations, const std::v
 }
 
 std::vector<int> readyOperations(const VisitProblem& problem, const std::vector<int>& done) {
-    const std::optional<int> open = openSetup(problem, done);
-    std::vector<int> ready;
-    for (std::size_t f = 0; f < done.size(); ++f) {
-        if (problem.setup[f] != open || done[f] == static_cast<int>(problem.queue[f].size())) continue;
-        const int next = problem.queue[f][done[f]];
-        const std::vector<Need>& needs = problem.operations[next].needs;
-        if (std::all_of(needs.begin(), needs.end(),
-                        [&](const Need& need) { return done[need.feature] >= need.operations; }))
-            ready.push_back(next);
-    }
-    return ready;
+    return readyOf(problem, done, [](const VisitOperation&) { return true; });
 }
 
 std::vector<int> takeAll(const VisitProblem& problem, int tool, std::vector<int>& done) {
+    const auto is_its = [tool](const VisitOperation& operation) { return operation.tool == tool; };
     std::vector<int> taken;
     for (;;) {
-        const std::size_t before = taken.size();
-        for (const int next : readyOperations(problem, done)) {
-            if (problem.operations[next].tool != tool) continue;
+        const std::vector<int> ready = readyOf(problem, done, is_its);
+        if (ready.empty()) return taken;
+        for (const int next : ready)
             ++done[problem.operations[next].feature];
-            taken.push_back(next);
-        }
-        if (taken.size() == before) return taken;
+        taken.insert(taken.end(), ready.begin(), ready.end());
     }
 }
 

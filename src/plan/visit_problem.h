@@ -31,6 +31,7 @@ struct VisitFeature {
 struct VisitProblem {
     std::vector<VisitOperation> operations;  ///< with those needs alone that follow from no other
     std::vector<int> setup;                  ///< of each feature
+    std::vector<std::vector<int>> in_setup;  ///< of each setup its features that have operations, ascending
     std::vector<std::vector<int>> queue;     ///< operations of each feature in their own order
     int tools = 0;
 
