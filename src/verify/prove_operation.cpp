@@ -177,6 +177,7 @@ std::vector<ClearingTask> bandsOf(const FeatureState& state, const RecordedOpera
         band.top_z_mm = highest ? state.feature.top_z_mm : state.standing[i + 1].z_mm;
         band.floor_z_mm = planned.z_floor_mm;
         band.retract_z_mm = std::max(state.safe_z_mm, state.feature.top_z_mm);
+        band.stands_to_mm = highestMm(state.feature);
         bands.push_back(std::move(band));
     }
     return bands;
