@@ -6,12 +6,12 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill {
 namespace {
 
 constexpr std::string_view kHeader = "diameter_mm,volume_cm3,mrr_cm3_per_min";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 /// No magazine or catalogue page holds more, and sequences are compared pair by pair.
 constexpr std::size_t kMostCutters = 1000;
 constexpr std::string_view kBlanks = " \t\r";
@@ -43,8 +43,7 @@ class TableReader {
     explicit TableReader(const std::string& file_name) : file_(file_name) {}
 
     std::vector<AccessRow> read(std::string_view text) {
-        if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark)
-            text.remove_prefix(kByteOrderMark.size());
+        text = withoutByteOrderMark(text);
         std::vector<AccessRow> rows;
         for (const std::string_view raw : splitAt(text, '\n')) {
             ++line_;

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlanks = " \t\r";
 
 std::string trimmed(const std::string& text) {
@@ -103,7 +103,7 @@ void requireText(const std::string& file, std::string_view text) {
 }  // namespace
 
 std::vector<CsvRow> readCsv(const std::string& file, std::string_view text) {
-    if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+    text = withoutByteOrderMark(text);
     requireText(file, text);
     return CsvReader(file, text).read();
 }

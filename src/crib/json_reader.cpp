@@ -2,15 +2,14 @@
 
 #include "crib/tool_maker.h"
 #include "stepmill/catalog/json_text.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill::crib {
 
 using nlohmann::json;
 
 json JsonReader::parse(std::string_view text, const std::string& file) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-    ParsedJson parsed = parseJson(text);
+    ParsedJson parsed = parseJson(withoutByteOrderMark(text));
     if (!parsed.findings.empty()) refuse(file, parsed.findings.front().pointer, parsed.findings.front().text);
     return std::move(parsed.value);
 }

@@ -12,4 +12,7 @@ std::string plainText(std::string_view text);
 /// The same for a name inside a line: line ends and tabs are spaces.
 std::string plainLine(std::string_view text);
 
+/// Text without the three bytes that some editors write before a UTF-8 text; readers stumble over them.
+std::string_view withoutByteOrderMark(std::string_view text);
+
 }  // namespace stepmill

@@ -1,9 +1,10 @@
 #include "part/step/text.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill {
 
 std::string_view skipPreamble(std::string_view text) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    text = withoutByteOrderMark(text);
     while (true) {
         const std::size_t start = text.find_first_not_of(" \t\r\n");
         text.remove_prefix(start == std::string_view::npos ? text.size() : start);

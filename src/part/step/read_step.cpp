@@ -7,6 +7,7 @@
 #include "part/step/import.h"
 #include "part/step/text.h"
 #include "stepmill/core/file.h"
+#include "stepmill/core/plain_text.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {

@@ -3,6 +3,7 @@
 #include "part/step/checks.h"
 #include "part/step/kinds.h"
 #include "part/step/syntax.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill {
 namespace {
@@ -15,12 +16,6 @@ void countKinds(const StepModel& model, StepText& text) {
 }
 
 }  // namespace
-
-std::string_view withoutByteOrderMark(std::string_view text) {
-    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-    return text;
-}
 
 StepText screenStep(std::string_view text, const std::string& file) {
     if (text.empty()) throw Error(ErrorCode::NotStep, file, "the file is empty");

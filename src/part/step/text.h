@@ -51,9 +51,6 @@ StepText screenStep(std::string_view text, const std::string& file);
 /// Coordinates, radii and the like beyond this [file units] are damage: a kilometre in nanometres.
 inline constexpr double kLargestGeometricNumber = 1e12;
 
-/// Text without the three bytes some editors put first; geometry readers stumble over them.
-std::string_view withoutByteOrderMark(std::string_view text);
-
 /// Text without what may stand before the first token: byte order mark, blanks, comments.
 std::string_view skipPreamble(std::string_view text);
 

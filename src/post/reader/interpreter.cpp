@@ -1,19 +1,16 @@
 #include "post/reader/interpreter.h"
 
 #include "post/reader/machine.h"
+#include "stepmill/core/plain_text.h"
 
 namespace stepmill::reader {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// A program between its first and last line.
 class Interpreter {
   public:
     Interpreter(std::string_view text, const std::string& file, const DialectRules& rules)
-        : text_(text), rules_(rules), where_{file}, machine_(rules) {
-        if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
-    }
+        : text_(withoutByteOrderMark(text)), rules_(rules), where_{file}, machine_(rules) {}
 
     Run run() {
         for (std::size_t from = 0; from < text_.size();) {
