@@ -28,13 +28,6 @@ constexpr double kThickestSkinMm = 0.5;
 /// Room around the stairs beyond the cutter's own width [mm].
 constexpr double kRoomMm = 2.0;
 
-Region joined(const std::vector<Region>& pieces) {
-    Region all;
-    for (const Region& piece : pieces)
-        all.loops.insert(all.loops.end(), piece.loops.begin(), piece.loops.end());
-    return all;
-}
-
 double onStep(double z_mm) {
     return std::round(z_mm / kHeightStepMm) * kHeightStepMm;
 }
@@ -146,7 +139,7 @@ class SiteMaker {
         for (std::size_t i = layers.size(); i-- > 0;) {
             const Layer& layer = layers[i];
             const Region stock = after.between(layer.bottom_z_mm, layer.top_z_mm);
-            const Region left = joined(toolpath::piecesBeyondSkins(subtract(stock, layer.part, tol_), tol_));
+            const Region left = toolpath::beyondSkins(subtract(stock, layer.part, tol_), tol_);
             standing_.push_back({&layer, walls_.cuts(layer),
                                  unite(left, fixturesBetween(layer.bottom_z_mm, layer.top_z_mm), tol_)});
         }

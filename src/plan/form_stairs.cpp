@@ -86,11 +86,8 @@ class StairMaker {
     }
 
     void push(Obstacle stair, std::vector<Obstacle>& into) const {
-        Region beyond_skins;
-        for (const Region& piece : toolpath::piecesBeyondSkins(stair.section, tol_))
-            beyond_skins.loops.insert(beyond_skins.loops.end(), piece.loops.begin(), piece.loops.end());
-        if (beyond_skins.empty()) return;
-        stair.section = std::move(beyond_skins);
+        stair.section = toolpath::beyondSkins(stair.section, tol_);
+        if (stair.section.empty()) return;
         const bool goes_on = !into.empty() && into.back().top_z_mm == stair.bottom_z_mm &&
                              feature::sameRegion(into.back().section, stair.section, tol_);
         if (goes_on)

@@ -42,8 +42,8 @@ class WallPasses {
         for (const Region& component : components(clearing_.free_centres)) {
             const Region guarded = ClearanceDiagram(component, tol_).offset(-tol_.guard_mm);
             for (const Loop& loop : guarded.loops)
-                for (const Chain& chain : chains_.along(loop))
-                    passes.push_back(chain.closed ? allRound(chain.path) : alongWall(chain.path));
+                for (const Path& chain : chains_.along(loop))
+                    passes.push_back(chain.closed() ? allRound(chain) : alongWall(chain));
         }
         return passes;
     }

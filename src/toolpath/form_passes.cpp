@@ -8,6 +8,7 @@
 
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/walk_inside.h"
+#include "toolpath/needed_pieces.h"
 
 namespace stepmill::toolpath {
 namespace {
@@ -67,21 +68,6 @@ std::vector<Edge> shortEdges(const Loop& loop, double longest_mm) {
     return edges;
 }
 
-/// Fills gaps that are no longer than that.
-void bridge(const std::vector<Edge>& edges, double longest_mm, std::vector<char>& needed) {
-    const std::size_t count = edges.size();
-    const std::vector<char> before = needed;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (before[i] == 0 || before[(i + 1) % count] != 0) continue;
-        double gap_mm = 0;
-        std::size_t gap = 0;
-        for (; before[(i + 1 + gap) % count] == 0; ++gap)
-            gap_mm += length(edges[(i + 1 + gap) % count]);
-        for (std::size_t k = 0; gap_mm <= longest_mm && k < gap; ++k)
-            needed[(i + 1 + k) % count] = 1;
-    }
-}
-
 /// Pieces of a loop where the cutter meets stairs; the loop itself where it does all round.
 std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, double radius_mm) {
     const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
@@ -89,19 +75,7 @@ std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, double radius_mm)
     needed.reserve(edges.size());
     for (const Edge& edge : edges)
         needed.push_back(static_cast<char>(meeting.at(edge)));
-    if (std::find(needed.begin(), needed.end(), 1) == needed.end()) return {};
-    bridge(edges, kLevelBridgeRadii * radius_mm, needed);
-    const auto gap = std::find(needed.begin(), needed.end(), 0);
-    if (gap == needed.end()) return {loop};
-    std::vector<Path> pieces;
-    const auto first = static_cast<std::size_t>(gap - needed.begin());
-    for (std::size_t k = 1; k <= edges.size(); ++k) {
-        const std::size_t i = (first + k) % edges.size();
-        if (needed[i] == 0) continue;
-        if (needed[(first + k - 1) % edges.size()] == 0) pieces.push_back({edges[i].from, {}});
-        pieces.back().segments.push_back(edges[i].segment);
-    }
-    return pieces;
+    return neededPieces(loop, edges, needed, kLevelBridgeRadii * radius_mm);
 }
 
 }  // namespace

@@ -34,13 +34,6 @@ const Obstacle* bandAt(const std::vector<Obstacle>& bands, double z_mm) {
     return found == bands.end() ? nullptr : &*found;
 }
 
-Region joined(const std::vector<Region>& pieces) {
-    Region all;
-    for (const Region& piece : pieces)
-        all.loops.insert(all.loops.end(), piece.loops.begin(), piece.loops.end());
-    return all;
-}
-
 /// Where slices end: at the ends of every stair, and at those of bands between that are kSliceMm apart or
 /// more.
 std::vector<double> endsOfSlices(const Obstacle& stair, const std::vector<Obstacle>& bands) {
@@ -179,8 +172,7 @@ void StandingStairs::addSlices(const Obstacle& stair, double bottom_mm, double t
     const double middle_mm = (bottom_mm + top_mm) / 2;
     const Obstacle* band = bandAt(bands, middle_mm);
     if (band == nullptr) return;
-    const Region left =
-        joined(toolpath::piecesBeyondSkins(subtract(stair.section, band->section, tol_), tol_));
+    const Region left = toolpath::beyondSkins(subtract(stair.section, band->section, tol_), tol_);
     for (Region& place : inPlaces(left, places))
         slices_.push_back({middle_mm, bottom_mm, top_mm, std::move(place)});
 }
@@ -205,7 +197,7 @@ void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
         bool changed = false;
         for (const SweptWay& way : ways)
             changed = way.takeFrom(slice.region, radius_mm) || changed;
-        if (changed) slice.region = joined(toolpath::piecesBeyondSkins(slice.region, tol_));
+        if (changed) slice.region = toolpath::beyondSkins(slice.region, tol_);
     });
 }
 

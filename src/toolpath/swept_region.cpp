@@ -110,6 +110,13 @@ std::vector<Region> piecesBeyondSkins(const Region& region, const Tolerances& to
     return pieces;
 }
 
+Region beyondSkins(const Region& region, const Tolerances& tol) {
+    Region all;
+    for (const Region& piece : piecesBeyondSkins(region, tol))
+        all.loops.insert(all.loops.end(), piece.loops.begin(), piece.loops.end());
+    return all;
+}
+
 Region sweptRegion(const std::vector<Path>& ways, double radius_mm, const Tolerances& tol) {
     std::vector<Region> pieces;
     for (const Path& way : ways)

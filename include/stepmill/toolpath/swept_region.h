@@ -14,4 +14,7 @@ Region sweptRegion(const std::vector<Path>& ways, double radius_mm, const Tolera
 /// one get no pass and that may be so on both sides, or next to no area.
 std::vector<Region> piecesBeyondSkins(const Region& region, const Tolerances& tol);
 
+/// These components as one region.
+Region beyondSkins(const Region& region, const Tolerances& tol);
+
 }  // namespace stepmill::toolpath

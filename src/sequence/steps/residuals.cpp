@@ -73,10 +73,7 @@ Region beyondPasses(const std::vector<const Candidate*>& used, const Tolerances&
     Region missed = subtract(last.cleared->coverable, last.cleared->swept.region(), tol);
     for (const Candidate* tool : used)
         if (tool != &last && !missed.empty()) missed = subtract(missed, tool->cleared->swept.region(), tol);
-    Region beyond;
-    for (const Region& piece : toolpath::piecesBeyondSkins(missed, tol))
-        beyond.loops.insert(beyond.loops.end(), piece.loops.begin(), piece.loops.end());
-    return beyond;
+    return toolpath::beyondSkins(missed, tol);
 }
 
 struct Vote {

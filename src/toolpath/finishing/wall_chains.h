@@ -7,24 +7,18 @@
 
 namespace stepmill::toolpath {
 
-/// A stretch of a boundary of the free centres, in climb direction.
-struct Chain {
-    Path path;
-    bool closed = false;
-};
-
 /// Finds the stretches of a boundary along which walls still have material.
 class WallChains {
   public:
     WallChains(const WallTask& task, double radius_mm, const Tolerances& tol);
 
     /// The whole loop, or its stretches on which a disc reaches material that is left. A gap between two
-    /// stretches belongs to them where lifting over it would cost more than going along it.
-    std::vector<Chain> along(const Loop& loop) const;
+    /// stretches belongs to them where lifting over it would cost more than going along it. In climb
+    /// direction.
+    std::vector<Path> along(const Loop& loop) const;
 
   private:
     bool isNeeded(const Edge& edge) const;
-    void bridge(const std::vector<Edge>& edges, std::vector<char>& needed) const;
 
     EdgeIndex left_edges_;
     double radius_mm_;

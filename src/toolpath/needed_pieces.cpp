@@ -1,0 +1,43 @@
+#include "toolpath/needed_pieces.h"
+
+#include <algorithm>
+
+namespace stepmill::toolpath {
+namespace {
+
+std::vector<char> bridged(const std::vector<Edge>& edges, const std::vector<char>& needed,
+                          double longest_mm) {
+    const std::size_t count = edges.size();
+    std::vector<char> with_bridges = needed;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (needed[i] == 0 || needed[(i + 1) % count] != 0) continue;
+        double gap_mm = 0;
+        std::size_t gap = 0;
+        for (; needed[(i + 1 + gap) % count] == 0; ++gap)
+            gap_mm += length(edges[(i + 1 + gap) % count]);
+        for (std::size_t k = 0; gap_mm <= longest_mm && k < gap; ++k)
+            with_bridges[(i + 1 + k) % count] = 1;
+    }
+    return with_bridges;
+}
+
+}  // namespace
+
+std::vector<Path> neededPieces(const Loop& loop, const std::vector<Edge>& edges,
+                               const std::vector<char>& needed, double bridge_mm) {
+    if (std::find(needed.begin(), needed.end(), 1) == needed.end()) return {};
+    const std::vector<char> taken = bridged(edges, needed, bridge_mm);
+    const auto gap = std::find(taken.begin(), taken.end(), 0);
+    if (gap == taken.end()) return {loop};
+    std::vector<Path> pieces;
+    const auto first = static_cast<std::size_t>(gap - taken.begin());
+    for (std::size_t k = 1; k <= edges.size(); ++k) {
+        const std::size_t i = (first + k) % edges.size();
+        if (taken[i] == 0) continue;
+        if (taken[(first + k - 1) % edges.size()] == 0) pieces.push_back({edges[i].from, {}});
+        pieces.back().segments.push_back(edges[i].segment);
+    }
+    return pieces;
+}
+
+}  // namespace stepmill::toolpath
