@@ -211,7 +211,7 @@ int leastVisits(const VisitProblem& problem) {
 
 std::optional<int> visitsWithin(const VisitProblem& problem, int most_visits, int spare_visits,
                                 std::size_t width) {
-    if (most_visits < 0) return std::nullopt;
+    if (most_visits < spare_visits) return std::nullopt;
     if (problem.operations.empty()) return 0;
     const VisitSearcher searcher(problem);
     if (searcher.atLeast() > most_visits - spare_visits) return std::nullopt;

@@ -76,6 +76,22 @@ TEST(FewestVisitsLaw, AreThoseOfEveryOrderTried) {
     }
 }
 
+TEST(FewestVisitsLaw, AreFoundWithinThemAndNotWithinFewer) {
+    constexpr std::size_t kWide = 256;
+    for (unsigned seed = 0; seed < 500; ++seed) {
+        std::mt19937 random(seed);
+        const RandomVisits visits = randomVisits(random);
+        const VisitProblem problem = visitProblem(visits.operations, visits.features);
+        const int fewest = EveryOrder(problem).fewest();
+        const int least = leastVisits(problem);
+        EXPECT_LE(least, fewest) << "seed " << seed;
+        EXPECT_EQ(visitsWithin(problem, fewest, 0, kWide), fewest) << "seed " << seed;
+        EXPECT_EQ(visitsWithin(problem, fewest - 1, 0, kWide), std::nullopt) << "seed " << seed;
+        EXPECT_EQ(visitsWithin(problem, fewest, fewest - least, kWide), fewest) << "seed " << seed;
+        EXPECT_EQ(visitsWithin(problem, fewest, fewest - least + 1, kWide), std::nullopt) << "seed " << seed;
+    }
+}
+
 TEST(FewestVisitsLaw, ANarrowSearchClaimsNoMoreThanItKnows) {
     int missed = 0;
     for (unsigned seed = 0; seed < 500; ++seed) {
