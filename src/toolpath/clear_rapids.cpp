@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,9 +54,9 @@ class Ground {
           target_(task.target),
           walls_(task.obstruction),
           skirt_(task.skirt),
-          above_(task.stands_above.value_or(task.obstruction)),
           swept_(task, radius_mm),
           top_mm_(task.top_z_mm + keep.top_mm) {
+        if (task.stands_above) above_.emplace(*task.stands_above);
         for (const KeptOff& kept : task.kept_off)
             holder_.push_back({EdgeIndex(kept.section), kept.distance_mm});
     }
@@ -93,7 +94,7 @@ class Ground {
         const bool own_ground = a != b || target_.contains(a);
         const double keep_mm = own_ground ? keep_.inside_mm : keep_.side_mm;
         // Straight down to the top a narrow feature's own walls are still below.
-        const IndexedRegion& walls = high && a == b ? above_ : walls_;
+        const IndexedRegion& walls = high && a == b && above_ ? *above_ : walls_;
         const Edge way = makeLine(a, b);
         if (!isOff(walls, way, radius_mm_ + keep_.inside_mm) || !isOff(skirt_, way, radius_mm_ + keep_mm))
             return false;
@@ -169,7 +170,7 @@ class Ground {
     IndexedRegion target_;
     IndexedRegion walls_;
     IndexedRegion skirt_;
-    IndexedRegion above_;
+    std::optional<IndexedRegion> above_;  ///< what stands over the top, where it is known
     std::vector<Holder> holder_;
     toolpath::SweptGround swept_;
     double top_mm_;  ///< rapids over the target stay over this

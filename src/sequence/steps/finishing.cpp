@@ -1,7 +1,6 @@
 // Roughing that leaves an allowance, and the steps that take it off.
 
 #include "sequence/steps/finishing.h"
-#include "sequence/holder/tool_areas.h"
 
 #include <fmt/format.h>
 
