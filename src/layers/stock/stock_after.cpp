@@ -56,11 +56,13 @@ std::vector<CutStretch> stretches(const LayerStack& layers, const std::vector<Pr
     return found;
 }
 
-/// What of the prisms' ground lies beside a raw box that stands askew to the setup [mm3]: slabs hold its
-/// hull. Raw solids from files whose walls lean are taken as their hull here.
+/// What of the prisms' ground lies beside a raw box that stands askew to the setup, and in no earlier cut, which
+/// may reach beside the box too [mm3]: slabs hold the box' hull. Raw solids from files whose walls lean are
+/// taken as their hull here.
 class RawAir {
   public:
-    RawAir(const Setup& setup, const Tolerances& tol) : tol_(tol) {
+    /// \param cuts  of the earlier setups
+    RawAir(const Setup& setup, const layers::StockAir& cuts, const Tolerances& tol) : cuts_(cuts), tol_(tol) {
         if (setup.stock.kind != Stock::Kind::Box || !setup.indexed) return;
         const Vec3 axis = setup.part_to_setup.linear().row(2);
         Eigen::Index up = 0;
@@ -80,14 +82,15 @@ class RawAir {
         double beside_mm3 = 0;
         for (int i = 0; i < kHeights; ++i) {
             const double z = bottom_mm + (i + 0.5) / kHeights * (top_mm - bottom_mm);
-            beside_mm3 +=
-                area(subtract(gone, box_->between(z, z, tol_), tol_)) * (top_mm - bottom_mm) / kHeights;
+            const Region beside = subtract(gone, box_->between(z, z, tol_), tol_);
+            beside_mm3 += area(subtract(beside, cuts_.at(z), tol_)) * (top_mm - bottom_mm) / kHeights;
         }
         return beside_mm3;
     }
 
   private:
     std::optional<layers::AskewCut> box_;
+    const layers::StockAir& cuts_;
     const Tolerances& tol_;
 };
 
@@ -131,7 +134,7 @@ StockAfter stockAfter(const Setup& setup, const LayerStack& layers, const std::v
     StockAfter after{setup.stock, 0, 0};
     if (volumeOf(removed) < kNothingMm3) return after;
     const layers::StockAir air(setup, 0, tol);
-    const RawAir raw_air(setup, tol);
+    const RawAir raw_air(setup, air, tol);
     const std::vector<CutStretch> cut = stretches(layers, removed, tol);
     for (const CutStretch& stretch : cut) {
         if (stretch.gone.empty()) continue;
@@ -142,7 +145,8 @@ StockAfter stockAfter(const Setup& setup, const LayerStack& layers, const std::v
             air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm, kTakenStretches) +
             raw_air.volumeIn(stretch.gone, stretch.bottom_z_mm, stretch.top_z_mm);
     }
-    after.removed_mm3 += after.prisms_mm3;
+    // The quadratures may find a little more air than there is ground.
+    after.removed_mm3 = std::max(0.0, after.removed_mm3 + after.prisms_mm3);
     after.stock.volume_mm3 -= after.removed_mm3;
     after.stock.cuts.push_back({setup.part_to_setup, removed});
     after.stock.bbox_mm = shrunkBox(setup.stock.bbox_mm, setup, boxOfRest(cut, tol));

@@ -86,3 +86,25 @@ TEST(StockAfter, CountsTheAirOfACrossHoleOnce) {
     EXPECT_NEAR(milled.stock.volume_mm3, (60 * 40 * 20 - hole_mm3) / 2, 2e-3 * hole_mm3);
     EXPECT_NEAR(milled.stock.bbox_mm.min().x(), 30, 1e-6);
 }
+
+TEST(StockAfter, CountsAirBesideTheBoxOnceWhereAnEarlierCutReachesIt) {
+    // Askew to the block the slabs hold its hull. The first setup clears all of that above half height, air
+    // beside the block too; the second takes what is left.
+    const auto all = [](const LayerStack& stack, double bottom_mm) {
+        std::vector<Prism> prisms;
+        for (const Layer& layer : stack.layers)
+            if (layer.top_z_mm > bottom_mm)
+                prisms.push_back({layer.stock, layer.top_z_mm, std::max(bottom_mm, layer.bottom_z_mm)});
+        return prisms;
+    };
+    const stepmill::Setup first = block(Vec3(0.6, 0, 0.8));
+    const LayerStack stack = slice(first, kTol);
+    const double middle_mm = (first.part_to_setup * Vec3(30, 20, 10)).z();
+    const StockAfter half = stockAfter(first, stack, all(stack, middle_mm), kTol);
+    const double block_mm3 = 60 * 40 * 20;
+    EXPECT_NEAR(half.stock.volume_mm3, block_mm3 / 2, 2e-3 * block_mm3);
+    const stepmill::Setup second = onStock(block(Vec3(0, 0.6, 0.8)), half.stock);
+    const LayerStack rest = slice(second, kTol);
+    const StockAfter none = stockAfter(second, rest, all(rest, -1e6), kTol);
+    EXPECT_NEAR(none.stock.volume_mm3, 0, 2e-3 * block_mm3);
+}
