@@ -83,7 +83,7 @@ class RawAir {
         for (int i = 0; i < kHeights; ++i) {
             const double z = bottom_mm + (i + 0.5) / kHeights * (top_mm - bottom_mm);
             const Region beside = subtract(gone, box_->between(z, z, tol_), tol_);
-            beside_mm3 += area(subtract(beside, cuts_.at(z), tol_)) * (top_mm - bottom_mm) / kHeights;
+            beside_mm3 += (area(beside) - cuts_.areaIn(beside, z)) * (top_mm - bottom_mm) / kHeights;
         }
         return beside_mm3;
     }

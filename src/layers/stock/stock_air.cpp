@@ -425,6 +425,10 @@ class StockAir::Meter {
     double rest_mm2_;
 };
 
+double StockAir::areaIn(const Region& over, double z_mm) const {
+    return over.empty() || empty() ? 0 : Meter(*this, over).at(z_mm);
+}
+
 double StockAir::volumeIn(const Region& over, double bottom_mm, double top_mm, int most_stretches) const {
     if (over.empty() || empty()) return 0;
     std::vector<double> ends{bottom_mm};

@@ -69,6 +69,8 @@ class StockAir {
     Region somewhere(double bottom_mm, double top_mm) const;
     /// What is air at that height.
     Region at(double z_mm) const { return between(z_mm, z_mm); }
+    /// Air at that height over the region [mm2], from boundaries and scan lines.
+    double areaIn(const Region& over, double z_mm) const;
     /// Is `between` all the air there is in the slab?
     bool isUpright(double bottom_mm, double top_mm) const;
     /// Air in the slab over the region [mm3]; where walls lean by quadrature over as many stretches between
