@@ -10,7 +10,7 @@
 #include "stepmill/core/file.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
-#include "stepmill/planar/region_text.h"
+#include "stepmill/planar/svg_path.h"
 #include "stepmill/toolpath/finish_walls.h"
 
 namespace stepmill {
@@ -22,13 +22,22 @@ struct Layer {
     std::string stroke;
 };
 
+/// What the pictures tell apart.
+constexpr double kUnitMm = 0.001;
+constexpr double kLineMm = 0.35;
+
+template <typename Shape>
+std::string dataOf(const Shape& shape) {
+    return toSvgPath(shape, kUnitMm);
+}
+
 std::string svg(const Box2& frame, const std::vector<Layer>& layers) {
     constexpr double kMarginMm = 3;
     const Box2 box = grown(frame, kMarginMm);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">"
-        "<g transform=\"scale(1,-1)\" stroke-width=\"0.35\" fill-rule=\"nonzero\">\n",
-        box.min().x(), -box.max().y(), box.sizes().x(), box.sizes().y());
+        "<g transform=\"scale({4},-{4})\" stroke-width=\"{5:g}\" fill-rule=\"nonzero\">\n",
+        box.min().x(), -box.max().y(), box.sizes().x(), box.sizes().y(), kUnitMm, kLineMm / kUnitMm);
     for (const Layer& layer : layers)
         text +=
             fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", layer.data, layer.fill, layer.stroke);
@@ -67,11 +76,11 @@ void drawFinishing(const std::filesystem::path& folder, const Region& pocket, co
     const Toolpath path = toolpath::finishWalls({clearing, strip, kAllowanceMm}, tool, cutting, machine, tol);
     std::string ways;
     for (const Path& way : topView(path))
-        ways += toSvgPath(way);
-    writeFile(folder / "finishing.svg", svg(boundingBox(pocket), {{toSvgPath(pocket), "#fdf6df", "none"},
-                                                                  {toSvgPath(strip), "#f4c97a", "none"},
+        ways += dataOf(way);
+    writeFile(folder / "finishing.svg", svg(boundingBox(pocket), {{dataOf(pocket), "#fdf6df", "none"},
+                                                                  {dataOf(strip), "#f4c97a", "none"},
                                                                   {ways, "none", "#0b4f75"},
-                                                                  {toSvgPath(pocket), "none", "#1d2733"}}));
+                                                                  {dataOf(pocket), "none", "#1d2733"}}));
 }
 
 /// A pocket 20 mm deep with two round bosses that stand up to its top.
@@ -102,14 +111,14 @@ void drawLumps(const std::filesystem::path& folder, const Tolerances& tol) {
     const CutterArea own = collisionFreeArea(ground, tool, reach).value();
     std::string lumps;
     for (const Region& lump : lumpsOf(subtract(reach.cutter.coverable, own.coverable, tol), 10, tol))
-        lumps += toSvgPath(lump);
+        lumps += dataOf(lump);
     const Region& target = ground.feature().target;
     writeFile(folder / "lumps.svg",
-              svg(boundingBox(target), {{toSvgPath(target), "#fdf6df", "none"},
-                                        {toSvgPath(own.coverable), "#8ec9e3", "none"},
-                                        {toSvgPath(own.free_centres), "#4d9cc0", "#0b4f75"},
+              svg(boundingBox(target), {{dataOf(target), "#fdf6df", "none"},
+                                        {dataOf(own.coverable), "#8ec9e3", "none"},
+                                        {dataOf(own.free_centres), "#4d9cc0", "#0b4f75"},
                                         {lumps, "#f4c97a", "#8a5600"},
-                                        {toSvgPath(target), "none", "#1d2733"}}));
+                                        {dataOf(target), "none", "#1d2733"}}));
 }
 
 /// The target of one of a die's hunt planes: the cavity gets narrower, its two islands wider.
@@ -126,12 +135,12 @@ void drawHuntPlanes(const std::filesystem::path& folder, const Tolerances& tol) 
     constexpr int kPlanes = 4;
     constexpr double kCutterMm = 4.5;
     const Region top = huntPlane(0, tol);
-    std::vector<Layer> layers{{toSvgPath(top), "#fdf6df", "none"}};
+    std::vector<Layer> layers{{dataOf(top), "#fdf6df", "none"}};
     const Region lowest = huntPlane(kPlanes - 1, tol);
-    layers.push_back({toSvgPath(ClearanceDiagram(lowest, tol).opening(kCutterMm)), "#8ec9e3", "#0b4f75"});
+    layers.push_back({dataOf(ClearanceDiagram(lowest, tol).opening(kCutterMm)), "#8ec9e3", "#0b4f75"});
     for (int number = 1; number < kPlanes; ++number)
-        layers.push_back({toSvgPath(huntPlane(number, tol)), "none", "#d08a1e"});
-    layers.push_back({toSvgPath(top), "none", "#1d2733"});
+        layers.push_back({dataOf(huntPlane(number, tol)), "none", "#d08a1e"});
+    layers.push_back({dataOf(top), "none", "#1d2733"});
     writeFile(folder / "hunt-planes.svg", svg(boundingBox(top), layers));
 }
 
@@ -164,13 +173,13 @@ void drawAdaptive(const std::filesystem::path& folder, const Tolerances& tol) {
     Vec3 from = path.start;
     for (const Move& move : path.moves) {
         const Path part{from.head<2>(), {{Vec2(move.to.head<2>()), move.arc}}};
-        if (move.kind == MoveKind::Feed) (isGlide(move) ? ways : passes) += toSvgPath(part);
+        if (move.kind == MoveKind::Feed) (isGlide(move) ? ways : passes) += dataOf(part);
         from = move.to;
     }
-    writeFile(folder / "adaptive.svg", svg(boundingBox(pocket), {{toSvgPath(pocket), "#fdf6df", "none"},
+    writeFile(folder / "adaptive.svg", svg(boundingBox(pocket), {{dataOf(pocket), "#fdf6df", "none"},
                                                                  {ways, "none", "#9fb9a5"},
                                                                  {passes, "none", "#0b4f75"},
-                                                                 {toSvgPath(pocket), "none", "#1d2733"}}));
+                                                                 {dataOf(pocket), "none", "#1d2733"}}));
 }
 
 void draw(const std::filesystem::path& folder) {
@@ -182,26 +191,26 @@ void draw(const std::filesystem::path& folder) {
     constexpr double kSmallMm = 3;
     const Region large_centres = diagram.offset(-kLargeMm);
     const Region small_centres = diagram.offset(-kSmallMm);
-    const Layer walls{toSvgPath(pocket), "none", "#1d2733"};
+    const Layer walls{dataOf(pocket), "none", "#1d2733"};
 
     writeFile(folder / "accessible-area.svg",
-              svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"},
-                          {toSvgPath(diagram.opening(kLargeMm)), "#8ec9e3", "none"},
-                          {toSvgPath(large_centres), "#4d9cc0", "#0b4f75"},
+              svg(frame, {{dataOf(pocket), "#fdf6df", "none"},
+                          {dataOf(diagram.opening(kLargeMm)), "#8ec9e3", "none"},
+                          {dataOf(large_centres), "#4d9cc0", "#0b4f75"},
                           walls}));
 
     const Region rest_centres = subtract(small_centres, offset(large_centres, kLargeMm - kSmallMm, tol), tol);
     writeFile(folder / "decomposed-area.svg",
-              svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"},
-                          {toSvgPath(offset(rest_centres, kSmallMm, tol)), "#f4c97a", "none"},
-                          {toSvgPath(rest_centres), "#d08a1e", "#8a5600"},
+              svg(frame, {{dataOf(pocket), "#fdf6df", "none"},
+                          {dataOf(offset(rest_centres, kSmallMm, tol)), "#f4c97a", "none"},
+                          {dataOf(rest_centres), "#d08a1e", "#8a5600"},
                           walls}));
 
     std::string rings;
     for (const Region& ring : diagram.rings(kSmallMm, kSmallMm))
-        rings += toSvgPath(ring);
+        rings += dataOf(ring);
     writeFile(folder / "rings.svg",
-              svg(frame, {{toSvgPath(pocket), "#fdf6df", "none"}, {rings, "none", "#0b4f75"}, walls}));
+              svg(frame, {{dataOf(pocket), "#fdf6df", "none"}, {rings, "none", "#0b4f75"}, walls}));
     drawFinishing(folder, pocket, tol);
     drawLumps(folder, tol);
     drawHuntPlanes(folder, tol);

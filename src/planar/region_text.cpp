@@ -1,5 +1,3 @@
-// Regions as text and as SVG path data.
-
 #include "stepmill/planar/region_text.h"
 
 #include <charconv>
@@ -9,7 +7,6 @@
 
 #include "planar/segment.h"
 #include "stepmill/core/error.h"
-#include "stepmill/core/units.h"
 #include "stepmill/planar/edge.h"
 
 namespace stepmill {
@@ -169,11 +166,6 @@ Loop readCircle(LineReader& reader) {
     return circle(centre, radius_mm, reader.takeSense());
 }
 
-void appendSvgArc(std::string& text, const Vec2& to, double radius_mm, double sweep_rad) {
-    text += fmt::format(" A {0} {0} 0 {1} {2} {3}", number(radius_mm), std::abs(sweep_rad) > kPi ? 1 : 0,
-                        sweep_rad > 0 ? 1 : 0, numbers(to));
-}
-
 }  // namespace
 
 std::string toText(const Region& region) {
@@ -199,31 +191,6 @@ Region regionFromText(std::string_view text, const std::string& subject) {
         if (!reader.atEnd()) reader.fail("the end of the line");
     }
     return region;
-}
-
-std::string toSvgPath(const Path& path) {
-    std::string text = "M " + numbers(path.start);
-    for (const auto& [from, segment] : eachEdge(path)) {
-        if (!segment.arc) {
-            text += " L " + numbers(segment.to);
-        } else if (from == segment.to) {
-            // SVG draws nothing for an arc that ends where it starts.
-            const double half = segment.arc->ccw ? kPi : -kPi;
-            appendSvgArc(text, pointAt(from, segment, 0.5), segment.arc->radius_mm, half);
-            appendSvgArc(text, segment.to, segment.arc->radius_mm, half);
-        } else {
-            appendSvgArc(text, segment.to, segment.arc->radius_mm,
-                         sweepAngle(from, segment.to, *segment.arc));
-        }
-    }
-    return path.closed() ? text + " Z" : text;
-}
-
-std::string toSvgPath(const Region& region) {
-    std::string text;
-    for (const Loop& loop : region.loops)
-        text += (text.empty() ? "" : " ") + toSvgPath(loop);
-    return text;
 }
 
 }  // namespace stepmill

@@ -7,6 +7,7 @@
 
 #include "stepmill/planar/edge.h"
 #include "stepmill/planar/region_text.h"
+#include "stepmill/planar/svg_path.h"
 
 namespace stepmill::test {
 
@@ -33,8 +34,8 @@ CaseTrace::~CaseTrace() {
     const Vec2 size = box.sizes();
     std::ofstream(testing::TempDir() + file)
         << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='" << box.min().x() << ' ' << -box.max().y()
-        << ' ' << size.x() << ' ' << size.y() << "'><path transform='scale(1,-1)' fill='#ccd' d='"
-        << toSvgPath(which_.region) << "'/></svg>\n";
+        << ' ' << size.x() << ' ' << size.y() << "'><path fill='#ccd' transform='scale(" << kGridMm << ','
+        << -kGridMm << ")' d='" << toSvgPath(which_.region, kGridMm) << "'/></svg>\n";
 }
 
 double signedClearance(const Region& region, const Vec2& p) {

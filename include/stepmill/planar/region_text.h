@@ -17,8 +17,4 @@ std::string toText(const Region& region);
 /// \throws Error(InvalidRegion) naming `subject`, the line and what was expected.
 Region regionFromText(std::string_view text, const std::string& subject);
 
-/// The `d` attribute of an SVG path (y up: the caller flips), arcs as arcs, even-odd or non-zero alike.
-std::string toSvgPath(const Region& region);
-std::string toSvgPath(const Path& path);
-
 }  // namespace stepmill

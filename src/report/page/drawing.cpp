@@ -1,9 +1,12 @@
 #include "report/page/drawing.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
+#include "report/page/strokes.h"
 #include "report/page/words.h"
-#include "stepmill/planar/region_text.h"
 
 namespace stepmill::report {
 
@@ -13,6 +16,10 @@ namespace {
 constexpr double kMarginShare = 0.03;
 /// How many tints the style sheet has.
 constexpr int kTints = 8;
+/// A drawing's longer side has at least so many units, and less than ten times as many: more than a printer
+/// has dots on its page.
+constexpr double kLeastUnits = 5000;
+constexpr double kSmallestFrameMm = 0.03;
 
 }  // namespace
 
@@ -21,9 +28,12 @@ std::string tintClass(int number) {
 }
 
 Drawing::Drawing(const Box2& frame, std::string label)
-    : frame_(frame), label_(std::move(label)), shapes_(Element("g").with("transform", "scale(1,-1)")) {
+    : frame_(frame), label_(std::move(label)), shapes_("g") {
     if (frame_.isEmpty()) frame_.extend(Vec2::Zero());
-    frame_ = grown(frame_, std::max(1e-3, kMarginShare * frame_.sizes().maxCoeff()));
+    const double longer_mm = std::max(frame_.sizes().maxCoeff(), kSmallestFrameMm);
+    frame_ = grown(frame_, kMarginShare * longer_mm);
+    unit_mm_ = std::pow(10, std::floor(std::log10(longer_mm / kLeastUnits)));
+    shapes_ = std::move(shapes_).with("transform", fmt::format("scale({0},-{0})", unit_mm_));
 }
 
 void Drawing::add(const std::string& css_class, std::string path_data) {
@@ -32,7 +42,7 @@ void Drawing::add(const std::string& css_class, std::string path_data) {
 }
 
 void Drawing::region(const Region& shape, const std::string& css_class) {
-    add(css_class, toSvgPath(shape));
+    add(css_class, toSvgPath(shape, unit_mm_));
 }
 
 void Drawing::path(const Path& path, const std::string& css_class) {
@@ -40,27 +50,36 @@ void Drawing::path(const Path& path, const std::string& css_class) {
 }
 
 void Drawing::paths(const std::vector<Path>& paths, const std::string& css_class) {
-    std::string data;
+    SvgPath drawn(unit_mm_);
     for (const Path& path : paths)
-        data += toSvgPath(path);
-    add(css_class, std::move(data));
+        drawn.add(path);
+    add(css_class, drawn.text());
 }
 
 void Drawing::polylines(const std::vector<std::vector<Vec2>>& lines, const std::string& css_class) {
-    std::string data;
+    SvgPath drawn(unit_mm_);
     for (const std::vector<Vec2>& line : lines)
-        for (std::size_t i = 0; i < line.size(); ++i)
-            fmt::format_to(std::back_inserter(data), "{}{:.3f} {:.3f}", i == 0 ? 'M' : 'L', line[i].x(),
-                           line[i].y());
-    add(css_class, std::move(data));
+        drawn.add(line);
+    add(css_class, drawn.text());
+}
+
+void Drawing::strokes(const std::vector<std::vector<Vec2>>& lines, const std::string& css_class) {
+    SvgPath drawn(unit_mm_);
+    std::set<Stroke> all;
+    for (const std::vector<Vec2>& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i)
+            addStroke(drawn.dotOf(line[i - 1]), drawn.dotOf(line[i]), all);
+    for (const std::vector<SvgDot>& line : joined(all))
+        drawn.add(line);
+    add(css_class, drawn.text());
 }
 
 void Drawing::dot(const Vec2& at, double radius_mm, const std::string& css_class) {
     shapes_.add(Element("circle")
                     .with("class", css_class)
-                    .with("cx", fixed(at.x(), 3))
-                    .with("cy", fixed(at.y(), 3))
-                    .with("r", fixed(radius_mm, 3)));
+                    .with("cx", fixed(at.x() / unit_mm_, 0))
+                    .with("cy", fixed(at.y() / unit_mm_, 0))
+                    .with("r", fixed(radius_mm / unit_mm_, 0)));
 }
 
 Element Drawing::element() && {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/page/element.h"
-#include "stepmill/planar/region.h"
+#include "stepmill/planar/svg_path.h"
 
 namespace stepmill::report {
 
@@ -23,6 +23,9 @@ class Drawing {
     void path(const Path& path, const std::string& css_class);
     void paths(const std::vector<Path>& paths, const std::string& css_class);
     void polylines(const std::vector<std::vector<Vec2>>& lines, const std::string& css_class);
+    /// Lines that may be drawn in any order and either way, joined where they meet; what is drawn twice is
+    /// drawn once.
+    void strokes(const std::vector<std::vector<Vec2>>& lines, const std::string& css_class);
     void dot(const Vec2& at, double radius_mm, const std::string& css_class);
 
     /// The drawing, an <svg> that may stand in a page or in a file of its own.
@@ -32,6 +35,7 @@ class Drawing {
     void add(const std::string& css_class, std::string path_data);
 
     Box2 frame_;
+    double unit_mm_;
     std::string label_;
     Element shapes_;
 };

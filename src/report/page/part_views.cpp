@@ -37,8 +37,8 @@ Element drawn(const Lines& lines, const Shading& shading, std::string label) {
     Drawing drawing(box, std::move(label));
     for (const auto& [tint, patches] : shading)
         drawing.polylines(patches, "shade " + tintClass(tint));
-    drawing.polylines(lines.hidden, "hidden");
-    drawing.polylines(lines.visible, "visible");
+    drawing.strokes(lines.hidden, "hidden");
+    drawing.strokes(lines.visible, "visible");
     return std::move(drawing).element();
 }
 

@@ -22,6 +22,7 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 #include "stepmill/planar/region_text.h"
+#include "stepmill/planar/svg_path.h"
 #include "support/random_regions.h"
 
 namespace stepmill {
@@ -188,7 +189,7 @@ TEST(SplitLaws, PiecesAddUpAndLieWhereTheyAreSaidToLie) {
         PairMaker shapes(seed, seed % 2 ? PairKind::Lattice : PairKind::Scattered);
         const Region region = shapes.region();
         const Path path = shapes.path();
-        SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + toText(region) + toSvgPath(path));
+        SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + toText(region) + toSvgPath(path, kGridMm));
         const SplitPath parts = split(path, region, tol);
         double sum = 0;
         const auto check = [&](const std::vector<Path>& pieces, const auto& holdsAt) {

@@ -69,16 +69,5 @@ TEST(RegionText, RefusesLengthsTheGridCannotHold) {
                     "line 1: expected a length of a kilometre at most");
 }
 
-TEST(RegionText, SvgKeepsArcs) {
-    const Region slot =
-        regionFromText("loop 0 0  line 10 0  arc 10 2 centre 10 1 ccw  line 0 2  close\n", "slot");
-    EXPECT_EQ(toSvgPath(slot), "M 0 0 L 10 0 A 1 1 0 0 1 10 2 L 0 2 L 0 0 Z");
-}
-
-TEST(RegionText, SvgSplitsAFullCircleSegment) {
-    const Path circle{{1, 0}, {{{1, 0}, Arc{{0, 0}, 1, false}}}};
-    EXPECT_EQ(toSvgPath(circle), "M 1 0 A 1 1 0 0 0 -1 0 A 1 1 0 0 0 1 0 Z");
-}
-
 }  // namespace
 }  // namespace stepmill
