@@ -69,12 +69,13 @@ PlannedStage planStage(const Stage& stage, const PlanningShop& shop, const Setup
     return result;
 }
 
-/// Does the setup cut nothing and only name again what earlier ones left standing?
+bool cutsNothing(const PlannedSetup& setup) {
+    return std::all_of(setup.features.begin(), setup.features.end(),
+                       [](const PlannedFeature& planned) { return planned.sequence.steps.empty(); });
+}
+
+/// Do the setup's residuals only name again what earlier ones left standing?
 bool repeatsResiduals(const PlannedSetup& setup, const std::vector<PlannedStage>& earlier) {
-    const bool cuts =
-        std::any_of(setup.features.begin(), setup.features.end(),
-                    [](const PlannedFeature& planned) { return !planned.sequence.steps.empty(); });
-    if (cuts) return false;
     std::vector<SetupPrism> known;
     for (const PlannedStage& stage : earlier)
         for (const ResidualPrism& residual : residualPrisms(stage.setup.features))
@@ -94,6 +95,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
     std::vector<PlannedStage> stages;
     SetupWalk walk(setups, shop.request.slicing, shop.tol, reserves);
     const auto no_time = [&] { return !stages.empty() && shop.request.patience.few_tools.passed(); };
+    std::size_t left_out = 0;
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
         if (!stage) break;
@@ -106,8 +108,11 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
             names = namesFrom(*before, stage->found, shop.tol);
         stage->found = renamed(std::move(stage->found), names);
         PlannedStage planned = planStage(*stage, shop, SetupProgress(progress, stages.size(), setups.size()));
-        const bool optional = !stages.empty() && stage->setup.chosen;
-        if (optional && repeatsResiduals(planned.setup, stages)) continue;
+        const bool in_vain = !stages.empty() && stage->setup.chosen && cutsNothing(planned.setup);
+        // Its features would be a long list of what there was no time for.
+        const bool out_of_time = in_vain && no_time();
+        if (out_of_time) ++left_out;
+        if (out_of_time || (in_vain && repeatsResiduals(planned.setup, stages))) continue;
         planned.setup.names = std::move(names);
         planned.loose = loosePieces(*stage, planned.removed, shop.tol);
         append(planned.warnings, looseWarnings(planned.loose, stage->setup.id));
@@ -116,9 +121,10 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         planned.layers = std::move(stage->layers);
         stages.push_back(std::move(planned));
     }
-    if (walk.setupsLeft() > 0)
+    left_out += walk.setupsLeft();
+    if (left_out > 0)
         late.push_back({"time-limit", stages.back().setup.setup.id,
-                        fmt::format("no time was left for {} more setups (--timeout)", walk.setupsLeft())});
+                        fmt::format("no time was left for {} more setups (--timeout)", left_out)});
     return stages;
 }
 
