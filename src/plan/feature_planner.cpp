@@ -440,8 +440,8 @@ class FeaturePlanner {
     std::optional<ToolSequence> sequenceBefore(const Feature& grown, const ToolLibrary& library,
                                                const SequenceOptions& options) const {
         try {
-            options.deadline.check(grown.id);
             return shop_.memory.sequence(grown, library, options, [&] {
+                options.deadline.check(grown.id);
                 return sequenceTools(grown, library, shop_.machine, options, shop_.tol);
             });
         } catch (const Error& error) {

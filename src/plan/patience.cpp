@@ -17,4 +17,10 @@ Patience patienceFor(double seconds) {
             Deadline::in(seconds), kFeatureShare * seconds};
 }
 
+Patience patienceAfter(const Patience& before) {
+    Patience next = patienceFor(before.end.secondsLeft());
+    if (before.all_tools.passed()) next.all_tools = before.all_tools;
+    return next;
+}
+
 }  // namespace stepmill

@@ -1,8 +1,10 @@
 #include "stepmill/plan/sequence_memory.h"
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 
+#include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 
 namespace stepmill {
@@ -119,12 +121,24 @@ ToolSequence SequenceMemory::sequence(const Feature& feature, const ToolLibrary&
             same.feature_id = feature.id;
             return same;
         }
+        if (const auto given = in_vain_.find(what);
+            given != in_vain_.end() && options.deadline.secondsLeft() <= given->second)
+            throw Error(ErrorCode::TimedOut, feature.id, "it was given as long in a plan before");
     }
     // Not under the lock: it is the long part, and starts tasks. Two threads that make the same make equals.
-    ToolSequence made = make();
-    const std::lock_guard lock(mutex_);
-    known_.insert_or_assign(what, Known{made, plan_});
-    return made;
+    const double given_s = options.deadline.secondsLeft();
+    try {
+        ToolSequence made = make();
+        const std::lock_guard lock(mutex_);
+        known_.insert_or_assign(what, Known{made, plan_});
+        return made;
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::TimedOut) throw;
+        const std::lock_guard lock(mutex_);
+        double& longest_s = in_vain_.try_emplace(what, given_s).first->second;
+        longest_s = std::max(longest_s, given_s);
+        throw;
+    }
 }
 
 void SequenceMemory::beginPlan() {

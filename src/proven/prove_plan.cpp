@@ -196,7 +196,7 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
         if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
         // A caution speaks of features as this plan has them.
         careful.assignment = proven.plan.assignment;
-        careful.patience = patienceFor(careful.patience.end.secondsLeft());
+        careful.patience = patienceAfter(careful.patience);
         plan = planPart(part, careful, library, machine, tol, progress, memory);
         plan.cycle.steps = steps;
     }

@@ -25,4 +25,8 @@ struct Patience {
 /// them and write all.
 Patience patienceFor(double seconds);
 
+/// For planning anew in the time that is left. All tools are weighed only where there was time for that
+/// before.
+Patience patienceAfter(const Patience& before);
+
 }  // namespace stepmill

@@ -47,6 +47,16 @@ TEST(Patience, LeavesNothingForToolsWhereTheTimeIsOver) {
     EXPECT_TRUE(over.fewToolsOfOne().passed());
 }
 
+TEST(Patience, AfterwardsAllToolsAreWeighedOnlyWhereThereWasTime) {
+    Patience before = patienceFor(1000);
+    EXPECT_FALSE(patienceAfter(before).all_tools.passed());
+    before.all_tools = Deadline::in(0);
+    const Patience after = patienceAfter(before);
+    EXPECT_TRUE(after.all_tools.passed());
+    EXPECT_GT(after.few_tools.secondsLeft(), 100);
+    EXPECT_LT(after.few_tools.secondsLeft(), before.end.secondsLeft());
+}
+
 TEST(Patience, FewToolsArePlannedWithWhereAllTakeTooLong) {
     const Plan plan = planWith({Deadline::in(0), {}, {}}, "four_setups.step");
     EXPECT_TRUE(warns(plan, "few-tools"));

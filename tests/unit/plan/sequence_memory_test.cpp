@@ -83,5 +83,24 @@ TEST_F(SequenceMemoryTest, AsksAgainAfterAFailure) {
     EXPECT_TRUE(isMade(pocket_));
 }
 
+TEST_F(SequenceMemoryTest, TriesWhatTookTooLongAgainOnlyWithMoreTime) {
+    constexpr double kGivenS = 50;
+    options_.deadline = Deadline::in(kGivenS);
+    int tries = 0;
+    const auto ends = [&] {
+        return memory_.sequence(pocket_, library_, options_, [&]() -> ToolSequence {
+            ++tries;
+            throw Error(ErrorCode::TimedOut, pocket_.id, "the time for it is over");
+        });
+    };
+    EXPECT_THROW(ends(), Error);
+    EXPECT_THROW(ends(), Error);
+    EXPECT_EQ(tries, 1);
+    options_.deadline = Deadline::in(2 * kGivenS);
+    EXPECT_TRUE(isMade(pocket_));
+    options_.deadline = Deadline::in(kGivenS);
+    EXPECT_FALSE(isMade(pocket_)) << "what is known is there at once";
+}
+
 }  // namespace
 }  // namespace stepmill
