@@ -17,12 +17,12 @@ void append(Region& region, const Region& piece) {
     region.loops.insert(region.loops.end(), piece.loops.begin(), piece.loops.end());
 }
 
+}  // namespace
+
 Region within(const Region& region, const Box2& box, const Tolerances& tol) {
     if (region.empty() || !boundingBox(region).intersects(box)) return {};
     return intersect(region, makeRectangle(box.min(), box.max()), tol);
 }
-
-}  // namespace
 
 Region withoutCrumbs(const Region& region, const Tolerances& tol) {
     const Region wide = access::withoutSliverComponents(region, tol);

@@ -18,6 +18,9 @@ std::vector<Region> lumpsOf(const Region& blocked, double apart_mm, const Tolera
 /// `region` in the same way, as one. Empty when it holds no more than that.
 Region withoutCrumbs(const Region& region, const Tolerances& tol);
 
+/// What of the region lies within the box.
+Region within(const Region& region, const Box2& box, const Tolerances& tol);
+
 /// The obstruction as the tool's cutter alone must see it to keep shank and holder off everything too: a
 /// cylinder of radius R stays off an obstacle exactly when a disc of radius r stays off the obstacle grown
 /// by R - r.

@@ -177,7 +177,7 @@ std::vector<Stretch> stretchesOf(const DagTask& task, const Candidate* m) {
 ClearingTask clearingTask(const DagTask& task, const Candidate& n, const Stretch& stretch,
                           const DecomposedArea& decomposed, Pattern pattern, const SharedRings& rings) {
     const Feature& feature = task.ground.feature();
-    ClearingTask clearing = clearingTaskOf(feature, *n.own, task.retract_z_mm);
+    ClearingTask clearing = clearingTaskOf(feature, task.around, *n.own, task.retract_z_mm);
     clearing.entries = n.own->entries;
     clearing.slot_middles = n.own->slot_middles;
     clearing.in_slot =

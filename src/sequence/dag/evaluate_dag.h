@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sequence/dag/candidate.h"
+#include "sequence/holder/tool_areas.h"
 #include "sequence/surrogates/edge_surrogates.h"
 #include "stepmill/sequence/tool_dag.h"
 
@@ -16,6 +17,7 @@ struct DagTask {
     const FeatureGround& ground;
     const std::vector<Candidate>& tools;
     const std::vector<bool>& ends;
+    const Surroundings& around;
     const SequenceOptions& options;
     const Machine& machine;
     double retract_z_mm = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sequence/holder/tool_areas.h"
 #include "stepmill/access/access.h"
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
@@ -13,6 +14,7 @@ struct SequenceJob {
     SequenceJob(const Feature& of, const ToolLibrary& tools, const Machine& mill,
                 const SequenceOptions& asked, const Tolerances& tol)
         : ground(of, asked.finish.walls_mm > 0 ? withoutFit(tol) : tol),
+          around(surroundingsOf(ground.feature())),
           library(tools),
           machine(mill),
           options(asked),
@@ -20,6 +22,7 @@ struct SequenceJob {
           retract_z_mm(asked.retract_mm > 0 ? asked.retract_mm : mill.safe_height_mm) {}
 
     const FeatureGround ground;
+    const Surroundings around;
     const ToolLibrary library;
     const Machine machine;
     const SequenceOptions options;

@@ -78,8 +78,9 @@ SequenceChoices::SequenceChoices(std::shared_ptr<const SequenceJob> job, Admissi
                          : residualsOf(job_->ground, usedOn(dag_.path), withheld_)) {}
 
 DagTask SequenceChoices::task() const {
-    DagTask task{job_->ground,           tools_, ends_, job_->options, job_->machine, job_->retract_z_mm,
-                 admission_.finder.get()};
+    DagTask task{
+        job_->ground,           tools_, ends_, job_->around, job_->options, job_->machine, job_->retract_z_mm,
+        admission_.finder.get()};
     task.first_at_least_mm = job_->options.first_at_least_mm;
     return task;
 }

@@ -1,6 +1,7 @@
 #include "sequence/holder/tool_areas.h"
 
 #include "stepmill/access/collision.h"
+#include "stepmill/access/lumps.h"
 #include "stepmill/feature/heights.h"
 
 namespace stepmill {
@@ -12,7 +13,19 @@ ToolReach reachFor(const FeatureGround& ground, const ToolAssembly& tool, const 
     return reach;
 }
 
-ClearingTask clearingTaskOf(const Feature& feature, const CutterArea& reach, double retract_z_mm) {
+Surroundings surroundingsOf(const Feature& feature) {
+    Surroundings around{feature.skirt, {}, highestMm(feature)};
+    if (const auto above = access::obstacleAbove(feature.obstacles, feature.top_z_mm, kSameHeightMm))
+        around.above = feature.obstacles[*above].section;
+    return around;
+}
+
+Surroundings within(const Surroundings& around, const Box2& box, const Tolerances& tol) {
+    return {within(around.skirt, box, tol), within(around.above, box, tol), around.stands_to_mm};
+}
+
+ClearingTask clearingTaskOf(const Feature& feature, const Surroundings& around, const CutterArea& reach,
+                            double retract_z_mm) {
     ClearingTask clearing;
     clearing.free_centres = reach.free_centres;
     clearing.target = feature.target;
@@ -20,10 +33,9 @@ ClearingTask clearingTaskOf(const Feature& feature, const CutterArea& reach, dou
     clearing.top_z_mm = feature.top_z_mm;
     clearing.floor_z_mm = feature.floor_z_mm;
     clearing.retract_z_mm = retract_z_mm;
-    clearing.skirt = feature.skirt;
-    clearing.stands_to_mm = highestMm(feature);
-    const auto above = access::obstacleAbove(feature.obstacles, feature.top_z_mm, kSameHeightMm);
-    clearing.stands_above = above ? feature.obstacles[*above].section : Region{};
+    clearing.skirt = around.skirt;
+    clearing.stands_to_mm = around.stands_to_mm;
+    clearing.stands_above = around.above;
     return clearing;
 }
 

@@ -149,7 +149,8 @@ class AllowanceTrial {
     }
 
     DagTask on(const FeatureGround& ground) const {
-        return {ground, candidates_, task_.ends, task_.options, task_.machine, task_.retract_z_mm, nullptr};
+        return {ground,        candidates_,   task_.ends,         task_.around,
+                task_.options, task_.machine, task_.retract_z_mm, nullptr};
     }
 
     SequenceStep roughStep(const Candidate* before, const Candidate& tool) const {
@@ -176,7 +177,7 @@ class AllowanceTrial {
     /// Sets `trouble_` where the moves are not proven.
     SequenceStep wallStep() {
         const CutterArea& reached = *last().own;
-        ClearingTask clearing = clearingTaskOf(feature_, reached, task_.retract_z_mm);
+        ClearingTask clearing = clearingTaskOf(feature_, task_.around, reached, task_.retract_z_mm);
         clearing.cleared_centres = reaches_.back().cutter.free_centres;
         SequenceStep step;
         step.tool_id = last().tool->id;

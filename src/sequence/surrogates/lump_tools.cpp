@@ -16,6 +16,14 @@ namespace {
 /// lump than the cutter's diameter and this [mm].
 constexpr double kBesideMm = 2;
 
+/// How far from a lump a cutter may come that clears it.
+double reachBeyondMm(const std::vector<Surrogate>& surrogates) {
+    double widest_mm = 0;
+    for (const Surrogate& surrogate : surrogates)
+        widest_mm = std::max(widest_mm, surrogate.tool->diameter_mm);
+    return 2 * widest_mm + kBesideMm;
+}
+
 }  // namespace
 
 LumpTools::LumpTools(std::shared_ptr<const SurrogateTools> surrogates, Region lump,
@@ -25,7 +33,8 @@ LumpTools::LumpTools(std::shared_ptr<const SurrogateTools> surrogates, Region lu
       lump_(std::move(lump)),
       standing_(std::move(standing)),
       // The obstruction differs from tool to tool, by its holder: reachIn() adds it.
-      ground_(lumpFeature(job().feature(), lump_, {}, 0, tol_), tol_) {}
+      ground_(lumpFeature(job().feature(), lump_, {}, 0, tol_), tol_),
+      around_(within(job().around, grown(boundingBox(lump_), reachBeyondMm(surrogates_->all())), tol_)) {}
 
 /// The reach of a surrogate in the lump, with its holder clear and nothing around the lump touched.
 ToolReach LumpTools::reachIn(int surrogate) const {
@@ -102,7 +111,7 @@ int LumpTools::nodeOf(int surrogate) const {
 }
 
 DagTask LumpTools::task() const {
-    return {ground_, nodes_, ends_, job().options, job().machine, job().retract_z_mm};
+    return {ground_, nodes_, ends_, around_, job().options, job().machine, job().retract_z_mm};
 }
 
 void LumpTools::makeRings(const std::vector<int>& nodes) {

@@ -59,6 +59,7 @@ class LumpTools {
     Region lump_;
     std::vector<Region> standing_;
     FeatureGround ground_;
+    Surroundings around_;             ///< what stands near the lump, of the feature's
     std::vector<ToolReach> reaches_;  ///< in the lump
     std::vector<int> numbers_;        ///< surrogate of each of reaches_, rising
     std::vector<Candidate> nodes_;    ///< point into reaches_

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/edge_index.h"
 #include "support/sample_feature.h"
 #include "support/tolerances.h"
 
@@ -204,6 +207,39 @@ TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
     EXPECT_LE(sequence.time_s, edge->time_s) << "of the quickest patterns";
     const double changes_s = 2 * makeMachine().tool_change_s;
     EXPECT_NEAR(edge->time_s, edge->totals.time_s() + edge->surrogates[0].time_s + changes_s, 1e-9);
+}
+
+/// How many rapids below that height bring a cutter into the region.
+int rapidsInto(const Region& standing, double top_z_mm, const Toolpath& path, double radius_mm) {
+    const EdgeIndex edges(standing);
+    int count = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const bool down = move.to.z() <= from.z() && move.to.z() < top_z_mm;
+        const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        if (move.kind == MoveKind::Rapid && down && edges.anyNearer(way, radius_mm - kTol.guard_mm)) ++count;
+        from = move.to;
+    }
+    return count;
+}
+
+TEST(SequenceTools, ASurrogatesRapidsKeepOffWhatStandsAroundTheFeature) {
+    // Open towards the boss, whose stock may stand out by 1.5 mm.
+    Feature pocket = makePocketBesideABoss();
+    const Region boss = makeRectangle(Vec2(40, -15), Vec2(60, -2));
+    pocket.obstruction = boss;
+    pocket.obstacles = {{-38, 0, boss}};
+    pocket.skirt = subtract(offset(boss, 1.5, kTol), boss, kTol);
+    const ToolSequence sequence =
+        sequenceTools(pocket, makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}), makeMachine(),
+                      inAluminium(), kTol);
+    int surrogates = 0;
+    for (const SequenceStep& step : sequence.steps) {
+        if (step.role != Role::Surrogate) continue;
+        ++surrogates;
+        EXPECT_EQ(rapidsInto(pocket.skirt, 0, step.path, 3), 0);
+    }
+    EXPECT_GT(surrogates, 0);
 }
 
 TEST(SequenceTools, ASurrogateThatComesNextAnywayIsChangedToOnce) {
