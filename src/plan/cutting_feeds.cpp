@@ -103,9 +103,9 @@ class SetupFeeds {
         const auto known = grounds_.find(feature_id);
         if (known != grounds_.end()) return known->second;
         const CutById by_id = [this](const std::string& id) { return asCut(*features_.at(id)); };
-        const Feature found =
-            asFound(features_.at(feature_id)->feature, by_id, setup_.setup.fixtures, growth_, settings_.tol);
-        return grounds_.emplace(feature_id, CutGround(found.target, found.top_z_mm)).first->second;
+        const GrownTarget found = targetAsFound(features_.at(feature_id)->feature, by_id,
+                                                setup_.setup.fixtures, growth_, settings_.tol);
+        return grounds_.emplace(feature_id, CutGround(found.region, found.top_z_mm)).first->second;
     }
 
     PlannedSetup& setup_;

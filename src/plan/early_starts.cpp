@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "stepmill/access/collision.h"
@@ -87,7 +88,7 @@ class FeatureBefore {
         const int all = static_cast<int>(feature_.operations.size());
         if (feature_.plain_ways) return all;
         for (int done = 0; done < all; ++done)
-            if (lower.passes(after(done), feature_.feature().top_z_mm, tol_)) return done;
+            if (lower.passes(after(done), feature_.target.top_z_mm, tol_)) return done;
         return all;
     }
 
@@ -102,7 +103,7 @@ class FeatureBefore {
         for (const Residual& residual : feature_.planned->sequence.residual)
             gone.push_back(residual.region);
         known.emplace();
-        known->region = subtract(feature_.feature().target, unite(gone, tol_), tol_);
+        known->region = subtract(feature_.target.region, unite(gone, tol_), tol_);
         known->edges = EdgeIndex(known->region);
         return *known;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
+#include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/plan.h"
 
 namespace stepmill {
@@ -18,10 +18,8 @@ struct EarlyOperation {
 struct FeatureOperations {
     const PlannedFeature* planned = nullptr;
     std::vector<EarlyOperation> operations;
-    bool plain_ways = false;         ///< FeatureCaution::plain_ways
-    std::optional<Feature> grown{};  ///< the feature on the grown stock; nothing: as it is planned
-
-    const Feature& feature() const { return grown ? *grown : planned->feature; }
+    bool plain_ways = false;  ///< FeatureCaution::plain_ways
+    GrownTarget target{};     ///< of the feature, on the grown stock
 };
 
 /// What each operation of a feature waits for; an empty entry waits for all features above it.

@@ -85,18 +85,32 @@ void grow(std::vector<Obstacle>& obstacles, const Surplus& surplus, double top_m
 
 }  // namespace
 
+namespace {
+
+GrownTarget grownTarget(const Feature& feature, const Surplus& surplus, const StockGrowth& growth,
+                        const Tolerances& tol) {
+    const Region more = surplus.without(surplus.beside(feature.target), feature.obstruction);
+    const double higher_mm = toolpath::isRawTop(feature.top_z_mm) ? growth.top_mm : 0;
+    return {more.empty() ? feature.target : unite(feature.target, more, tol), feature.top_z_mm + higher_mm};
+}
+
+}  // namespace
+
+GrownTarget targetOnGrownStock(const Feature& feature, const StockGrowth& growth, const Tolerances& tol) {
+    if (!growth.any() || feature.target.empty()) return {feature.target, feature.top_z_mm};
+    return grownTarget(feature, Surplus(growth, tol), growth, tol);
+}
+
 Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerances& tol) {
     if (!growth.any() || feature.target.empty()) return feature;
     const Surplus surplus(growth, tol);
-    const Region more = surplus.without(surplus.beside(feature.target), feature.obstruction);
-    if (!more.empty()) {
-        feature.target = unite(feature.target, more, tol);
-        feature.area_mm2 = area(feature.target);
-    }
+    GrownTarget grown = grownTarget(feature, surplus, growth, tol);
+    feature.target = std::move(grown.region);
+    feature.area_mm2 = area(feature.target);
     feature.skirt = surplus.beside(feature.obstruction);
     if (!feature.skirt.empty()) feature.skirt = subtract(feature.skirt, feature.target, tol);
     grow(feature.obstacles, surplus, growth.top_mm, tol);
-    if (toolpath::isRawTop(feature.top_z_mm)) feature.top_z_mm += growth.top_mm;
+    feature.top_z_mm = grown.top_z_mm;
     feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
     return feature;
 }
@@ -123,6 +137,14 @@ std::vector<Residual> onNominalStock(std::vector<Residual> residual, const Featu
     }
     std::erase_if(residual, [&](const Residual& one) { return one.area_mm2 <= tol.area_mm2; });
     return residual;
+}
+
+GrownTarget targetAsFound(Feature feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
+                          const StockGrowth& growth, const Tolerances& tol) {
+    feature.obstacles.clear();
+    const ReducedFeature below =
+        reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id), fixtures, tol);
+    return targetOnGrownStock(below.feature, growth, tol);
 }
 
 Feature asFound(const Feature& feature, const CutById& by_id, const std::vector<Fixture>& fixtures,

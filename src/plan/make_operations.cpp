@@ -75,7 +75,7 @@ FeatureOperations operationsOf(const PlannedFeature& planned, const Operation* f
                                const StockGrowth& growth, const OperationSettings& settings) {
     FeatureOperations found;
     found.planned = &planned;
-    if (growth.any()) found.grown = onGrownStock(planned.feature, growth, settings.tol);
+    found.target = targetOnGrownStock(planned.feature, growth, settings.tol);
     found.plain_ways = takesPlainWays(planned.feature.id, settings.cautions);
     for (const SequenceStep& step : planned.sequence.steps)
         found.operations.push_back({first++, setOutFor(step, settings.library), step.area.area});

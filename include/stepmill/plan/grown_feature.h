@@ -13,9 +13,21 @@ namespace stepmill {
 /// \param feature  beside all that stands by the plan: reduced() (plan/reduced_feature.h)
 Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerances& tol);
 
+/// What is to be cut of a feature on the grown stock.
+struct GrownTarget {
+    Region region;
+    double top_z_mm = 0;
+};
+/// Target and top of onGrownStock() alone, which costs a fraction: no obstacle is looked at.
+GrownTarget targetOnGrownStock(const Feature& feature, const StockGrowth& growth, const Tolerances& tol);
+
 /// A feature as its tools find it: below what those above it left, beside the fixtures, on the grown stock.
 Feature asFound(const Feature& feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
                 const StockGrowth& growth, const Tolerances& tol);
+
+/// Target and top of asFound() alone.
+GrownTarget targetAsFound(Feature feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
+                          const StockGrowth& growth, const Tolerances& tol);
 
 /// Obstacles as they may stand: raw sides farther out, a raw top higher.
 std::vector<Obstacle> onGrownStock(std::vector<Obstacle> obstacles, const StockGrowth& growth,

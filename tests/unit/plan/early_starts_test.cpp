@@ -29,13 +29,12 @@ class EarlyStarts : public testing::Test {
     EarlyStarts() {
         const Region target = makeRectangle({0, 0}, {50, 50});
         upper_planned_.feature.id = "S1.F1";
-        upper_planned_.feature.target = target;
-        upper_planned_.feature.top_z_mm = 0;
         upper_planned_.feature.floor_z_mm = -10;
         lower_planned_.feature.id = "S1.F2";
         lower_planned_.feature.parents = {"S1.F1"};
         other_planned_.feature.id = "S1.F3";
         upper_.planned = &upper_planned_;
+        upper_.target = {target, 0};
         upper_.operations.push_back({&wide_, makeMill(16), subtract(target, kCorner, kTol)});
         upper_.operations.push_back({&narrow_, makeMill(6), kCorner});
     }
@@ -91,10 +90,9 @@ TEST_F(EarlyStarts, FeaturesThatAreNotAboveDoNotCount) {
 TEST_F(EarlyStarts, EveryFeatureAboveIsAskedHoweverFarUp) {
     const Operation clear = levelCut(10, 30, -20);
     const Operation lowest = levelCut(10, 30, -30);
-    const FeatureOperations lower{&lower_planned_, {{&clear, makeMill(16), kCorner}}, false};
+    const FeatureOperations lower{
+        &lower_planned_, {{&clear, makeMill(16), kCorner}}, false, {makeRectangle({0, 0}, {50, 50}), -10}};
     other_planned_.feature.parents = {"S1.F2"};
-    lower_planned_.feature.target = makeRectangle({0, 0}, {50, 50});
-    lower_planned_.feature.top_z_mm = -10;
     const FeatureOperations other{&other_planned_, {{&lowest, makeMill(16), {}}}, false};
     const std::vector<Wait> waits = earlyStarts({upper_, lower, other}, kTol).back().front();
     ASSERT_EQ(waits.size(), 2U);
