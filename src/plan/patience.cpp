@@ -7,6 +7,9 @@ namespace {
 // with few tools, they take nearly half of all.
 constexpr double kAllToolsShare = 0.33;
 constexpr double kFewToolsShare = 0.5;
+/// Of the time that is left after a proof: another proof must fit in, and what to do after it.
+constexpr double kAllToolsAgainShare = 0.2;
+constexpr double kFewToolsAgainShare = 0.35;
 /// One feature must leave time to the others.
 constexpr double kFeatureShare = 0.15;
 
@@ -18,9 +21,10 @@ Patience patienceFor(double seconds) {
 }
 
 Patience patienceAfter(const Patience& before) {
-    Patience next = patienceFor(before.end.secondsLeft());
-    if (before.all_tools.passed()) next.all_tools = before.all_tools;
-    return next;
+    const double left_s = before.end.secondsLeft();
+    const bool no_more = before.all_tools.passed();
+    return {no_more ? before.all_tools : Deadline::in(kAllToolsAgainShare * left_s),
+            Deadline::in(kFewToolsAgainShare * left_s), before.end, kFeatureShare * left_s};
 }
 
 }  // namespace stepmill

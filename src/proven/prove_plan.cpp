@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kMostToolsWithheld = 3;
 /// So often what stays is named before the feature is dropped.
 constexpr std::size_t kMostLeftNamed = 3;
+/// What failed is planned in safer ways, one after another, while there is time for another such round and
+/// then for a last one, which takes about so many times as long as a proof and drops what failed.
+constexpr double kLastRoundProofs = 3;
 
 /// What our own reader cannot take is a proof that fails.
 Verification verified(const PlanFiles& files, const Tolerances& tol, const Prover& prover) {
@@ -163,6 +166,19 @@ void forgetLater(const Plan& plan, std::size_t setup, Cautions& cautions) {
         });
 }
 
+/// Drops all that failed, in every setup; false where nothing can be done.
+bool dropFailed(const ProvenPlan& proven, Cautions& cautions) {
+    bool any = false;
+    for (const PlannedSetup& setup : proven.plan.setups)
+        for (const auto& [id, feature] : failedIn(setup, proven.verification)) {
+            FeatureCaution& caution = cautions[id];
+            if (caution.why.empty()) caution.why = feature.first;
+            any |= !caution.dropped;
+            caution.dropped = true;
+        }
+    return any;
+}
+
 /// More caution in the first setup that has failures; false where nothing can be done.
 bool addCautions(const ProvenPlan& proven, Cautions& cautions) {
     for (std::size_t s = 0; s < proven.plan.setups.size(); ++s) {
@@ -190,10 +206,17 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
     SequenceMemory memory;
     auto [plan, careful] = planToTime(part, request, library, machine, tol, progress, memory);
     const std::vector<CycleStep> steps = plan.cycle.steps;
+    const Deadline end = careful.patience.end;
+    double before_s = end.secondsLeft();
     for (;;) {
         if (progress) progress("proving the programs", 1);
+        const double begun_s = end.secondsLeft();
         ProvenPlan proven = proved(std::move(plan), tol, prover);
-        if (proven.verification.proven() || !addCautions(proven, careful.cautions)) return proven;
+        const double left_s = end.secondsLeft();
+        const bool one_more = left_s < before_s - left_s + kLastRoundProofs * (begun_s - left_s);
+        before_s = left_s;
+        if (proven.verification.proven() || !(one_more ? dropFailed : addCautions)(proven, careful.cautions))
+            return proven;
         // A caution speaks of features as this plan has them.
         careful.assignment = proven.plan.assignment;
         careful.patience = patienceAfter(careful.patience);

@@ -20,8 +20,10 @@ const Part& nestedPockets() {
     return part;
 }
 
-ProvenPlan planWith(const Prover& prover, const ToolLibrary& library = defaultToolLibrary()) {
+ProvenPlan planWith(const Prover& prover, const ToolLibrary& library = defaultToolLibrary(),
+                    const Patience& patience = {}) {
     PlanRequest request;
+    request.patience = patience;
     request.sequence.material = "aluminium";
     request.sequence.retract_mm = defaultMachine().safe_height_mm;
     return planProven(nestedPockets(), request, library, defaultMachine(), Tolerances(), {}, prover);
@@ -149,6 +151,24 @@ TEST(PlanProven, DropsAFeatureThatNoToolIsProvenIn) {
     EXPECT_FALSE(proven.plan.complete(Tolerances()));
     EXPECT_LE(proven.plan.balance.gapShare(), Tolerances().volume_share);
     EXPECT_TRUE(verifyPlan(proven.files, Tolerances()).proven()) << "what lies below it is not cut either";
+}
+
+TEST(PlanProven, DropsWhatFailedAtOnceWhereTimeIsShort) {
+    int calls = 0;
+    const auto failing = failsIn(kRest, [](const Json&) { return true; });
+    const Patience short_of_time{{}, {}, Deadline::in(0)};
+    const ProvenPlan proven = planWith(
+        [&](const PlanFiles& files, const Tolerances& tol) {
+            ++calls;
+            return failing(files, tol);
+        },
+        defaultToolLibrary(), short_of_time);
+    EXPECT_EQ(calls, 2);
+    EXPECT_TRUE(proven.verification.proven());
+    EXPECT_TRUE(operationsOf(proven.files, kRest).empty());
+    EXPECT_FALSE(operationsOf(proven.files, kParent).empty()) << "what is known needs no time";
+    EXPECT_EQ(featureOf(proven, kRest).sequence.residual.front().reason, Reason::NotProven);
+    EXPECT_TRUE(verifyPlan(proven.files, Tolerances()).proven());
 }
 
 TEST(PlanProven, NamesWhatToolsLeaveWhereOnlyThatFails) {
