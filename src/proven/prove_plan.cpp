@@ -1,5 +1,7 @@
 // Plans whose programs are proven before they are written.
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
@@ -213,7 +215,8 @@ ProvenPlan planProven(const Part& part, const PlanRequest& request, const ToolLi
         const double begun_s = end.secondsLeft();
         ProvenPlan proven = proved(std::move(plan), tol, prover);
         const double left_s = end.secondsLeft();
-        const bool one_more = left_s < before_s - left_s + kLastRoundProofs * (begun_s - left_s);
+        const double last_round_s = kLastRoundProofs * (begun_s - left_s);
+        const bool one_more = left_s < std::max(before_s - left_s, last_round_s) + last_round_s;
         before_s = left_s;
         if (proven.verification.proven() || !(one_more ? dropFailed : addCautions)(proven, careful.cautions))
             return proven;
