@@ -36,8 +36,8 @@ std::string svg(const Box2& frame, const std::vector<Layer>& layers) {
     const Box2 box = grown(frame, kMarginMm);
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" viewBox=\"{:.2f} {:.2f} {:.2f} {:.2f}\">"
-        "<g transform=\"scale({4},-{4})\" stroke-width=\"{5:g}\" fill-rule=\"nonzero\">\n",
-        box.min().x(), -box.max().y(), box.sizes().x(), box.sizes().y(), kUnitMm, kLineMm / kUnitMm);
+        "<g transform=\"scale({},-{})\" stroke-width=\"{:g}\" fill-rule=\"nonzero\">\n",
+        box.min().x(), -box.max().y(), box.sizes().x(), box.sizes().y(), kUnitMm, kUnitMm, kLineMm / kUnitMm);
     for (const Layer& layer : layers)
         text +=
             fmt::format("<path d=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", layer.data, layer.fill, layer.stroke);

@@ -3,10 +3,13 @@
 #include "stepmill/verify/verify.h"
 
 #include <algorithm>
+#include <exception>
+#include <iterator>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "stepmill/core/error.h"
 #include "stepmill/plan/books.h"
@@ -319,11 +322,50 @@ bool leavesUnasked(const PlanRecord& record, const Tolerances& tol) {
     return !leavesNothing(record.books, roughing, tol);
 }
 
+namespace {
+
+/// The proof of one setup, or what ended it.
+struct SetupProof {
+    Verification verification;
+    std::exception_ptr ended;
+};
+
+SetupProof proofOf(const RecordedPlan& plan, const RecordedSetup& setup, const Tolerances& tol) {
+    SetupProof proof;
+    try {
+        verifySetup(plan.record, setup, readPrograms(plan.files, setup), tol, proof.verification);
+    } catch (...) {
+        proof.ended = std::current_exception();
+    }
+    return proof;
+}
+
+template <typename Value>
+void append(std::vector<Value>& to, std::vector<Value>&& from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+/// Setups side by side: none needs to know what was found in another.
+Verification proofOfSetups(const RecordedPlan& plan, const Tolerances& tol) {
+    const std::vector<RecordedSetup>& setups = plan.record.setups;
+    std::vector<SetupProof> proofs(setups.size());
+    tbb::parallel_for(std::size_t{0}, setups.size(),
+                      [&](std::size_t i) { proofs[i] = proofOf(plan, setups[i], tol); });
+    Verification whole;
+    for (SetupProof& proof : proofs) {
+        if (proof.ended) std::rethrow_exception(proof.ended);
+        append(whole.operations, std::move(proof.verification.operations));
+        append(whole.failures, std::move(proof.verification.failures));
+        append(whole.leftovers, std::move(proof.verification.leftovers));
+    }
+    return whole;
+}
+
+}  // namespace
+
 Verification verifyRecorded(const RecordedPlan& plan, const Tolerances& tol) {
     const PlanRecord& record = plan.record;
-    Verification verification;
-    for (const RecordedSetup& setup : record.setups)
-        verifySetup(record, setup, readPrograms(plan.files, setup), tol, verification);
+    Verification verification = proofOfSetups(plan, tol);
     std::vector<ReasonVolume> left = record.books.residual_by_reason;
     left.insert(left.end(), record.books.unreachable_by_reason.begin(),
                 record.books.unreachable_by_reason.end());
