@@ -47,6 +47,13 @@ class Surplus {
         return intersect(offset(at_rim, std::numbers::sqrt2 * growth_.side_mm, tol_), frame_, tol_);
     }
 
+    Region with(const Region& section) const {
+        if (section.empty() || growth_.side_mm <= 0) return section;
+        if (!growth_.raw_sides_mm) return offset(section, growth_.side_mm, tol_);
+        const Region more = beside(section);
+        return more.empty() ? section : unite(section, more, tol_);
+    }
+
     /// Surplus that an obstruction does not hold: fixtures stand beside the stock.
     Region without(const Region& surplus, const Region& obstruction) const {
         if (surplus.empty() || obstruction.empty()) return surplus;
@@ -70,14 +77,9 @@ class Surplus {
     Region frame_;  ///< outside them
 };
 
-Region withSurplus(const Region& section, const Surplus& surplus, const Tolerances& tol) {
-    const Region more = surplus.beside(section);
-    return more.empty() ? section : unite(section, more, tol);
-}
-
-void grow(std::vector<Obstacle>& obstacles, const Surplus& surplus, double top_mm, const Tolerances& tol) {
+void grow(std::vector<Obstacle>& obstacles, const Surplus& surplus, double top_mm) {
     for (Obstacle& obstacle : obstacles) {
-        obstacle.section = withSurplus(obstacle.section, surplus, tol);
+        obstacle.section = surplus.with(obstacle.section);
         if (std::abs(obstacle.top_z_mm) < kOnTopMm) obstacle.top_z_mm += top_mm;
         if (std::abs(obstacle.bottom_z_mm) < kOnTopMm) obstacle.bottom_z_mm += top_mm;
     }
@@ -109,7 +111,7 @@ Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerance
     feature.area_mm2 = area(feature.target);
     feature.skirt = surplus.beside(feature.obstruction);
     if (!feature.skirt.empty()) feature.skirt = subtract(feature.skirt, feature.target, tol);
-    grow(feature.obstacles, surplus, growth.top_mm, tol);
+    grow(feature.obstacles, surplus, growth.top_mm);
     feature.top_z_mm = grown.top_z_mm;
     feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
     return feature;
@@ -117,7 +119,7 @@ Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerance
 
 std::vector<Obstacle> onGrownStock(std::vector<Obstacle> obstacles, const StockGrowth& growth,
                                    const Tolerances& tol) {
-    if (growth.any()) grow(obstacles, Surplus(growth, tol), growth.top_mm, tol);
+    if (growth.any()) grow(obstacles, Surplus(growth, tol), growth.top_mm);
     return obstacles;
 }
 

@@ -56,9 +56,9 @@ std::vector<CutStretch> stretches(const LayerStack& layers, const std::vector<Pr
     return found;
 }
 
-/// What of the prisms' ground lies beside a raw box that stands askew to the setup, and in no earlier cut, which
-/// may reach beside the box too [mm3]: slabs hold the box' hull. Raw solids from files whose walls lean are
-/// taken as their hull here.
+/// What of the prisms' ground lies beside a raw box that stands askew to the setup, and in no earlier cut,
+/// which may reach beside the box too [mm3]: slabs hold the box' hull. Raw solids from files whose walls lean
+/// are taken as their hull here.
 class RawAir {
   public:
     /// \param cuts  of the earlier setups
