@@ -19,7 +19,7 @@ constexpr std::size_t kMostToolsWithheld = 3;
 constexpr std::size_t kMostLeftNamed = 3;
 /// What failed is planned in safer ways, one after another, while there is time for another such round and
 /// then for a last one, which takes about so many times as long as a proof and drops what failed.
-constexpr double kLastRoundProofs = 3;
+constexpr double kLastRoundProofs = 4;
 
 /// What our own reader cannot take is a proof that fails.
 Verification verified(const PlanFiles& files, const Tolerances& tol, const Prover& prover) {
