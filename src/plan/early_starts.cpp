@@ -6,6 +6,8 @@
 #include <set>
 
 #include "stepmill/access/collision.h"
+#include "stepmill/feature/heights.h"
+#include "stepmill/plan/removed.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge_index.h"
 
@@ -77,6 +79,13 @@ bool clears(const Operation& operation) {
     return (mills || operation.role == Role::Drill) && operation.leaves.floors_mm <= 0;
 }
 
+/// What stays for good from the top down is kept clear of anyway. Over what stays at the floor alone material
+/// stands until it is cut.
+bool isKeptClearOf(const Residual& residual, const Feature& feature) {
+    return residual.reason == Reason::DrillPoint ||
+           meanHeightMm(residual) >= feature.depth_mm() - kSameHeightMm;
+}
+
 /// A feature and what stands over its floor as its operations run.
 class FeatureBefore {
   public:
@@ -99,9 +108,8 @@ class FeatureBefore {
         std::vector<Region> gone;
         for (int i = 0; i < done; ++i)
             if (clears(*feature_.operations[i].operation)) gone.push_back(feature_.operations[i].cleared);
-        // What stays for good is kept clear of anyway.
         for (const Residual& residual : feature_.planned->sequence.residual)
-            gone.push_back(residual.region);
+            if (isKeptClearOf(residual, feature_.planned->feature)) gone.push_back(residual.region);
         known.emplace();
         known->region = subtract(feature_.target.region, unite(gone, tol_), tol_);
         known->edges = EdgeIndex(known->region);

@@ -81,6 +81,19 @@ TEST_F(EarlyStarts, WhatSpotDrillsTapsAndFloorsLeftOverClearIsNothing) {
     EXPECT_TRUE(waitsOf(clear, makeMill(16)).empty());
 }
 
+TEST_F(EarlyStarts, OverWhatStaysAtTheFloorMaterialStandsUntilItIsCut) {
+    Residual residual;
+    residual.region = upper_.target.region;
+    residual.area_mm2 = area(residual.region);
+    const auto waits = [&](double height_mm) {
+        residual.volume_mm3 = height_mm * residual.area_mm2;
+        upper_planned_.sequence.residual = {residual};
+        return waitsOf(levelCut(10, 30, -20), makeMill(16)).front().operations;
+    };
+    EXPECT_EQ(waits(1), 1) << "the wide cutter clears it down to that";
+    EXPECT_EQ(waits(10), 0) << "all of it stays, and is kept clear of";
+}
+
 TEST_F(EarlyStarts, FeaturesThatAreNotAboveDoNotCount) {
     const Operation clear = levelCut(10, 30, -20);
     const FeatureOperations other{&other_planned_, {{&clear, makeMill(16), {}}}, false};
