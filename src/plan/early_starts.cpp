@@ -6,7 +6,6 @@
 #include <set>
 
 #include "stepmill/access/collision.h"
-#include "stepmill/feature/heights.h"
 #include "stepmill/plan/removed.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge_index.h"
@@ -82,8 +81,7 @@ bool clears(const Operation& operation) {
 /// What stays for good from the top down is kept clear of anyway. Over what stays at the floor alone material
 /// stands until it is cut.
 bool isKeptClearOf(const Residual& residual, const Feature& feature) {
-    return residual.reason == Reason::DrillPoint ||
-           meanHeightMm(residual) >= feature.depth_mm() - kSameHeightMm;
+    return residual.reason == Reason::DrillPoint || standsOver(residual, feature.depth_mm());
 }
 
 /// A feature and what stands over its floor as its operations run.

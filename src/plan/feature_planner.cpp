@@ -320,8 +320,7 @@ class FeaturePlanner {
             std::string& failure = nest.failures.emplace_back();
             char& hasty = nest.hasty.emplace_back(0);
             ToolSequence sequence = sequenceOrResidual(feature, failure, [&] {
-                free = reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id),
-                               setup_.fixtures, shop_.tol);
+                free = reduced(feature, by_id, setup_.fixtures, shop_.tol);
                 const ToolSequence* same = sequenceIn(known, free);
                 return same != nullptr ? *same : sequenceOf(free, feature, hasty);
             });

@@ -54,6 +54,12 @@ class Surplus {
         return more.empty() ? section : unite(section, more, tol_);
     }
 
+    /// What a feature's target gains.
+    Region overOpenEdges(const Feature& feature) const {
+        return without(beside(feature.target), feature.obstruction);
+    }
+
+  private:
     /// Surplus that an obstruction does not hold: fixtures stand beside the stock.
     Region without(const Region& surplus, const Region& obstruction) const {
         if (surplus.empty() || obstruction.empty()) return surplus;
@@ -63,7 +69,6 @@ class Surplus {
         return subtract(surplus, intersect(obstruction, frame_, tol_), tol_);
     }
 
-  private:
     bool reachesRim(const Region& section) const {
         const Box2 box = boundingBox(section);
         const Box2& raw = *growth_.raw_sides_mm;
@@ -85,34 +90,30 @@ void grow(std::vector<Obstacle>& obstacles, const Surplus& surplus, double top_m
     }
 }
 
-}  // namespace
-
-namespace {
-
-GrownTarget grownTarget(const Feature& feature, const Surplus& surplus, const StockGrowth& growth,
-                        const Tolerances& tol) {
-    const Region more = surplus.without(surplus.beside(feature.target), feature.obstruction);
-    const double higher_mm = toolpath::isRawTop(feature.top_z_mm) ? growth.top_mm : 0;
-    return {more.empty() ? feature.target : unite(feature.target, more, tol), feature.top_z_mm + higher_mm};
+double grownTopMm(double top_z_mm, const StockGrowth& growth) {
+    return toolpath::isRawTop(top_z_mm) ? top_z_mm + growth.top_mm : top_z_mm;
 }
 
 }  // namespace
 
 GrownTarget targetOnGrownStock(const Feature& feature, const StockGrowth& growth, const Tolerances& tol) {
     if (!growth.any() || feature.target.empty()) return {feature.target, feature.top_z_mm};
-    return grownTarget(feature, Surplus(growth, tol), growth, tol);
+    const Region more = Surplus(growth, tol).overOpenEdges(feature);
+    return {more.empty() ? feature.target : unite(feature.target, more, tol),
+            grownTopMm(feature.top_z_mm, growth)};
 }
 
 Feature onGrownStock(Feature feature, const StockGrowth& growth, const Tolerances& tol) {
     if (!growth.any() || feature.target.empty()) return feature;
     const Surplus surplus(growth, tol);
-    GrownTarget grown = grownTarget(feature, surplus, growth, tol);
-    feature.target = std::move(grown.region);
-    feature.area_mm2 = area(feature.target);
+    if (const Region more = surplus.overOpenEdges(feature); !more.empty()) {
+        feature.target = unite(feature.target, more, tol);
+        feature.area_mm2 = area(feature.target);
+    }
     feature.skirt = surplus.beside(feature.obstruction);
     if (!feature.skirt.empty()) feature.skirt = subtract(feature.skirt, feature.target, tol);
     grow(feature.obstacles, surplus, growth.top_mm);
-    feature.top_z_mm = grown.top_z_mm;
+    feature.top_z_mm = grownTopMm(feature.top_z_mm, growth);
     feature.volume_mm3 = feature.area_mm2 * feature.depth_mm();
     return feature;
 }
@@ -144,16 +145,12 @@ std::vector<Residual> onNominalStock(std::vector<Residual> residual, const Featu
 GrownTarget targetAsFound(Feature feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
                           const StockGrowth& growth, const Tolerances& tol) {
     feature.obstacles.clear();
-    const ReducedFeature below =
-        reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id), fixtures, tol);
-    return targetOnGrownStock(below.feature, growth, tol);
+    return targetOnGrownStock(reduced(feature, by_id, fixtures, tol).feature, growth, tol);
 }
 
 Feature asFound(const Feature& feature, const CutById& by_id, const std::vector<Fixture>& fixtures,
                 const StockGrowth& growth, const Tolerances& tol) {
-    const ReducedFeature below =
-        reduced(feature, parentsOf(feature, by_id), ancestorsOf(feature, by_id), fixtures, tol);
-    return onGrownStock(below.feature, growth, tol);
+    return onGrownStock(reduced(feature, by_id, fixtures, tol).feature, growth, tol);
 }
 
 }  // namespace stepmill

@@ -95,7 +95,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
     std::vector<PlannedStage> stages;
     SetupWalk walk(setups, shop.request.slicing, shop.tol, reserves);
     const auto no_time = [&] { return !stages.empty() && shop.request.patience.few_tools.passed(); };
-    std::size_t left_out = 0;
+    bool last_in_vain = false;
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
         if (!stage) break;
@@ -110,9 +110,9 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         PlannedStage planned = planStage(*stage, shop, SetupProgress(progress, stages.size(), setups.size()));
         const bool in_vain = !stages.empty() && stage->setup.chosen && cutsNothing(planned.setup);
         // Its features would be a long list of what there was no time for.
-        const bool out_of_time = in_vain && no_time();
-        if (out_of_time) ++left_out;
-        if (out_of_time || (in_vain && repeatsResiduals(planned.setup, stages))) continue;
+        last_in_vain = in_vain && no_time();
+        if (last_in_vain) break;
+        if (in_vain && repeatsResiduals(planned.setup, stages)) continue;
         planned.setup.names = std::move(names);
         planned.loose = loosePieces(*stage, planned.removed, shop.tol);
         append(planned.warnings, looseWarnings(planned.loose, stage->setup.id));
@@ -121,7 +121,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         planned.layers = std::move(stage->layers);
         stages.push_back(std::move(planned));
     }
-    left_out += walk.setupsLeft();
+    const std::size_t left_out = walk.setupsLeft() + (last_in_vain ? 1 : 0);
     if (left_out > 0)
         late.push_back({"time-limit", stages.back().setup.setup.id,
                         fmt::format("no time was left for {} more setups (--timeout)", left_out)});

@@ -171,4 +171,9 @@ ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& pa
     return found;
 }
 
+ReducedFeature reduced(const Feature& feature, const CutById& cut, const std::vector<Fixture>& fixtures,
+                       const Tolerances& tol) {
+    return reduced(feature, parentsOf(feature, cut), ancestorsOf(feature, cut), fixtures, tol);
+}
+
 }  // namespace stepmill

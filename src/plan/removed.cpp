@@ -9,6 +9,10 @@ double meanHeightMm(const Residual& residual) {
     return residual.area_mm2 > 0 ? residual.volume_mm3 / residual.area_mm2 : 0;
 }
 
+bool standsOver(const Residual& residual, double depth_mm) {
+    return meanHeightMm(residual) >= depth_mm - kSameHeightMm;
+}
+
 const Residual* belowReach(const PlannedFeature& planned) {
     const double below_mm = planned.sequence.floor_z_mm - planned.feature.floor_z_mm;
     if (below_mm <= kSameHeightMm) return nullptr;
@@ -32,7 +36,7 @@ std::vector<Prism> removedBy(const PlannedFeature& planned, const Tolerances& to
     const Residual* below = belowReach(planned);
     for (const Residual& residual : sequence.residual) {
         if (residual.region.empty() || &residual == below) continue;
-        if (meanHeightMm(residual) >= depth - kSameHeightMm)
+        if (standsOver(residual, depth))
             standing.push_back(residual.region);
         else if (meanHeightMm(residual) > kSameHeightMm)
             low.push_back(&residual);

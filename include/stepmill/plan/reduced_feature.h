@@ -54,5 +54,8 @@ std::vector<CutFeature> ancestorsOf(const Feature& feature, const CutById& cut);
 ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& parents,
                        const std::vector<CutFeature>& ancestors, const std::vector<Fixture>& fixtures,
                        const Tolerances& tol);
+/// The same with parents and ancestors as they were cut.
+ReducedFeature reduced(const Feature& feature, const CutById& cut, const std::vector<Fixture>& fixtures,
+                       const Tolerances& tol);
 
 }  // namespace stepmill

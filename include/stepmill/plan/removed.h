@@ -10,6 +10,9 @@ namespace stepmill {
 /// Height of a prism of the residual's area and volume [mm].
 double meanHeightMm(const Residual& residual);
 
+/// Does it stand over all of that depth?
+bool standsOver(const Residual& residual, double depth_mm);
+
 /// The residual under a floor that the tools do not reach; nothing when they do.
 const Residual* belowReach(const PlannedFeature& planned);
 
