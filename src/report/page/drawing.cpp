@@ -65,11 +65,8 @@ void Drawing::polylines(const std::vector<std::vector<Vec2>>& lines, const std::
 
 void Drawing::strokes(const std::vector<std::vector<Vec2>>& lines, const std::string& css_class) {
     SvgPath drawn(unit_mm_);
-    std::set<Stroke> all;
-    for (const std::vector<Vec2>& line : lines)
-        for (std::size_t i = 1; i < line.size(); ++i)
-            addStroke(drawn.dotOf(line[i - 1]), drawn.dotOf(line[i]), all);
-    for (const std::vector<SvgDot>& line : joined(all))
+    const auto dot_of = [&](const Vec2& p) { return drawn.dotOf(p); };
+    for (const std::vector<SvgDot>& line : joined(strokesOf(lines, dot_of)))
         drawn.add(line);
     add(css_class, drawn.text());
 }

@@ -53,14 +53,6 @@ std::int64_t squaredLength(const Stroke& stroke) {
     return x * x + y * y;
 }
 
-std::set<Stroke> strokesOn(const Raster& raster, const std::vector<Polyline>& polylines) {
-    std::set<Stroke> strokes;
-    for (const Polyline& polyline : polylines)
-        for (std::size_t i = 1; i < polyline.size(); ++i)
-            report::addStroke(raster.dot(polyline[i - 1]), raster.dot(polyline[i]), strokes);
-    return strokes;
-}
-
 std::set<Stroke> longest(const std::set<Stroke>& strokes) {
     std::vector<Stroke> sorted(strokes.begin(), strokes.end());
     std::stable_sort(sorted.begin(), sorted.end(),
@@ -76,8 +68,10 @@ std::string drawSmall(const Part& part) {
     const HLRAlgo_Projector from_above_a_corner(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, -1, 1), gp_Dir(1, 1, 0)));
     const std::vector<Polyline> visible =
         report::facetLines(solid, from_above_a_corner, deflection_mm).visible;
+    const Raster raster(visible);
+    const std::set<Stroke> strokes = report::strokesOf(visible, [&](const Vec2& p) { return raster.dot(p); });
     SvgPath path(1);
-    for (const std::vector<SvgDot>& line : report::joined(longest(strokesOn(Raster(visible), visible))))
+    for (const std::vector<SvgDot>& line : report::joined(longest(strokes)))
         path.add(line);
     return path.text();
 }

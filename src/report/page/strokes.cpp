@@ -43,8 +43,16 @@ class Ends {
 
 }  // namespace
 
-void addStroke(const SvgDot& from, const SvgDot& to, std::set<Stroke>& strokes) {
-    if (from != to) strokes.insert({std::min(from, to), std::max(from, to)});
+std::set<Stroke> strokesOf(const std::vector<std::vector<Vec2>>& lines,
+                           const std::function<SvgDot(const Vec2&)>& dot_of) {
+    std::set<Stroke> strokes;
+    for (const std::vector<Vec2>& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const SvgDot from = dot_of(line[i - 1]);
+            const SvgDot to = dot_of(line[i]);
+            if (from != to) strokes.insert({std::min(from, to), std::max(from, to)});
+        }
+    return strokes;
 }
 
 std::vector<std::vector<SvgDot>> joined(const std::set<Stroke>& strokes) {
