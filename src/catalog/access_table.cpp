@@ -14,13 +14,6 @@ namespace {
 constexpr std::string_view kHeader = "diameter_mm,volume_cm3,mrr_cm3_per_min";
 /// No magazine or catalogue page holds more, and sequences are compared pair by pair.
 constexpr std::size_t kMostCutters = 1000;
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 std::vector<std::string_view> splitAt(std::string_view text, char separator) {
     std::vector<std::string_view> pieces;

@@ -10,14 +10,6 @@
 namespace stepmill {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string trimmed(const std::string& text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 class CsvReader {
   public:
     CsvReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
@@ -64,7 +56,8 @@ class CsvReader {
     }
 
     void endCell() {
-        row_.cells.push_back(quoted_ ? quoted_cell_ + trimmed(cell_) : trimmed(cell_));
+        std::string cell = quoted_ ? std::move(quoted_cell_) : std::string();
+        row_.cells.push_back(cell += trimmed(cell_));
         cell_.clear();
         quoted_ = false;
     }

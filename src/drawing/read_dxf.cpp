@@ -1,6 +1,10 @@
 // DXF by dxflib.
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 #include <dxflib/dl_creationadapter.h>
@@ -264,6 +268,75 @@ class DxfTaker : public DL_CreationAdapter {
     std::shared_ptr<Spline> spline_;
 };
 
+/// Hands a drawing's groups, a code and a value each on lines of their own, to dxflib one by one, and looks
+/// first at what it would trust.
+class DxfGroups {
+  public:
+    DxfGroups(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+    void readInto(DxfTaker& taker) {
+        DL_Dxf reader;
+        std::istringstream group;
+        bool ended = false;
+        while (!ended && next()) {
+            checkCount();
+            ended = code_ == kEntity && value_ == "EOF";
+            group.clear();
+            group.str(fmt::format("{}\n{}\n", code_, value_));
+            reader.readDxfGroups(group, &taker);
+        }
+    }
+
+  private:
+    static constexpr int kEntity = 0;
+    /// dxflib reads lines of up to 1024 bytes; no number or name is nearly as long.
+    static constexpr std::size_t kLongestValue = 1000;
+    /// Of a spline's knots, poles and points, a leader's and a polyline's vertices.
+    static constexpr std::array kCounts{72, 73, 74, 76, 90};
+
+    [[noreturn]] void fail(const std::string& message) const {
+        refuse(file_, fmt::format("line {}", line_), message);
+    }
+
+    /// Is there one more? Blank lines at the end are none.
+    bool next() {
+        if (trimmed(text_).empty()) return false;
+        const std::string_view code = trimmed(takeLine());
+        const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), code_);
+        if (error != std::errc() || end != code.data() + code.size())
+            fail(fmt::format("expected a group code of DXF, found '{}'", plainLine(code.substr(0, 40))));
+        const std::string_view value = takeLine();
+        value_ = (code_ == kEntity ? trimmed(value) : value).substr(0, kLongestValue);
+        return true;
+    }
+
+    std::string_view takeLine() {
+        const std::size_t end = std::min(text_.find('\n'), text_.size());
+        std::string_view line = text_.substr(0, end);
+        text_.remove_prefix(std::min(end + 1, text_.size()));
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        ++line_;
+        return line;
+    }
+
+    /// dxflib makes room for as many points as an entity says it has.
+    void checkCount() {
+        if (code_ == kEntity)
+            counts_points_ = value_ == "LWPOLYLINE" || value_ == "SPLINE" || value_ == "LEADER";
+        if (!counts_points_ || std::find(kCounts.begin(), kCounts.end(), code_) == kCounts.end()) return;
+        const long count = std::strtol(value_.c_str(), nullptr, 10);
+        if (count < 0 || count > static_cast<long>(kMostStrokes))
+            fail(fmt::format("expected 0 to {} points, found a count of {}", kMostStrokes, count));
+    }
+
+    std::string_view text_;  ///< not read yet
+    const std::string& file_;
+    int line_ = 0;
+    int code_ = 0;
+    std::string value_;
+    bool counts_points_ = false;  ///< the entity that is read says how many it has
+};
+
 }  // namespace
 
 Sketch readDxf(std::string_view text, const std::string& file) {
@@ -271,10 +344,8 @@ Sketch readDxf(std::string_view text, const std::string& file) {
         refuse(file, "start", "expected a DXF of text, found a binary one; export it as ASCII");
     if (text.find("ENTITIES") == std::string_view::npos || text.find('\0') != std::string_view::npos)
         refuse(file, "start", "expected a DXF drawing with a section ENTITIES, found something else");
-    std::istringstream stream{std::string(text)};
     DxfTaker taker(file);
-    DL_Dxf reader;
-    if (!reader.in(stream, &taker)) refuse(file, "start", "expected a DXF drawing, found something else");
+    DxfGroups(text, file).readInto(taker);
     return std::move(taker).sketch();
 }
 

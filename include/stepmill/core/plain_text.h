@@ -15,4 +15,7 @@ std::string plainLine(std::string_view text);
 /// Text without the three bytes that some editors write before a UTF-8 text; readers stumble over them.
 std::string_view withoutByteOrderMark(std::string_view text);
 
+/// Text without blanks, tabs and line ends before and after it.
+std::string_view trimmed(std::string_view text);
+
 }  // namespace stepmill

@@ -191,6 +191,16 @@ TEST(Dxf, RefusesWhatIsNoProfile) {
         std::string::npos);
 }
 
+// dxflib makes room for them before it has read one.
+TEST(Dxf, RefusesCountsOfPointsThatNoDrawingHas) {
+    const std::string out = square("OUT", 0, 0, 50);
+    for (const char* entity : {"LWPOLYLINE\n90\n6237309503", "SPLINE\n71\n3\n72\n-4294000000",
+                               "SPLINE\n73\n200001", "SPLINE\n74\n900000000", "LEADER\n76\n900000000"})
+        EXPECT_NE(refusal(dxf(out + "0\n" + entity + "\n"), plate()).find("expected 0 to 200000 points"),
+                  std::string::npos)
+            << entity;
+}
+
 TEST(Dxf, AsksForOutlineAndThickness) {
     DrawingOptions options = plate();
     options.outline = "";
