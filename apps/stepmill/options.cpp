@@ -232,7 +232,7 @@ void readMaterial(const PlanOptions& options, PlanRequest& request) {
                                        ? defaultMaterials()
                                        : readMaterials(options.materials_file, options.limits.maxFileBytes());
     request.materials_file = materials.file;
-    if (const Material* known = materials.find(options.material)) request.cut_material = *known;
+    if (const Material* known = materials.find(options.material)) request.sequence.cut_material = *known;
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ std::vector<CycleTarget> cycleTimesOf(const ReplanOptions& options, const PlanRe
 PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Machine& machine) {
     PlanRequest request = planRequest(options.plan, machine);
     // Materials may come from a file that the plan does not name; what it took of it stands in it.
-    if (options.plan.material == before.material) request.cut_material = before.cut_material;
+    if (options.plan.material == before.material) request.sequence.cut_material = before.cut_material;
     request.earlier = earlierSetups(before);
     request.cycle_times = cycleTimesOf(options, before);
     return request;

@@ -38,7 +38,8 @@ class SetupFeeds {
     }
 
     void set() {
-        const bool by_cut = settings_.request.cut_material && !settings_.machine.spindle_curve.empty();
+        const bool by_cut =
+            settings_.request.sequence.cut_material && !settings_.machine.spindle_curve.empty();
         for (Operation& operation : setup_.operations) {
             const double pace = paceOf(operation);
             if (pace < 1) slow(operation, pace);
@@ -47,6 +48,7 @@ class SetupFeeds {
                 continue;
             CutGround& ground = groundOf(operation.feature_id);
             if (isClearing(operation.role)) feed(operation, ground, pace);
+            if (operation.role == Role::Finish) slowInCorners(operation, ground);
             ground.add(operation.path.start, operation.path.moves,
                        settings_.library.tool(operation.tool_id).radius_mm());
         }
@@ -88,7 +90,7 @@ class SetupFeeds {
                       ratedRemovalMm3PerMin(limited) * std::min(1.0, pace)};
         operation.pace = pace;
         const auto model = cuttingModelOf(sheetOf(operation, settings_.library),
-                                          *settings_.request.cut_material, settings_.machine);
+                                          *settings_.request.sequence.cut_material, settings_.machine);
         if (!model) {
             operation.pace = std::min(1.0, pace);
             return;
@@ -97,6 +99,22 @@ class SetupFeeds {
         operation.path = std::move(fed.path);
         operation.path.totals = measure(operation.path, settings_.machine);
         operation.cuts = fed.cuts;
+    }
+
+    /// A finishing pass is thin enough for its feed but where a corner is hardly rounder than the cutter: the
+    /// strip lies all before its front there.
+    void slowInCorners(Operation& operation, const CutGround& ground) const {
+        const ToolAssembly& tool = settings_.library.tool(operation.tool_id);
+        const CuttingData* cutting = tool.cuttingFor(settings_.request.sequence.material);
+        if (cutting == nullptr) return;
+        std::optional<CuttingFacts> facts =
+            cuttingFacts(tool, limitedBy(settings_.machine, *cutting),
+                         *settings_.request.sequence.cut_material, settings_.machine);
+        if (!facts) return;
+        // Thin as it is, it goes no faster than it was told: that makes its surface.
+        facts->feed_mm_per_min = facts->max_feed_mm_per_min = operation.path.feed_mm_per_min;
+        operation.path = withCutFeeds(std::move(operation.path), ground, CuttingModel(*facts)).path;
+        operation.path.totals = measure(operation.path, settings_.machine);
     }
 
     CutGround& groundOf(const std::string& feature_id) {

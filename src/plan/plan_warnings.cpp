@@ -228,7 +228,7 @@ void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
 }
 
 void warnOfMaterial(const Plan& plan, Warnings& into) {
-    if (plan.request.cut_material || plan.request.materials_file.empty()) return;
+    if (plan.request.sequence.cut_material || plan.request.materials_file.empty()) return;
     into.push_back({"material-unknown", plan.material,
                     fmt::format("{} does not say what its cuts ask for; feeds are the library's, whatever is "
                                 "cut",

@@ -82,6 +82,7 @@ class Key {
     }
     void add(const SequenceOptions& options) {
         add(options.material);
+        add(options.cut_material ? options.cut_material->name : std::string());
         add(options.objective);
         add(options.retract_mm);
         add(options.surrogates);

@@ -463,7 +463,8 @@ std::string planJson(const Plan& plan) {
                  {"obstacles", tables.obstacles.rows()},
                  {"regions", tables.regions.regions()},
                  {"loops", tables.regions.loops()}};
-    if (plan.request.cut_material) content["cut_material"] = cutMaterialJson(*plan.request.cut_material);
+    if (plan.request.sequence.cut_material)
+        content["cut_material"] = cutMaterialJson(*plan.request.sequence.cut_material);
     if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
     if (!plan.assignment.tried.empty()) content["assignment"] = listOf(plan.assignment.tried, triedJson);
     if (!plan.cycle.outcomes.empty()) content["cycle_time"] = cycleTimesJson(plan.cycle);

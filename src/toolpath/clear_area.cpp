@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "stepmill/core/error.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -110,17 +109,6 @@ Toolpath inDepths(const ClearingTask& task, const RingFamily& rings, const ToolA
     return withClearRapids(path, task, tool.radius_mm(), machine);
 }
 
-/// Patterns that hardly took longer in some region than the one taken there.
-std::set<Pattern> closeRivals(const Toolpath& path) {
-    std::set<Pattern> rivals;
-    for (const RegionPatterns& region : path.regions)
-        for (const PatternTime& weighed : region.weighed)
-            if (weighed.pattern != region.weighed.front().pattern &&
-                weighed.time_s <= region.weighed.front().time_s * (1 + kRivalShare))
-                rivals.insert(weighed.pattern);
-    return rivals;
-}
-
 /// The same with the best pattern for each region, or with a close rival in all of them: rapids keep clear
 /// after the regions have chosen, which may turn the order round.
 Toolpath quickestInDepths(const ClearingTask& task, const RingFamily& rings, const ToolAssembly& tool,
@@ -128,7 +116,7 @@ Toolpath quickestInDepths(const ClearingTask& task, const RingFamily& rings, con
     Toolpath best = inDepths(task, rings, tool, cutting, machine, tol);
     if (task.pattern != Pattern::Best) return best;
     ClearingTask one_pattern = task;
-    for (const Pattern pattern : closeRivals(best)) {
+    for (const Pattern pattern : rivalPatterns(best, kRivalShare)) {
         one_pattern.pattern = pattern;
         Toolpath rival = inDepths(one_pattern, rings, tool, cutting, machine, tol);
         if (rival.totals.time_s() < best.totals.time_s()) best = std::move(rival);
@@ -172,6 +160,16 @@ bool mayBeAdaptive(const ClearingTask& task, const CuttingData& cutting) {
 }
 
 }  // namespace
+
+std::set<Pattern> rivalPatterns(const Toolpath& path, double longer_share) {
+    std::set<Pattern> rivals;
+    for (const RegionPatterns& region : path.regions)
+        for (const PatternTime& weighed : region.weighed)
+            if (weighed.pattern != region.weighed.front().pattern &&
+                weighed.time_s <= region.weighed.front().time_s * (1 + longer_share))
+                rivals.insert(weighed.pattern);
+    return rivals;
+}
 
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
                    const Machine& machine, const Tolerances& tol) {

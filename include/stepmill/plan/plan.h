@@ -133,9 +133,7 @@ struct PlanRequest {
     double scallop_mm = 0;
     /// Sharp edges that look up are broken by so much [mm]; 0: they stay sharp.
     double break_edges_mm = 0;
-    /// What the cuts of this material ask for; nothing: not known, feeds are the library's.
-    std::optional<Material> cut_material;
-    std::string materials_file;    ///< where that was looked for; empty: nowhere
+    std::string materials_file;    ///< where sequence.cut_material was looked for; empty: nowhere
     FixtureFile fixtures;          ///< what holds the setups it names, and what the shop has for the others
     std::optional<HoldKind> hold;  ///< how those others are held; nothing: as suggestClamping() finds
     HoleTable holes;               ///< what is said of holes beyond the part's file; none: nothing

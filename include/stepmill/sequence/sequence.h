@@ -8,6 +8,7 @@
 #include "stepmill/access/access.h"
 #include "stepmill/catalog/fit.h"
 #include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/material.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/deadline.h"
 #include "stepmill/core/tolerances.h"
@@ -40,6 +41,8 @@ inline constexpr double kMostAllowanceMm = 5;
 
 struct SequenceOptions {
     std::string material;
+    /// What its cuts ask for; nothing: not known, feeds are the library's whatever is cut.
+    std::optional<Material> cut_material;
     Objective objective = Objective::Time;
     /// Rapids between entries go to this height over the stock's top [mm]; 0: the machine's safe height.
     double retract_mm = 0;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -175,6 +176,9 @@ std::shared_ptr<const RingFamily> makeRings(const ClearingTask& task, const Tool
 /// radius, so that rings leave nothing between them. Empty (no moves) when there is nothing to clear.
 Toolpath clearArea(const ClearingTask& task, const ToolAssembly& tool, const CuttingData& cutting,
                    const Machine& machine, const Tolerances& tol);
+
+/// Patterns that take in some region no more than so much longer than the one that it is cut with.
+std::set<Pattern> rivalPatterns(const Toolpath& path, double longer_share);
 
 /// Drills equal holes, one after another in this order: rapid over the hole, down to the clearance height,
 /// feed, rapid out to the retract height. Down to kOneGoDiameters in one go, deeper in pecks of the cutting

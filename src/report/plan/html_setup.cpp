@@ -155,14 +155,14 @@ Element operationsTable(const ReportSubject& subject, const PlannedSetup& setup)
 
 /// Why feeds go by nothing but the library.
 std::string whyLibraryFeeds(const Plan& plan) {
-    if (plan.request.cut_material) return "the machine's file tells no spindle";
+    if (plan.request.sequence.cut_material) return "the machine's file tells no spindle";
     if (plan.request.materials_file.empty()) return "as was asked for (--library-feeds)";
     return fmt::format("{} does not say what cuts of {} ask for", plan.request.materials_file, plan.material);
 }
 
 /// What feeds go by.
 std::string cutsWords(const Plan& plan) {
-    const std::optional<Material>& material = plan.request.cut_material;
+    const std::optional<Material>& material = plan.request.sequence.cut_material;
     if (!material || plan.machine.spindle_curve.empty())
         return fmt::format("Feeds are the library's, whatever is cut: {}.", whyLibraryFeeds(plan));
     return fmt::format(

@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/dag/edge_work.h"
+#include "sequence/dag/step_paths.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
 

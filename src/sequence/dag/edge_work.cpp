@@ -1,5 +1,6 @@
 #include "sequence/dag/edge_work.h"
 
+#include "sequence/dag/step_paths.h"
 #include "stepmill/sequence/advice/area_models.h"
 
 namespace stepmill {

@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "sequence/dag/step_paths.h"
 #include "sequence/steps/finishing.h"
 #include "sequence/steps/residuals.h"
 #include "stepmill/sequence/drilling.h"

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "sequence/dag/step_paths.h"
 #include "sequence/holder/holder_limits.h"
 #include "sequence/holder/tool_areas.h"
 #include "stepmill/access/collision.h"

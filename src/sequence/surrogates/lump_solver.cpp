@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "sequence/dag/step_paths.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/dag/edge_work.h"
+#include "sequence/dag/step_paths.h"
 #include "stepmill/access/lumps.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"

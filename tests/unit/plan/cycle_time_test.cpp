@@ -20,7 +20,7 @@ class CycleTimePlan : public testing::Test {
         part_ = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/plate_with_holes.step").front();
         request_.sequence.material = "aluminium";
         request_.sequence.retract_mm = defaultMachine().safe_height_mm;
-        request_.cut_material = *defaultMaterials().find("aluminium");
+        request_.sequence.cut_material = *defaultMaterials().find("aluminium");
     }
 
     Plan planFor(const std::vector<CycleTarget>& targets) {
@@ -121,7 +121,7 @@ TEST_F(CycleTimePlan, WantsNamesThatThePlanHas) {
 }
 
 TEST_F(CycleTimePlan, WithoutACuttingModelNothingIsFedFaster) {
-    request_.cut_material.reset();
+    request_.sequence.cut_material.reset();
     const CycleOutcome hasty = planFor({{"", 1}}).cycle.outcomes.front();
     EXPECT_EQ(hasty.bound_s, hasty.planned_s);
     EXPECT_EQ(hasty.pace, 1);

@@ -20,17 +20,17 @@ PlanRequest requestFor(const char* material) {
     PlanRequest request;
     request.sequence.material = material;
     request.sequence.retract_mm = defaultMachine().safe_height_mm;
-    request.cut_material = *defaultMaterials().find(material);
+    request.sequence.cut_material = *defaultMaterials().find(material);
     return request;
 }
 
-ProvenPlan planOf(const char* material) {
-    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step").front();
-    return planProven(part, requestFor(material), defaultToolLibrary(), defaultMachine(), Tolerances());
+ProvenPlan planOf(const PlanRequest& request, const char* sample = "rounded_pocket") {
+    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + sample + ".step").front();
+    return planProven(part, request, defaultToolLibrary(), defaultMachine(), Tolerances());
 }
 
 const ProvenPlan& inAluminium() {
-    static const ProvenPlan proven = planOf("aluminium");
+    static const ProvenPlan proven = planOf(requestFor("aluminium"));
     return proven;
 }
 
@@ -74,8 +74,44 @@ TEST(CuttingPlan, IsProvenAndSaysWhatItsCutsAskFor) {
 }
 
 TEST(CuttingPlan, IsProvenInSteel) {
-    const ProvenPlan proven = planOf("steel");
+    const ProvenPlan proven = planOf(requestFor("steel"));
     EXPECT_TRUE(proven.verification.proven());
+}
+
+// Its pocket's corners are as round as the cutter: the strip lies all before the front there.
+TEST(CuttingPlan, SlowsAFinishingPassWhereItTurnsInACornerOfItsOwnRadius) {
+    PlanRequest request = requestFor("aluminium");
+    request.sequence.finish.walls_mm = 0.3;
+    const ProvenPlan proven = planOf(request);
+    ASSERT_TRUE(proven.verification.proven()) << proven.verification.failures.front().text;
+    const Operation& walls = proven.plan.setups.front().operations.back();
+    ASSERT_EQ(walls.role, Role::Finish);
+    double slow_mm = 0;
+    double full_mm = 0;
+    int slow = 0;
+    Vec3 from = walls.path.start;
+    for (const Move& move : walls.path.moves) {
+        const double feed = walls.path.feedOf(move);
+        EXPECT_LE(feed, walls.path.feed_mm_per_min);
+        if (move.kind == MoveKind::Feed && !move.arc) {
+            const bool slows = feed < 0.7 * walls.path.feed_mm_per_min;
+            (slows ? slow_mm : full_mm) += (move.to - from).norm();
+            slow += slows ? 1 : 0;
+        }
+        from = move.to;
+    }
+    EXPECT_EQ(slow, 4) << "one before every corner";
+    EXPECT_LT(slow_mm, 8);
+    EXPECT_GT(full_mm, 150);
+}
+
+// From inside out the quickest pattern at the library's feeds begins with a slot to the bosses.
+TEST(CuttingPlan, CutsAnOpenFaceFromOutsideIn) {
+    const ProvenPlan proven = planOf(requestFor("aluminium"), "bossed_pocket");
+    ASSERT_TRUE(proven.verification.proven()) << proven.verification.failures.front().text;
+    const Operation& face = proven.plan.setups.front().operations.front();
+    EXPECT_EQ(face.path.pattern, toString(Pattern::StockOffset));
+    EXPECT_LT(face.cuts.length_shares.back(), 0.06) << "in full width";
 }
 
 TEST(CuttingPlan, KeepsTheLibrarysFeedsWithoutASpindle) {

@@ -17,7 +17,7 @@ ProvenPlan planFor(double time_s) {
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.sequence.retract_mm = defaultMachine().safe_height_mm;
-    request.cut_material = *defaultMaterials().find("aluminium");
+    request.sequence.cut_material = *defaultMaterials().find("aluminium");
     if (time_s > 0) request.cycle_times = {{"", time_s}};
     const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step").front();
     return planProven(part, request, defaultToolLibrary(), defaultMachine(), Tolerances());

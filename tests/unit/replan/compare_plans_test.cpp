@@ -50,7 +50,7 @@ RecordedPlan planOf(const std::string& text, const std::vector<EarlierSetup>& ea
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.sequence.retract_mm = defaultMachine().safe_height_mm;
-    request.cut_material = *defaultMaterials().find("aluminium");
+    request.sequence.cut_material = *defaultMaterials().find("aluminium");
     request.earlier = earlier;
     const ProvenPlan proven =
         planProven(partOf(text), request, defaultToolLibrary(), defaultMachine(), Tolerances());
