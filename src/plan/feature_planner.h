@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/hole_wishes.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/plan/sequence_memory.h"
@@ -23,6 +24,7 @@ struct PlanningShop {
     const ToolLibrary& drills;  ///< of the library, for holes that nothing else may make
     const Machine& machine;
     const Tolerances& tol;
+    HoldRequest hold;
     SequenceMemory& memory;
 
     const ToolLibrary& libraryOf(const std::string& feature) const;

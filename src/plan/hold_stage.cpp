@@ -22,12 +22,10 @@ constexpr double kTouchMm = 0.01;
 /// The tip of a mill that breaks edges goes so far below the break [mm].
 constexpr double kTipBelowBreakMm = 1;
 
-/// Larger by a share of its size: half of that on each side, all of it upwards.
-Fixture grown(const Fixture& fixture, double share, const Tolerances& tol) {
+Fixture grown(const Fixture& fixture, double growth_mm, const Tolerances& tol) {
     Fixture larger = fixture;
-    larger.section =
-        offset(fixture.section, share / 2 * boundingBox(fixture.section).sizes().minCoeff(), tol);
-    larger.top_z_mm += share * (fixture.top_z_mm - fixture.bottom_z_mm);
+    larger.section = offset(fixture.section, growth_mm, tol);
+    larger.top_z_mm += growth_mm;
     return larger;
 }
 
@@ -71,11 +69,12 @@ void growWithStock(Fixture& fixture, const StockGrowth& growth, const Tolerances
 }
 
 /// What the file says of the setup stands there instead of a vise.
-std::vector<Fixture> givenFixtures(const Stage& stage, const FixtureFile& given, const Tolerances& tol) {
+std::vector<Fixture> givenFixtures(const Stage& stage, const FixtureFile& given, double growth_mm,
+                                   const Tolerances& tol) {
     std::vector<Fixture> fixtures;
     for (const Fixture& fixture : given.setups.at(stage.setup.id)) {
         requireOutside(fixture, given, stage.layers, stage.setup.id, tol);
-        Fixture larger = grown(fixture, given.growth, tol);
+        Fixture larger = grown(fixture, growth_mm, tol);
         capUnderStock(fixture, stage.layers, tol, larger);
         fixtures.push_back(std::move(larger));
     }
@@ -115,18 +114,28 @@ StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
 
 }  // namespace
 
+double fixtureGrowthMm(const FixtureFile& shop, const ToolLibrary& library) {
+    double widest_mm = 0;
+    for (const ToolAssembly& tool : library.tools) {
+        widest_mm = std::max({widest_mm, tool.diameter_mm, tool.shank.diameter_mm});
+        for (const HolderCylinder& cylinder : tool.holder)
+            widest_mm = std::max(widest_mm, cylinder.diameter_mm);
+    }
+    return shop.growth * widest_mm / 2;
+}
+
 Clamping clampingOf(const Stage& stage, const FixtureFile& shop, const HoldRequest& asked,
                     const Tolerances& tol) {
     if (shop.setups.contains(stage.setup.id)) return givenClamping(shop, stage.setup.id);
-    return suggestClamping(stockToHold(stage, asked.break_edges_mm), {shop.vise, shop.plate_mm, asked.kind},
-                           tol);
+    return suggestClamping(stockToHold(stage, asked.break_edges_mm),
+                           {shop.vise, shop.plate_mm, asked.kind, asked.growth_mm}, tol);
 }
 
 void holdStage(Stage& stage, const FixtureFile& shop, const HoldRequest& asked, const Tolerances& tol) {
     stage.clamping = clampingOf(stage, shop, asked, tol);
     std::vector<Fixture>& fixtures = stage.setup.fixtures;
-    fixtures =
-        stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, tol) : stage.clamping.fixtures;
+    fixtures = stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, asked.growth_mm, tol)
+                                                      : stage.clamping.fixtures;
     const HeldStock held = heldStock(stage);
     stage.found = withHeldStock(std::move(stage.found), held, tol);
     Region section = heldSection(stage.layers, stage.found, held, tol);

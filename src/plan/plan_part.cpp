@@ -184,7 +184,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const SmallerLibraries smaller = smallerLibraries(request, usable.library);
     const HoleWishes wishes(request.holes, part, tol);
     const ToolLibrary drills = drillsOf(usable.library);
-    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, memory};
+    const HoldRequest hold{request.hold, request.break_edges_mm, fixtureGrowthMm(request.fixtures, library)};
+    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
     const Stock& stock = setups.front().stock;
     Assignment assignment = request.assignment.value_or(Assignment{});
     CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);

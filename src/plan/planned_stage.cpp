@@ -99,7 +99,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
     while (!no_time()) {
         std::optional<Stage> stage = walk.next();
         if (!stage) break;
-        holdStage(*stage, shop.request.fixtures, {shop.request.hold, shop.request.break_edges_mm}, shop.tol);
+        holdStage(*stage, shop.request.fixtures, shop.hold, shop.tol);
         if (const auto& leaves = shop.request.roughing)
             stage->found = withAllowance(std::move(stage->found), *leaves, shop.library,
                                          shop.request.sequence.material, shop.tol);

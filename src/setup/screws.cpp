@@ -37,7 +37,7 @@ struct Screw {
     Vec2 at = Vec2::Zero();
     double seat_z_mm = 0;
 
-    double topMm() const { return seat_z_mm + (1 + kFixtureGrowth) * size.head_height_mm; }
+    double topMm() const { return seat_z_mm + size.head_height_mm; }
 };
 
 /// Centre and radius of a hole in a section that is a full circle.
@@ -55,7 +55,8 @@ bool isFree(const Region& section, const Vec2& at, double radius_mm) {
 
 class ScrewFinder {
   public:
-    ScrewFinder(const StockToHold& stock, const Tolerances& tol) : stock_(stock), tol_(tol) {}
+    ScrewFinder(const StockToHold& stock, double growth_mm, const Tolerances& tol)
+        : stock_(stock), growth_mm_(growth_mm), tol_(tol) {}
 
     std::vector<Screw> find() const {
         std::vector<Screw> found;
@@ -111,19 +112,20 @@ class ScrewFinder {
 
     bool staysUncut(const Screw& screw) const {
         return std::none_of(stock_.removed.begin(), stock_.removed.end(), [&](const Prism& prism) {
-            return prism.bottom_z_mm < screw.topMm() &&
+            return prism.bottom_z_mm < screw.topMm() + growth_mm_ &&
                    distanceToRegion(prism.region, screw.at) < screw.size.head_mm / 2 + kBesideHeadMm;
         });
     }
 
     const StockToHold& stock_;
+    double growth_mm_ = 0;
     const Tolerances& tol_;
 };
 
 }  // namespace
 
 WayToHold onScrews(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
-    const ScrewFinder finder(stock, tol);
+    const ScrewFinder finder(stock, wish.growth_mm, tol);
     const std::vector<Screw> screws = finder.find();
     if (screws.size() < 2 || finder.spread(screws) < kLeastSpread)
         return {{}, "no screws: no two holes far apart that a head can stay in"};
@@ -131,10 +133,10 @@ WayToHold onScrews(const StockToHold& stock, const HoldWish& wish, const Toleran
     made.kind = HoldKind::Screws;
     std::string places;
     for (const Screw& screw : screws) {
-        const double radius_mm = (1 + kFixtureGrowth) * screw.size.head_mm / 2;
+        const double radius_mm = screw.size.head_mm / 2 + wish.growth_mm;
         made.fixtures.push_back({fmt::format("screw M{:g}", screw.size.thread_mm),
-                                 makeCircle(screw.at, radius_mm), screw.seat_z_mm, screw.topMm(),
-                                 FixtureKind::Screw});
+                                 makeCircle(screw.at, radius_mm), screw.seat_z_mm,
+                                 screw.topMm() + wish.growth_mm, FixtureKind::Screw});
         places += fmt::format("{}M{:g} at X{:.4g} Y{:.4g}", places.empty() ? "" : ", ", screw.size.thread_mm,
                               screw.at.x(), screw.at.y());
     }

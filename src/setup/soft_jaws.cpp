@@ -19,9 +19,10 @@ constexpr double kOpenShare = 0.25;
 
 class SoftJaws {
   public:
-    SoftJaws(const StockToHold& stock, const Vise& vise, const Tolerances& tol)
+    SoftJaws(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol)
         : stock_(stock),
-          vise_(vise),
+          vise_(wish.vise),
+          growth_mm_(wish.growth_mm),
           tol_(tol),
           bottom_mm_(stock.arriving.back().bottom_z_mm),
           outline_(withoutHoles(stock.arriving.back().region)) {}
@@ -79,7 +80,7 @@ class SoftJaws {
             const double from_mm = out.dot(box.center()) + kOpenShare / 2 * made.opening_mm;
             Vise block = vise_;
             block.jaw_thickness_mm += made.opening_mm / 2;
-            Fixture jaw = viseJaw(block, out, from_mm, Vec2(-out.y(), out.x()).dot(box.center()),
+            Fixture jaw = viseJaw(block, growth_mm_, out, from_mm, Vec2(-out.y(), out.x()).dot(box.center()),
                                   bottom_mm_ + depth_mm);
             jaw.section = subtract(jaw.section, outline_, tol_);
             made.fixtures.push_back(std::move(jaw));
@@ -92,6 +93,7 @@ class SoftJaws {
 
     const StockToHold& stock_;
     const Vise& vise_;
+    double growth_mm_ = 0;
     const Tolerances& tol_;
     double bottom_mm_ = 0;
     Region outline_;
@@ -100,7 +102,7 @@ class SoftJaws {
 }  // namespace
 
 WayToHold inSoftJaws(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
-    return SoftJaws(stock, wish.vise, tol).find();
+    return SoftJaws(stock, wish, tol).find();
 }
 
 }  // namespace stepmill::setup

@@ -117,11 +117,12 @@ enum class ViseUse {
 
 class ViseFinder {
   public:
-    ViseFinder(const StockToHold& stock, const Vise& vise)
+    ViseFinder(const StockToHold& stock, const HoldWish& wish)
         : stock_(stock),
-          vise_(vise),
+          vise_(wish.vise),
+          growth_mm_(wish.growth_mm),
           bottom_mm_(stock.arriving.back().bottom_z_mm),
-          tops_(jawTops(vise, !cutsThrough(stock))),
+          tops_(jawTops(wish.vise, !cutsThrough(stock))),
           height_mm_(stock.arriving.front().top_z_mm - bottom_mm_) {}
 
     Clamping best(ViseUse use) {
@@ -281,8 +282,8 @@ class ViseFinder {
         made.holds_all = use == ViseUse::GripStock;
         const double middle = (hold.span.from + hold.span.to) / 2;
         const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
-        made.fixtures = {viseJaw(vise_, across, grip.right_mm, middle, top_z_mm),
-                         viseJaw(vise_, -across, grip.left_mm, -middle, top_z_mm)};
+        made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, middle, top_z_mm),
+                         viseJaw(vise_, growth_mm_, -across, grip.left_mm, -middle, top_z_mm)};
         made.text = viseText(made);
         return made;
     }
@@ -302,6 +303,7 @@ class ViseFinder {
 
     const StockToHold& stock_;
     const Vise& vise_;
+    double growth_mm_ = 0;
     double bottom_mm_ = 0;
     std::vector<JawTop> tops_;
     double height_mm_ = 0;
@@ -317,10 +319,11 @@ double furthest(const Region& region, const Vec2& direction) {
     return reach;
 }
 
-Fixture viseJaw(const Vise& vise, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm) {
+Fixture viseJaw(const Vise& vise, double growth_mm, const Vec2& out, double offset_mm, double middle_mm,
+                double top_z_mm) {
     const Vec2 along(-out.y(), out.x());
-    const double half_mm = (1 + kFixtureGrowth) * vise.jaw_width_mm / 2;
-    const double far_mm = offset_mm + (1 + kFixtureGrowth) * vise.jaw_thickness_mm;
+    const double half_mm = vise.jaw_width_mm / 2 + growth_mm;
+    const double far_mm = offset_mm + vise.jaw_thickness_mm + growth_mm;
     const Vec2 from = (middle_mm - half_mm) * along;
     const Vec2 to = (middle_mm + half_mm) * along;
     return {
@@ -336,7 +339,7 @@ std::string directionName(const Vec2& across) {
 }
 
 WayToHold inVise(const StockToHold& stock, const HoldWish& wish) {
-    ViseFinder finder(stock, wish.vise);
+    ViseFinder finder(stock, wish);
     Clamping found = finder.best(ViseUse::Free);
     const std::string why_not = finder.why();
     const Vise& vise = wish.vise;

@@ -26,9 +26,10 @@ WayToHold inSoftJaws(const StockToHold& stock, const HoldWish& wish, const Toler
 /// By screws through upright holes that the stock arrives with, into a plate.
 WayToHold onScrews(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
 
-/// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it, wider and thicker by
-/// kFixtureGrowth and higher by the clearance.
-Fixture viseJaw(const Vise& vise, const Vec2& out, double offset_mm, double middle_mm, double top_z_mm);
+/// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it, wider on both sides and
+/// thicker by `growth_mm` and higher by the clearance.
+Fixture viseJaw(const Vise& vise, double growth_mm, const Vec2& out, double offset_mm, double middle_mm,
+                double top_z_mm);
 /// Furthest a region reaches in a direction.
 double furthest(const Region& region, const Vec2& direction);
 /// "x", "y", or the angle from x.

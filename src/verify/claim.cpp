@@ -283,7 +283,10 @@ class ClaimWalk {
     /// One setup, if it is as the record says.
     void derive(Stage stage, SetupWalk& walk) {
         const RecordedSetup& recorded = record_.setups[derived_.size()];
-        holdStage(stage, sources_.fixtures, {record_.request->hold, record_.request->break_edges_mm}, tol_);
+        holdStage(stage, sources_.fixtures,
+                  {record_.request->hold, record_.request->break_edges_mm,
+                   fixtureGrowthMm(sources_.fixtures, sources_.library)},
+                  tol_);
         if (const auto& leaves = record_.request->roughing)
             stage.found = withAllowance(std::move(stage.found), *leaves, library_, record_.material, tol_);
         stage.found = renamed(std::move(stage.found), recorded.names);

@@ -36,8 +36,9 @@ struct Fixture {
     FixtureKind kind = FixtureKind::Clamp;
 };
 
-/// Fixtures are planned with larger by this share of their size: they are measured by eye and set by hand
-/// [docs/fixtures.md, after Tripathi2005].
+/// Fixtures are planned with larger by this share of the radius of the widest cutter or holder, for they are
+/// measured by eye and set by hand: all keep off them as if they were as much wider, R' = 1.05 R
+/// [Tripathi2005; docs/fixtures.md].
 inline constexpr double kFixtureGrowth = 0.05;
 
 /// How thick the shop's sacrificial plates are [mm]: cutters may go that deep below what lies on one.
@@ -45,9 +46,9 @@ inline constexpr double kPlateThicknessMm = 12;
 
 /// How the shop clamps a part: the fixtures of each setup it names, and what holds the others.
 struct FixtureFile {
-    std::string file;    ///< empty: no file was given
-    std::string sha256;  ///< of the file
-    double growth = kFixtureGrowth;
+    std::string file;                                    ///< empty: no file was given
+    std::string sha256;                                  ///< of the file
+    double growth = kFixtureGrowth;                      ///< share of that radius
     std::map<std::string, std::vector<Fixture>> setups;  ///< by setup id; as they are, not grown
     Vise vise;
     double plate_mm = kPlateThicknessMm;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stepmill/catalog/fixture.h"
+#include "stepmill/catalog/tool.h"
 #include "stepmill/plan/stages.h"
 
 namespace stepmill {
@@ -12,7 +13,12 @@ namespace stepmill {
 struct HoldRequest {
     std::optional<HoldKind> kind;  ///< nothing: the first that will do
     double break_edges_mm = 0;     ///< edges that are broken want room above the jaws; 0: they stay sharp
+    double growth_mm = 0;          ///< fixtures are planned with larger by so much [fixtureGrowthMm()]
 };
+
+/// By how much fixtures are planned with larger, on each side and upwards: the shop's share of the radius of
+/// the library's widest cutter, shank or holder [Tripathi2005]. The spindle's nose does not count.
+double fixtureGrowthMm(const FixtureFile& shop, const ToolLibrary& library);
 
 /// How the stage is to be held: as the shop's file says of its setup, else as suggestClamping() finds.
 Clamping clampingOf(const Stage& stage, const FixtureFile& shop, const HoldRequest& asked,

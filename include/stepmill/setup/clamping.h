@@ -53,8 +53,8 @@ struct Clamping {
     double held_mm = 0;
     /// Is it all the stock below that height, holes apart? Else what the outside is cut from.
     bool holds_all = false;
-    /// The vise's jaws, in the middle of what they hold, wider and thicker by kFixtureGrowth and higher by
-    /// the jaw clearance, but not grown into the stock; or the heads of screws, grown.
+    /// The vise's jaws, in the middle of what they hold, wider and thicker by HoldWish::growth_mm and
+    /// higher by the jaw clearance, but not grown into the stock; or the heads of screws, grown.
     std::vector<Fixture> fixtures;
     /// For the setup sheet: "vise, jaws 80 mm open across x, 12 mm deep", or why none will do.
     std::string text;
@@ -85,6 +85,7 @@ struct HoldWish {
     Vise vise;
     double plate_mm = kPlateThicknessMm;
     std::optional<HoldKind> kind;
+    double growth_mm = 0;  ///< jaws and screws' heads are taken for larger by so much
 };
 
 /// How to hold it, the first of:

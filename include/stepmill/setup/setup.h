@@ -73,7 +73,7 @@ struct Setup {
     Stock stock;
     Box3 stock_bbox_mm;        ///< in setup coordinates: min.z = -height, max.z = 0
     double removable_mm3 = 0;  ///< raw stock less part, in every setup: what all of them have to remove
-    /// What holds the part, grown by kFixtureGrowth or as the shop's file says; set by SetupWalk.
+    /// What holds the part, grown [holdStage(), plan/hold_stage.h].
     std::vector<Fixture> fixtures;
     bool indexed = false;  ///< the axis is no direction of the part's box: needs a sine vise or a rotary axis
     bool chosen = false;  ///< found by chooseSetups, not asked for: may fall away when nothing is left for it

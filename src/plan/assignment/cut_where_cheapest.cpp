@@ -89,8 +89,8 @@ PlanRequest withoutSpareTime(PlanRequest request) {
 }
 
 PlanningShop tryingOut(const PlanRequest& request, const PlanningShop& shop) {
-    return {request,     shop.library, shop.smaller, shop.wishes,
-            shop.drills, shop.machine, shop.tol,     shop.memory};
+    return {request,      shop.library, shop.smaller, shop.wishes, shop.drills,
+            shop.machine, shop.tol,     shop.hold,    shop.memory};
 }
 
 class Trials {

@@ -5,6 +5,7 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/plan.h"
 #include "support/told.h"
 #include "support/tolerances.h"
@@ -42,16 +43,35 @@ double closestMm(const Plan& plan, const Region& region, double z_mm) {
     return closest_mm;
 }
 
+// R' = 1.05 R for the widest, so at least that for all [Tripathi2005].
+TEST(Fixtures, GrowByAShareOfTheWidestToolsRadius) {
+    const ToolLibrary& library = defaultToolLibrary();
+    double widest_mm = 0;
+    for (const ToolAssembly& tool : library.tools) {
+        double tool_mm = tool.diameter_mm;
+        for (const HolderCylinder& cylinder : tool.holder)
+            tool_mm = std::max(tool_mm, cylinder.diameter_mm);
+        EXPECT_GE(fixtureGrowthMm({}, library), 0.05 * tool_mm / 2) << tool.id;
+        widest_mm = std::max(widest_mm, tool_mm);
+    }
+    EXPECT_DOUBLE_EQ(fixtureGrowthMm({}, library), 0.05 * widest_mm / 2);
+    FixtureFile measured;
+    measured.growth = 0;
+    EXPECT_EQ(fixtureGrowthMm(measured, library), 0);
+}
+
 // 100 x 80 x 30 block with a pocket from (15, 15) to (85, 65).
 TEST(Fixtures, AClampOverAPocketLeavesWhatIsUnderIt) {
     const Fixture clamp{"clamp", makeRectangle(Vec2(-20, 30), Vec2(35, 50)), 0, 25};
     const Plan plan = planWith("rounded_pocket.step", {clamp});
-    // 20 mm of the pocket's length; the clamp is planned with half of 5 % of its 20 mm larger on each side,
-    // round at its corners.
-    EXPECT_NEAR(residualMm3(plan, Reason::Fixture), (20.5 * 21 - 0.5 * 0.25 * (4 - kPi)) * 12, 1e-3);
+    // 20 mm of the pocket's length and its 20 mm, larger on each side and round at its corners.
+    const double more_mm = fixtureGrowthMm({}, defaultToolLibrary());
+    const double corners_mm2 = 0.5 * more_mm * more_mm * (4 - kPi);
+    EXPECT_NEAR(residualMm3(plan, Reason::Fixture), ((20 + more_mm) * (20 + 2 * more_mm) - corners_mm2) * 12,
+                1e-3);
     EXPECT_FALSE(plan.complete(kTol));
     EXPECT_LT(plan.balance.gapShare(), 1e-3);
-    EXPECT_GE(closestMm(plan, clamp.section, 25), 0.5 - 1e-3);
+    EXPECT_GE(closestMm(plan, clamp.section, 25), more_mm - 1e-3);
     EXPECT_NE(plan.setups.front().clamping.text.find("clamps.json says: clamp"), std::string::npos);
     // Rapids run over it.
     for (const Operation& operation : plan.setups.front().operations)
@@ -98,6 +118,7 @@ TEST(Fixtures, HoldersPassBesideHighOnes) {
     // Beside the pocket's wall stands a post of 80 mm: no holder reaches over it.
     const Fixture post{"post", makeRectangle(Vec2(0, 20), Vec2(12, 60)), 0, 80};
     const Plan plan = planWith("rounded_pocket.step", {post});
+    const double more_mm = fixtureGrowthMm({}, defaultToolLibrary());
     for (const Operation& operation : plan.setups.front().operations) {
         const ToolAssembly& tool = plan.library.tool(operation.tool_id);
         for (const HolderCylinder& cylinder : tool.holder) {
@@ -105,7 +126,7 @@ TEST(Fixtures, HoldersPassBesideHighOnes) {
             for (const Move& move : operation.path.moves)
                 if (move.to.z() + cylinder.bottom_mm < 80)
                     closest_mm = std::min(closest_mm, distanceToBoundary(post.section, move.to.head<2>()));
-            EXPECT_GE(closest_mm, cylinder.diameter_mm / 2 - 1e-3) << operation.id;
+            EXPECT_GE(closest_mm, cylinder.diameter_mm / 2 + more_mm - 1e-3) << operation.id;
         }
     }
     EXPECT_LT(plan.balance.gapShare(), 1e-3);

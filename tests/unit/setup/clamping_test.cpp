@@ -29,8 +29,10 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
 }
 
 TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
-    const Clamping clamping =
-        clampingOf({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}});
+    HoldWish wish;
+    wish.growth_mm = 1.5;
+    const Clamping clamping = suggestClamping(
+        {{{kBlock, 0, -30}}, {true}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}}}, wish, kTol);
     ASSERT_EQ(clamping.fixtures.size(), 2U);
     double side = 0;
     for (const Fixture& jaw : clamping.fixtures) {
@@ -38,7 +40,7 @@ TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
         EXPECT_EQ(area(intersect(jaw.section, kBlock, kTol)), 0);
         const Box2 box = boundingBox(jaw.section);
         EXPECT_NEAR(box.min().x() + box.max().x(), 80, 1e-6);
-        EXPECT_NEAR(box.sizes().x(), 150 * (1 + kFixtureGrowth), 1e-6);
+        EXPECT_NEAR(box.sizes().x(), 150 + 2 * 1.5, 1e-6);
         EXPECT_TRUE(box.min().y() == 50 || box.max().y() == 0);
         side += box.min().y() == 50 ? 1 : -1;
     }
