@@ -96,9 +96,8 @@ class SetupFeeds {
             return;
         }
         FedPath fed = withCutFeeds(std::move(operation.path), ground, *model);
-        operation.path = std::move(fed.path);
-        operation.path.totals = measure(operation.path, settings_.machine);
         operation.cuts = fed.cuts;
+        take(std::move(fed), operation);
     }
 
     /// A finishing pass is thin enough for its feed but where a corner is hardly rounder than the cutter: the
@@ -113,8 +112,13 @@ class SetupFeeds {
         if (!facts) return;
         // Thin as it is, it goes no faster than it was told: that makes its surface.
         facts->feed_mm_per_min = facts->max_feed_mm_per_min = operation.path.feed_mm_per_min;
-        operation.path = withCutFeeds(std::move(operation.path), ground, CuttingModel(*facts)).path;
+        take(withCutFeeds(std::move(operation.path), ground, CuttingModel(*facts)), operation);
+    }
+
+    void take(FedPath fed, Operation& operation) const {
+        operation.path = std::move(fed.path);
         operation.path.totals = measure(operation.path, settings_.machine);
+        operation.loads = std::move(fed.loads);
     }
 
     CutGround& groundOf(const std::string& feature_id) {

@@ -73,7 +73,7 @@ class PathFeeds {
             from = path_.moves[i].to;
         }
         finish();
-        return {std::move(path_), cuts_summary_};
+        return {std::move(path_), std::move(loads_), cuts_summary_};
     }
 
   private:
@@ -130,6 +130,7 @@ class PathFeeds {
     }
 
     void feed(Move& move, const MoveCut& cut, const Vec3& from) {
+        loads_.emplace_back();
         if (move.kind == MoveKind::Rapid) return;
         const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
         const double length_mm = std::hypot(length(edge), move.to.z() - from.z());
@@ -149,6 +150,7 @@ class PathFeeds {
             return;
         }
         const double peak_kw = model_.powerKw(cut.widest_mm, cut.depth_mm, feed);
+        loads_.back() = {static_cast<float>(cut.widest_mm / diameter_mm), static_cast<float>(peak_kw)};
         cuts_summary_.peak_kw = std::max(cuts_summary_.peak_kw, peak_kw);
         cuts_summary_.deflection_mm =
             std::max(cuts_summary_.deflection_mm, model_.deflectionMm(cut.widest_mm, cut.depth_mm, feed));
@@ -192,6 +194,7 @@ class PathFeeds {
     CutFollower followed_;  ///< holds the widths that whole_ points to
     /// Of the parted path's moves, what those cut that are whole.
     std::vector<std::optional<MoveCut>> whole_;
+    std::vector<MoveLoad> loads_;
     CutSummary cuts_summary_;
     std::map<FeedLimit, double> rules_s_;
     double work_ = 0;  ///< kW s

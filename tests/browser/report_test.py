@@ -221,6 +221,20 @@ class Viewer(Report):
             self.until("look", look)
             self.assertGreater(self.colours(), 20, look)
 
+    def test_paths_are_coloured_by_what_they_cut(self):
+        """The four setups have slots and open steps, and feeds by what they cut."""
+        choice = f"[...{FRAME}.querySelectorAll('select')][1]"
+        names = self.browser.run(f"[...{choice}.options].map((one) => one.value)")
+        self.assertEqual(names[-2:], ["engagement", "power"])
+        for name in names[-2:]:
+            self.browser.run(f"(() => {{ {choice}.value = '{name}';"
+                             f" {choice}.dispatchEvent(new Event('change')); }})()")
+            self.focus()
+            self.press("End")
+            self.until("state", "ended")
+            self.assertGreater(self.colours(), 20, name)
+            self.press("Home")
+
     def colours(self):
         x, y, width, height = self.canvas()
         return self.browser.run("""(async () => {

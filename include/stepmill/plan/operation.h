@@ -68,6 +68,8 @@ struct Operation : OperationData {
     /// side and nothing else had to be cut; 0 for drills [mm].
     double even_length_mm = 0;
     CutSummary cuts;  ///< where it has a rating
+    /// Of the path's moves, for pictures; empty: not known.
+    std::vector<MoveLoad> loads;
     /// How far the features above must be cut before it may run; empty: its feature's parents wholly.
     std::vector<Wait> waits;
 };

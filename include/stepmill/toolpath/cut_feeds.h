@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "stepmill/toolpath/cut_ground.h"
 #include "stepmill/toolpath/cutting_model.h"
@@ -18,9 +19,16 @@ struct CutSummary {
     std::array<double, 5> length_shares{};
 };
 
+/// What one move asks of cutter and spindle where it asks most.
+struct MoveLoad {
+    float width_share = 0;  ///< of the diameter that stands in material; 0: all in air
+    float power_kw = 0;     ///< of the spindle's motor
+};
+
 /// A path whose moves have feeds by what they cut.
 struct FedPath {
-    Toolpath path;  ///< its totals are still those of before
+    Toolpath path;                ///< its totals are still those of before
+    std::vector<MoveLoad> loads;  ///< of its moves
     CutSummary cuts;
 };
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "stepmill/core/error.h"
 
 namespace stepmill::report {
 namespace {
@@ -27,7 +30,7 @@ class Writer {
             packed_.bytes.number(value);
     }
 
-    void add(const Vec3& from, const Move& move) {
+    void add(const Vec3& from, const Move& move, std::optional<std::uint8_t> load) {
         const Place to = placeOf(move.to);
         // A short arc whose ends round to one place would turn into a whole circle.
         const bool circle = move.arc && move.to.head<2>() == from.head<2>();
@@ -47,11 +50,28 @@ class Writer {
         }
         at_ = to;
         ++packed_.moves;
+        if (load) addLoad(*load);
     }
 
-    PackedPath take() && { return std::move(packed_); }
+    PackedPath take() && {
+        endRun();
+        return std::move(packed_);
+    }
 
   private:
+    void addLoad(std::uint8_t load) {
+        if (load != load_) endRun();
+        load_ = load;
+        ++run_;
+    }
+
+    void endRun() {
+        if (run_ == 0) return;
+        packed_.loads.number(run_);
+        packed_.loads.number(load_);
+        run_ = 0;
+    }
+
     static std::uint8_t headOf(const Move& move, bool arc, bool changes_height, bool changes_feed) {
         auto head = static_cast<std::uint8_t>(move.kind);
         if (arc) head |= kArcBit;
@@ -64,6 +84,8 @@ class Writer {
 
     Place at_;
     std::int64_t feed_mm_per_min_ = 0;
+    std::int64_t run_ = 0;  ///< so many moves on end have this load
+    std::uint8_t load_ = 0;
     PackedPath packed_;
 };
 
@@ -78,13 +100,15 @@ double distanceToLine(const Vec3& p, const Vec3& from, const Vec3& to) {
 constexpr std::size_t kMostMerged = 64;
 
 /// The last of the straight moves from `first` on that one straight move can stand for.
-std::size_t lastOfStraight(const Toolpath& path, std::size_t first, const Vec3& from, double tolerance_mm) {
+std::size_t lastOfStraight(const Toolpath& path, const std::vector<std::uint8_t>& loads, std::size_t first,
+                           const Vec3& from, double tolerance_mm) {
     const Move& move = path.moves[first];
     std::size_t last = first;
     while (last + 1 < path.moves.size() && last - first < kMostMerged) {
         const Move& next = path.moves[last + 1];
         if (next.arc || next.kind != move.kind || next.in_air != move.in_air ||
-            next.feed_mm_per_min != move.feed_mm_per_min)
+            next.feed_mm_per_min != move.feed_mm_per_min ||
+            (!loads.empty() && loads[last + 1] != loads[first]))
             break;
         bool near = true;
         for (std::size_t i = first; near && i <= last; ++i)
@@ -97,12 +121,13 @@ std::size_t lastOfStraight(const Toolpath& path, std::size_t first, const Vec3& 
 
 }  // namespace
 
-PackedPath packed(const Toolpath& path, double tolerance_mm) {
+PackedPath packed(const Toolpath& path, double tolerance_mm, const std::vector<std::uint8_t>& load_classes) {
+    STEPMILL_CHECK(load_classes.empty() || load_classes.size() == path.moves.size(), "a load for each move");
     Writer writer(path.start);
     Vec3 from = path.start;
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
-        if (!path.moves[i].arc) i = lastOfStraight(path, i, from, tolerance_mm);
-        writer.add(from, path.moves[i]);
+        if (!path.moves[i].arc) i = lastOfStraight(path, load_classes, i, from, tolerance_mm);
+        writer.add(from, path.moves[i], load_classes.empty() ? std::nullopt : std::optional(load_classes[i]));
         from = path.moves[i].to;
     }
     return std::move(writer).take();

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "report/viewer/packed_bytes.h"
 #include "stepmill/planar/region.h"
 #include "stepmill/toolpath/toolpath.h"
@@ -15,11 +18,13 @@ namespace stepmill::report {
 struct PackedPath {
     std::size_t moves = 0;
     PackedBytes bytes;
+    PackedBytes loads;  ///< runs: how many moves, and their class; empty where none were given
 };
 
-/// \param tolerance_mm  straight moves of one kind and feed one after another become one where that changes
-///                      the way by no more
-PackedPath packed(const Toolpath& path, double tolerance_mm);
+/// \param tolerance_mm  straight moves of one kind, feed and load one after another become one where that
+///                      changes the way by no more
+/// \param load_classes  of the path's moves; empty: not known
+PackedPath packed(const Toolpath& path, double tolerance_mm, const std::vector<std::uint8_t>& load_classes);
 
 /// The highest feed of the path [mm/min].
 double fastestFeed(const Toolpath& path);

@@ -1,5 +1,9 @@
 #include "report/viewer/viewer_data.h"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+
 #include <nlohmann/json.hpp>
 
 #include "report/page/element.h"
@@ -29,6 +33,11 @@ constexpr double kCoarser = 2;
 constexpr int kMostTries = 7;
 /// Chords of outlines as a share of the stock's diagonal.
 constexpr double kChordShare = 2e-4;
+/// Classes of load: of a quarter of the diameter in material, and of a tenth of the spindle's power.
+constexpr int kWidthClasses = 4;
+constexpr int kPowerClasses = 10;
+/// Loads this little over the end of a class are still in it.
+constexpr double kSameLoad = 1e-4;
 /// Points of a cutter's outline between tip and full radius.
 constexpr int kFormPoints = 10;
 
@@ -124,6 +133,30 @@ Json bandJson(const PlannedFeature& planned, double chord_mm) {
              })}};
 }
 
+/// A move's class: how wide it cuts and how much of the spindle's power it takes, each rounded up; 0 in air.
+std::uint8_t loadClass(const MoveLoad& load, double most_kw) {
+    const auto upTo = [](double share, int classes) {
+        return std::clamp(static_cast<int>(std::ceil(share * classes - kSameLoad)), 0, classes);
+    };
+    const int width = upTo(load.width_share, kWidthClasses);
+    const int power = most_kw > 0 ? upTo(load.power_kw / most_kw, kPowerClasses) : 0;
+    return static_cast<std::uint8_t>(width * (kPowerClasses + 1) + power);
+}
+
+std::vector<std::uint8_t> loadClasses(const Operation& operation, double most_kw) {
+    std::vector<std::uint8_t> classes;
+    for (const MoveLoad& load : operation.loads)
+        classes.push_back(loadClass(load, most_kw));
+    return classes;
+}
+
+double mostPowerKw(const Machine& machine) {
+    double most_kw = 0;
+    for (const SpindlePoint& point : machine.spindle_curve)
+        most_kw = std::max(most_kw, point.power_kw);
+    return most_kw;
+}
+
 /// What is made of a plan's setups, one after another.
 class SetupsData {
   public:
@@ -180,7 +213,8 @@ class SetupsData {
 
     Json operationJson(const Operation& operation, const ProgramPlace& place) const {
         const Toolpath& path = operation.path;
-        const PackedPath moves = packed(path, tolerance_mm_);
+        const PackedPath moves =
+            packed(path, tolerance_mm_, loadClasses(operation, mostPowerKw(proven_.plan.machine)));
         Json feeds = Json::array();
         for (const MoveKind kind :
              {MoveKind::Rapid, MoveKind::Feed, MoveKind::Slot, MoveKind::Ramp, MoveKind::Plunge})
@@ -197,6 +231,7 @@ class SetupsData {
                 {"rpm", json::number(operation.speed_rpm)},
                 {"moves", moves.moves},
                 {"path", moves.bytes.text()},
+                {"loads", moves.loads.text()},
                 {"file", place.file},
                 {"line", place.line},
                 {"program", plainText(place.text)}};
@@ -213,7 +248,7 @@ double pathTolerance(const Plan& plan) {
         std::size_t bytes = 0;
         for (const PlannedSetup& setup : plan.setups)
             for (const Operation& operation : setup.operations)
-                bytes += packed(operation.path, tolerance_mm).bytes.size();
+                bytes += packed(operation.path, tolerance_mm, {}).bytes.size();
         if (bytes <= kMostPathBytes) break;
     }
     return tolerance_mm;
@@ -237,6 +272,8 @@ std::string viewerData(const ProvenPlan& proven, bool inch) {
     const Json data{{"step", kPackedStepMm},
                     {"inch", inch},
                     {"part", partJson(plan.part)},
+                    {"power_classes", kPowerClasses},
+                    {"width_classes", kWidthClasses},
                     {"tools", toolsJson(plan)},
                     {"setups", SetupsData(proven, pathTolerance(plan)).listed()}};
     return data.dump(-1, ' ', false, Json::error_handler_t::replace);

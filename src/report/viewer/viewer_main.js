@@ -15,19 +15,20 @@ const kClickPixels = 4;
 const kPaler = 0.45;
 const kViews = { 1: [-1, -1.2, 1.1], 2: [0, -0.001, 1], 3: [0, -1, 0], 4: [1, 0, 0] };
 
-/**
- * What paths and stock are coloured by. A cutting model adds its rows here: power and engagement of each move, shown
- * where the page's data has them.
- */
+/** What paths and stock are coloured by: name, words, tint. Engagement and power where the page's data has them. */
 const kColourings = [
   ["tool", "tool", (viewer, operation) => viewer.tools.get(operation.tool).tint],
   ["move", "kind of move", (viewer, operation, kind) => kKindTints[kind]],
-  ["feed", "feed", (viewer, operation, kind, feed) => feedTint(feed / viewer.fastest)],
+  ["feed", "feed", (viewer, operation, kind, feed) => scaleTint(feed / viewer.fastest)],
   ["operation", "operation", (viewer, operation) => operation.tint],
 ];
+const kLoadColourings = [
+  ["engagement", "engagement: blue air, yellow a slot", (viewer, operation, kind, feed, load) => scaleTint(viewer.widthOf(load))],
+  ["power", "power: yellow is all of the spindle's", (viewer, operation, kind, feed, load) => scaleTint(viewer.powerOf(load))],
+];
 
-/** From blue, slow, over green to yellow, fast. */
-function feedTint(share) {
+/** From blue, nothing, over green to yellow, all. */
+function scaleTint(share) {
   const part = Math.min(1, Math.max(0, share));
   return [Math.round(40 + 215 * part * part), Math.round(70 + 150 * part), Math.round(190 - 150 * part)];
 }
@@ -40,7 +41,9 @@ class Viewer {
     this.tools = new Map(data.tools.map((tool, i) =>
       [tool.id, { ...tool, cutter: cutterOf(tool), tint: kToolTints[i % kToolTints.length] }]));
     this.shown = { stock: true, part: false, fixtures: true, tool: true, path: true, allPaths: false };
-    this.colouring = kColourings[0];
+    const hasLoads = data.setups.some((setup) => setup.operations.some((operation) => operation.loads !== ""));
+    this.colourings = hasLoads ? [...kColourings, ...kLoadColourings] : kColourings;
+    this.colouring = this.colourings[0];
     this.look = window.matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
     this.chosen = [];
     this.playing = false;
@@ -62,7 +65,7 @@ class Viewer {
     this.operations = new PickList("Operations", (id) => this.chooseOperation(id, true));
     this.features = new PickList("Features", (id) => this.chooseFeatures([id]));
     this.setupChoice = choice("Setup", this.data.setups.map((setup, i) => [i, setup.id]), (i) => this.showSetup(Number(i)));
-    this.colourChoice = choice("Colour by", kColourings.map(([value, words]) => [value, words]), (value) => this.colourBy(value));
+    this.colourChoice = choice("Colour by", this.colourings.map(([value, words]) => [value, words]), (value) => this.colourBy(value));
     this.checks = {};
     const checks = [["stock", "stock"], ["part", "part"], ["fixtures", "fixtures"], ["tool", "tool"], ["path", "path"],
       ["allPaths", "paths of all operations"]].map(([key, words]) => this.checkFor(key, words));
@@ -150,7 +153,7 @@ class Viewer {
   }
 
   colourBy(value) {
-    this.colouring = kColourings.find(([name]) => name === value);
+    this.colouring = this.colourings.find(([name]) => name === value);
     this.colourChoice.select.value = value;
     this.recolour();
   }
@@ -159,7 +162,8 @@ class Viewer {
     const [, , tintOf] = this.colouring;
     const { raw } = kLooks[this.look];
     const paler = (tint) => tint.map((value, i) => Math.round(value + kPaler * (raw[i] - value)));
-    const tints = this.run.setup.operations.map((operation) => paler(tintOf(this, operation, kFeed, operation.feeds[kFeed])));
+    const tints = this.run.setup.operations.map((operation, i) =>
+      paler(tintOf(this, operation, kFeed, operation.feeds[kFeed], this.run.usualLoad(i))));
     this.scene.stock.setPalette([raw, ...tints]);
     this.showPaths();
     this.ask();
@@ -170,7 +174,16 @@ class Viewer {
     const one = all.length > 0 ? [this.run.operation] : [];
     const [, , tintOf] = this.colouring;
     this.scene.showPaths(this.shown.allPaths ? all : one,
-      (operation, kind, feed) => (kind === kRapid ? kRapidTint : tintOf(this, operation, kind, feed)));
+      (operation, kind, feed, load) => (kind === kRapid ? kRapidTint : tintOf(this, operation, kind, feed, load)));
+  }
+
+  /** The shares of the diameter and of the spindle's power that a class of load goes up to. */
+  widthOf(load) {
+    return Math.floor(load / (this.data.power_classes + 1)) / this.data.width_classes;
+  }
+
+  powerOf(load) {
+    return (load % (this.data.power_classes + 1)) / this.data.power_classes;
   }
 
   /** \param value  0: the lowest, 1000: nothing is cut away */
@@ -409,7 +422,7 @@ class Viewer {
 
   keyActs() {
     const toggle = (key) => () => this.show(key, !this.shown[key]);
-    const names = kColourings.map(([name]) => name);
+    const names = this.colourings.map(([name]) => name);
     return {
       " ": () => this.play(!this.playing),
       ArrowLeft: () => this.seek(this.goal - kKeyShare * this.run.length),

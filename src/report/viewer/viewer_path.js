@@ -24,6 +24,8 @@ class GrowingPath {
     this.kinds = new Uint8Array(1024);
     this.times = new Float64Array(1024);
     this.feeds = new Float32Array(1024);
+    this.loads = new Uint8Array(1024);
+    this.load = 0;
     this.places.set(start);
   }
 
@@ -35,11 +37,12 @@ class GrowingPath {
     this.kinds[this.count] = kind;
     this.times[this.count] = time;
     this.feeds[this.count] = feed;
+    this.loads[this.count] = this.load;
     ++this.count;
   }
 
   grow() {
-    for (const name of ["places", "kinds", "times", "feeds"]) {
+    for (const name of ["places", "kinds", "times", "feeds", "loads"]) {
       const longer = new this[name].constructor(2 * this[name].length);
       longer.set(this[name]);
       this[name] = longer;
@@ -92,17 +95,37 @@ function addLine(path, to, head, feed) {
   path.add(to[0], to[1], to[2], kindOf(head), path.times[path.count - 1] + (60 * length) / feed, feed);
 }
 
+/** The classes of moves' loads, told as runs of equal ones; 0 where none are told. */
+class LoadReader {
+  constructor(text) {
+    this.reader = new NumberReader(text);
+    this.left = 0;
+    this.load = 0;
+  }
+
+  next() {
+    if (this.left === 0 && this.reader.at < this.reader.bytes.length) {
+      this.left = this.reader.number();
+      this.load = this.reader.number();
+    }
+    if (this.left > 0) --this.left;
+    return this.load;
+  }
+}
+
 /**
- * The operation's path: places (x, y, z each), kinds and feeds (of the way to each place) and times in seconds from the
- * operation's start. Places, kinds, feeds and times have `count` entries.
+ * The operation's path: places (x, y, z each), kinds, feeds and classes of load (of the way to each place) and times in
+ * seconds from the operation's start. All have `count` entries.
  */
 function unpackPath(operation, step, chord) {
   const reader = new NumberReader(operation.path);
   const at = [reader.number(), reader.number(), reader.number()];
   const path = new GrowingPath(at.map((steps) => steps * step));
+  const loads = new LoadReader(operation.loads);
   let own = 0;
   for (let left = operation.moves; left > 0; --left) {
     const head = reader.byte();
+    path.load = loads.next();
     if (head & kFeedBit) own = reader.number();
     const before = [at[0], at[1]];
     at[0] += reader.number();

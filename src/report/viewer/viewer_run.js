@@ -30,6 +30,19 @@ class SetupRun {
     this.reset(0);
   }
 
+  /** The class of load that an operation's feeds have for the longest time. */
+  usualLoad(operation) {
+    const path = this.paths[operation];
+    const seconds = new Map();
+    for (let i = 1; i < path.count; ++i) {
+      if ((path.kinds[i] & kKindBits) === kRapid) continue;
+      seconds.set(path.loads[i], (seconds.get(path.loads[i]) || 0) + path.times[i] - path.times[i - 1]);
+    }
+    let usual = 0;
+    for (const [load, time] of seconds) if (time > (seconds.get(usual) || 0)) usual = load;
+    return usual;
+  }
+
   /** Begins before an operation, with the stock as the ones before left it. \pre its snapshot, or 0 */
   reset(operation) {
     this.field.restore(this.snapshots.get(operation));

@@ -108,11 +108,12 @@ function pathGeometry(path, colourOf, least) {
   let pairs = 0;
   let from = 0;
   for (let i = 1; i < path.count; ++i) {
-    const last = i + 1 === path.count || path.kinds[i + 1] !== path.kinds[i] || path.feeds[i + 1] !== path.feeds[i];
+    const last = i + 1 === path.count || path.kinds[i + 1] !== path.kinds[i] || path.feeds[i + 1] !== path.feeds[i] ||
+      path.loads[i + 1] !== path.loads[i];
     if (last || distance(path, from, i) >= least) {
       positions.set(path.places.subarray(3 * from, 3 * from + 3), 6 * pairs);
       positions.set(path.places.subarray(3 * i, 3 * i + 3), 6 * pairs + 3);
-      const colour = colourOf(path.kinds[i] & kKindBits, path.feeds[i]);
+      const colour = colourOf(path.kinds[i] & kKindBits, path.feeds[i], path.loads[i]);
       colours.set(colour, 6 * pairs);
       colours.set(colour, 6 * pairs + 3);
       ++pairs;

@@ -157,7 +157,7 @@ class SetupScene {
 
   addPath(index, colourOf, least) {
     const path = this.run.paths[index];
-    const drawn = pathGeometry(path, (kind, feed) => colourOf(this.setup.operations[index], kind, feed), least);
+    const drawn = pathGeometry(path, (kind, feed, load) => colourOf(this.setup.operations[index], kind, feed, load), least);
     const ahead = new THREE.BufferGeometry();
     for (const name of ["position", "color"]) ahead.setAttribute(name, drawn.geometry.getAttribute(name));
     const material = { vertexColors: THREE.VertexColors, transparent: true };

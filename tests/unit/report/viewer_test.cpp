@@ -98,7 +98,7 @@ TEST(PackedPath, MakesOneOfStraightMovesInLineAndKeepsCorners) {
         path.moves.push_back(feedTo({x, 0, 0}));
     path.moves.push_back(feedTo({3, 5, 0}));
     path.moves.push_back(feedTo({3, 2, 0}));  // back over itself: no line from the corner to here
-    const PackedPath packed_path = packed(path, 0.01);
+    const PackedPath packed_path = packed(path, 0.01, {});
     ASSERT_EQ(packed_path.moves, 3u);
     Reader reader(packed_path.bytes);
     for (int axis = 0; axis < 3; ++axis)
@@ -115,7 +115,7 @@ TEST(PackedPath, KeepsAWholeCircleAndMakesNoneOfAShortArc) {
     Move speck = feedTo({0.001, 0, 0});
     speck.arc = Arc{{0.0005, 0}, 0.0005, true};
     path.moves = {circle, speck};
-    const PackedPath packed_path = packed(path, 0.01);
+    const PackedPath packed_path = packed(path, 0.01, {});
     ASSERT_EQ(packed_path.moves, 1u);
     Reader reader(packed_path.bytes);
     for (int axis = 0; axis < 3; ++axis)
@@ -140,7 +140,7 @@ TEST(PackedPath, TellsAFeedWhereItChanges) {
     path.moves.push_back(rapid);
     path.moves.push_back(feedTo({6, 0, 0}));
     EXPECT_DOUBLE_EQ(fastestFeed(path), 1500);
-    const PackedPath packed_path = packed(path, 0.01);
+    const PackedPath packed_path = packed(path, 0.01, {});
     ASSERT_EQ(packed_path.moves, 4u) << "moves of other feeds stay apart";
     Reader reader(packed_path.bytes);
     for (int axis = 0; axis < 3; ++axis)
@@ -157,11 +157,25 @@ TEST(PackedPath, TellsAFeedWhereItChanges) {
         << "a rapid keeps it; then that of the kind";
 }
 
+TEST(PackedPath, TellsLoadsAsRunsAndKeepsMovesOfOthersApart) {
+    Toolpath path;
+    for (const double x : {1.0, 2.0, 3.0, 4.0})
+        path.moves.push_back(feedTo({x, 0, 0}));
+    path.moves.push_back(feedTo({4, 5, 0}));
+    const PackedPath packed_path = packed(path, 0.01, {7, 7, 0, 12, 12});
+    ASSERT_EQ(packed_path.moves, 4u) << "the first two are one";
+    Reader reader(packed_path.loads);
+    std::vector<std::int64_t> runs;
+    while (!reader.atEnd())
+        runs.push_back(reader.number());
+    EXPECT_EQ(runs, (std::vector<std::int64_t>{1, 7, 1, 0, 2, 12}));
+}
+
 TEST(PackedPath, RoundsPlacesNotSteps) {
     Toolpath path;
     for (int i = 1; i <= 1000; ++i)
         path.moves.push_back(feedTo({0.004 * i, i % 2 == 0 ? 0.0 : 1.0, 0}));
-    const PackedPath packed_path = packed(path, 0.0);
+    const PackedPath packed_path = packed(path, 0.0, {});
     Reader reader(packed_path.bytes);
     std::int64_t x = reader.number();
     reader.number();
@@ -227,6 +241,24 @@ TEST(PartMesh, HoldsThePartsVolume) {
     }
     EXPECT_TRUE(sides.atEnd());
     EXPECT_NEAR(volume_mm3, part.volume_mm3, 0.002 * part.volume_mm3);
+}
+
+TEST(ViewerData, TellsLoadsWhereFeedsFollowWhatIsCut) {
+    const auto loads = [](const PlanRequest& request) {
+        const std::string file = std::string(STEPMILL_SOURCE_DIR) + "/step_parts/rounded_pocket.step";
+        Plan plan =
+            planPart(readStep(file).front(), request, defaultToolLibrary(), defaultMachine(), Tolerances());
+        PlanFiles files = postedFiles(plan);
+        const nlohmann::json data =
+            nlohmann::json::parse(viewerData({std::move(plan), std::move(files), {}}, false));
+        return data["setups"][0]["operations"][0]["loads"].get<std::string>();
+    };
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.sequence.retract_mm = defaultMachine().safe_height_mm;
+    EXPECT_EQ(loads(request), "");
+    request.sequence.cut_material = *defaultMaterials().find("aluminium");
+    EXPECT_GT(loads(request).size(), 20u);
 }
 
 TEST(ViewerData, HasAllOperationsWithTheirFirstLines) {
