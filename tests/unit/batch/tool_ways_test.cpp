@@ -35,7 +35,7 @@ TEST(ToolWays, ThatTakeAllToolsOfACheaperOneAreLeftOut) {
 
 TEST(ToolWays, HoldSurrogatesAndWeighByTheObjective) {
     DagEdge with = edge("", "A", 10, 3);
-    with.surrogates.push_back({"S", 1, 2});
+    with.surrogates.push_back({"S", 1, {}});
     const auto ways = batch::waysThrough({with, edge("A", "", 0)}, Objective::Cost);
     ASSERT_EQ(ways.size(), 1U);
     EXPECT_EQ(ways[0].tools, (Tools{"A", "S"}));

@@ -60,6 +60,24 @@ TEST(Sensitivity, DearToolsGiveWayToTime) {
     EXPECT_NEAR(by_price[0].to, 45.0 / 3600 * 60 / wear_gap, 1e-9);
 }
 
+TEST(Sensitivity, CountsTheSurrogatesOfAnEdgeInTimeAndMoney) {
+    std::vector<DagEdge> edges = twoTools();
+    PathTotals helped;
+    helped.feed_time_s = 60;
+    for (DagEdge& edge : edges)
+        if (edge.from.empty() && edge.to == "EM6") edge.surrogates.push_back({"EM12", 1, helped});
+    // EM6 alone takes 160 s with its surrogate and two changes, EM12 > EM6 50 s and as many.
+    const auto by_change = bestSequences(
+        cheapestOverEdges(edges, twoMills(), makeMachine(), Parameter::ToolChange, Objective::Time));
+    ASSERT_EQ(by_change.size(), 1u);
+    EXPECT_EQ(by_change[0].line.tools, (std::vector<std::string>{"EM12", "EM6"}));
+    // In wear alone 100/600 x 10 + 60/600 x 100 against 20/600 x 100 + 30/600 x 10.
+    const auto by_rate = bestSequences(
+        cheapestOverEdges(edges, twoMills(), makeMachine(), Parameter::HourlyRate, Objective::Cost));
+    ASSERT_EQ(by_rate.size(), 1u);
+    EXPECT_NEAR(by_rate[0].line.fixed, 20.0 / 6 + 0.5, 1e-9);
+}
+
 TEST(Sensitivity, OfNothingMachinedIsOneRangeWithoutTools) {
     const auto ranges = bestSequences(
         cheapestOverEdges({}, twoMills(), makeMachine(), Parameter::ToolChange, Objective::Time));

@@ -206,7 +206,7 @@ TEST(SequenceTools, ASurrogateClearsWhatTheHolderKeepsOff) {
     EXPECT_NEAR(edge->surrogates[0].area_mm2, lumps[0].area_mm2, 1e-9);
     EXPECT_LE(sequence.time_s, edge->time_s) << "of the quickest patterns";
     const double changes_s = 2 * makeMachine().tool_change_s;
-    EXPECT_NEAR(edge->time_s, edge->totals.time_s() + edge->surrogates[0].time_s + changes_s, 1e-9);
+    EXPECT_NEAR(edge->time_s, edge->totals.time_s() + edge->surrogates[0].totals.time_s() + changes_s, 1e-9);
 }
 
 /// How many rapids below that height bring a cutter into the region.
