@@ -88,7 +88,7 @@ Json surrogatesJson(const std::vector<DagEdge>& edges) {
                                   {"to", toOf(edge)},
                                   {"tool", work.tool},
                                   {"area_mm2", number(work.area_mm2)},
-                                  {"time_s", number(work.time_s)}});
+                                  {"time_s", number(work.totals.time_s())}});
     return surrogates;
 }
 

@@ -68,7 +68,7 @@ struct SequenceOptions {
 struct SurrogateWork {
     std::string tool;
     double area_mm2 = 0;  ///< of the lumps it works in
-    double time_s = 0;    ///< of its paths, without its tool change
+    PathTotals totals;    ///< of its paths there
 };
 
 /// One evaluated edge of the tool DAG: machine D_mn with n, and what n's holder keeps from it with

@@ -55,7 +55,7 @@ std::string surrogateWords(const DagEdge& edge, const Measures& in) {
     std::string words;
     for (const SurrogateWork& work : edge.surrogates)
         words += fmt::format("{}{}: {} {}, {}", words.empty() ? "" : "; ", work.tool, in.area(work.area_mm2),
-                             in.areaUnit(), clockTime(work.time_s));
+                             in.areaUnit(), clockTime(work.totals.time_s()));
     return words;
 }
 

@@ -157,9 +157,6 @@ std::optional<Element> toolCharts(const Plan& plan, const PlannedSetup& setup, c
 
 std::optional<Element> changeTimeChart(const Plan& plan, const ToolSequence& sequence) {
     if (sequence.edges.size() < 3 || sequence.steps.empty()) return std::nullopt;
-    const bool helped = std::any_of(sequence.edges.begin(), sequence.edges.end(),
-                                    [](const DagEdge& edge) { return !edge.surrogates.empty(); });
-    if (helped && plan.objective == Objective::Cost) return std::nullopt;
     const std::vector<BestSequence> ranges = bestSequences(
         cheapestOverEdges(sequence.edges, plan.library, plan.machine, Parameter::ToolChange, plan.objective));
     if (ranges.empty() || ranges.front().line.tools.empty()) return std::nullopt;

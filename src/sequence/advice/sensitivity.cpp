@@ -140,7 +140,12 @@ class EdgeLines {
             }
             const int to = nodeOf(edge.to);
             CostLine line = edgeLine(edge.totals, *order_[to], machine, parameter, objective);
-            if (objective == Objective::Time) addSurrogates(edge, parameter, machine, line);
+            for (const SurrogateWork& work : edge.surrogates) {
+                const CostLine more =
+                    edgeLine(work.totals, *order_[nodeOf(work.tool)], machine, parameter, objective);
+                line.fixed += more.fixed;
+                line.per_unit += more.per_unit;
+            }
             lines_[{from, to}] = std::move(line);
         }
     }
@@ -167,17 +172,6 @@ class EdgeLines {
     }
 
   private:
-    static void addSurrogates(const DagEdge& edge, Parameter parameter, const Machine& machine,
-                              CostLine& line) {
-        for (const SurrogateWork& work : edge.surrogates) {
-            line.fixed += work.time_s;
-            if (parameter == Parameter::ToolChange)
-                line.per_unit += 1;
-            else
-                line.fixed += machine.tool_change_s;
-        }
-    }
-
     int nodeOf(const std::string& id) const {
         const auto found = std::find_if(order_.begin(), order_.end(),
                                         [&](const ToolAssembly* tool) { return tool->id == id; });

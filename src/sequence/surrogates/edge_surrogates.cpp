@@ -76,7 +76,7 @@ void addSurrogates(const EdgeSurrogates& surrogates, int next, const Machine& ma
         const SolvedLump& lump = *surrogates.lumps[visit.lump];
         const ToolAssembly& tool = lump.tool(visit.surrogate);
         const PathTotals& totals = lump.totals(visit.way)[visit.place];
-        if (visit.surrogate != last_surrogate) edge.surrogates.push_back({tool.id, 0, 0});
+        if (visit.surrogate != last_surrogate) edge.surrogates.push_back({tool.id, 0, {}});
         const EdgeCost change = edgeCost({}, tool, machine);
         const EdgeCost visit_cost = edgeCost(totals, tool, machine);
         const bool pays_change = visit.surrogate != last_surrogate;
@@ -84,7 +84,7 @@ void addSurrogates(const EdgeSurrogates& surrogates, int next, const Machine& ma
         edge.cost += visit_cost.cost - (pays_change ? 0 : change.cost);
         edge.motion_s += visit_cost.motion_s - (pays_change ? 0 : change.motion_s);
         edge.surrogates.back().area_mm2 += lump.area_mm2();
-        edge.surrogates.back().time_s += totals.time_s();
+        edge.surrogates.back().totals += totals;
         last_surrogate = visit.surrogate;
     }
     if (!choice.joins_next) return;

@@ -57,8 +57,8 @@ CostLine edgeLine(const PathTotals& totals, const ToolAssembly& tool, const Mach
 
 /// The cheapest sequence over evaluated edges of a tool DAG. The edges must hold every one that may be
 /// cheapest at some value: sequenceTools() leaves out those that cannot be at the machine's own
-/// (ToolSequence::pruned_edges). Surrogates count with their time; of money the edges know no share of
-/// theirs, so where cost counts there must be none. Each value costs a shortest path over n tools: O(n^2).
+/// (ToolSequence::pruned_edges). Surrogates count with their paths and a change each. Each value costs a
+/// shortest path over n tools: O(n^2).
 /// \pre the edges name tools of the library
 CheapestAt cheapestOverEdges(const std::vector<DagEdge>& edges, const ToolLibrary& library,
                              const Machine& machine, Parameter parameter, Objective objective);
