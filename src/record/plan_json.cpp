@@ -220,6 +220,10 @@ Json patternTimeJson(const PatternTime& time) {
             {"at_least", time.at_least}};
 }
 
+Json fedPatternJson(const FedPattern& fed) {
+    return {{"pattern", fed.pattern}, {"time_s", number(fed.time_s)}};
+}
+
 Json regionPatternsJson(const RegionPatterns& region) {
     return listOf(region.weighed, patternTimeJson);
 }
@@ -280,6 +284,7 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
               {"air_length_mm", number(path.totals.air_length_mm)},
               {"time_s", number(path.totals.time_s() + operation.dwellOfAll_s())},
               {"motion_time_s", number(path.totals.motion_time_s + operation.dwellOfAll_s())}};
+    if (!path.as_fed.empty()) json["as_fed"] = listOf(path.as_fed, fedPatternJson);
     if (operation.holes > 0) json["holes"] = operation.holes;
     if (operation.thread) json["thread"] = threadJson(*operation.thread);
     if (operation.fit) json["fit"] = operation.fit->name;

@@ -64,6 +64,12 @@ struct RegionPatterns {
     std::vector<PatternTime> weighed;
 };
 
+/// A whole path that was weighed at feeds by what it cuts.
+struct FedPattern {
+    std::string pattern;  ///< as Toolpath::pattern
+    double time_s = 0;    ///< with the machine's acceleration where that is given
+};
+
 /// Lengths and times of a path [mm, s].
 struct PathTotals {
     double cut_length_mm = 0;       ///< all feed moves: G1, G2, G3
@@ -96,6 +102,8 @@ struct Toolpath {
     std::string pattern;  ///< "contour-parallel", "zigzag at 30 deg", "drill"; several: joined by " + "
     /// Regions in the order they are cut; empty for drills.
     std::vector<RegionPatterns> regions;
+    /// Where the pattern was chosen by what the paths cut: those compared, this one first, the others by time.
+    std::vector<FedPattern> as_fed;
     int depths = 0;           ///< number of depths of cut, evenly divided
     double step_over_mm = 0;  ///< as used
     double step_down_mm = 0;  ///< whole depth / depths

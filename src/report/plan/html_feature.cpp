@@ -115,15 +115,24 @@ std::string otherPatterns(const RegionPatterns& patterns) {
     return listed(others);
 }
 
+/// Whole paths that were compared at feeds by what they cut, the one that is run first.
+std::string comparedAsFed(const Toolpath& path) {
+    std::vector<std::string> words;
+    for (const FedPattern& fed : path.as_fed)
+        words.push_back(fmt::format("{} {}", fed.pattern, clockTime(fed.time_s)));
+    return listed(words);
+}
+
 std::optional<Element> patternsTable(const std::vector<const Operation*>& operations) {
-    Table table({"operation", "tool", numbers("region"), "pattern", numbers("time"), "others"});
+    Table table({"operation", "tool", numbers("region"), "pattern", numbers("time"), "others", "as fed"});
     for (const Operation* operation : operations) {
         int region = 0;
         for (const RegionPatterns& patterns : operation->path.regions) {
             const PatternTime& taken = patterns.weighed.front();
+            ++region;
             table.row(linkTo(operationAnchor(operation->id), operation->id), operation->tool_id,
-                      std::to_string(++region), toString(taken.pattern), clockTime(taken.time_s),
-                      otherPatterns(patterns));
+                      std::to_string(region), toString(taken.pattern), clockTime(taken.time_s),
+                      otherPatterns(patterns), region == 1 ? comparedAsFed(operation->path) : "");
         }
     }
     if (table.empty()) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "sequence/dag/step_paths.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -92,22 +93,18 @@ double weightOf(const DagTask& task, const Candidate& n, const PathTotals& total
     return weightOf(edgeCost(totals, *n.tool, task.machine), task.options.objective);
 }
 
-/// What a path weighs that is the first to cut the feature, at feeds by what it cuts.
-class FedWeight {
+/// A path that is the first to cut the feature, at feeds by what it cuts.
+class AsFed {
   public:
-    FedWeight(const DagTask& task, const Candidate& n, const CuttingFacts& facts)
-        : task_(task),
-          n_(n),
-          model_(facts),
-          ground_(task.ground.feature().target, task.ground.feature().top_z_mm) {}
+    AsFed(const DagTask& task, const CuttingFacts& facts)
+        : task_(task), model_(facts), ground_(task.ground.feature().target, task.ground.feature().top_z_mm) {}
 
-    double operator()(const Toolpath& path) const {
-        return weightOf(task_, n_, measure(withCutFeeds(path, ground_, model_).path, task_.machine));
+    PathTotals operator()(const Toolpath& path) const {
+        return measure(withCutFeeds(path, ground_, model_).path, task_.machine);
     }
 
   private:
     const DagTask& task_;
-    const Candidate& n_;
     CuttingModel model_;
     CutGround ground_;
 };
@@ -122,15 +119,24 @@ Toolpath quickestAsFed(Toolpath path, const DagTask& task, const Candidate& n, c
         cuttingFacts(*n.tool, n.cutting, *task.options.cut_material, task.machine);
     const std::set<Pattern> rivals = rivalPatterns(path, kFedRivalShare);
     if (!facts || rivals.empty()) return path;
-    const FedWeight weigh(task, n, *facts);
-    double least = weigh(path);
-    for (const Pattern pattern : rivals) {
-        Toolpath rival = pathBy(pattern, task, n, stretch, decomposed, rings);
-        const double weight = weigh(rival);
-        if (weight >= least) continue;
+    const AsFed as_fed(task, *facts);
+    std::vector<FedPattern> compared;
+    double least = kNoEdge;
+    const auto compare = [&](Toolpath other) {
+        const PathTotals totals = as_fed(other);
+        const FedPattern fed{other.pattern, std::max(totals.motion_time_s, totals.time_s())};
+        const double weight = weightOf(task, n, totals);
+        compared.insert(weight < least ? compared.begin() : compared.end(), fed);
+        if (weight >= least) return;
         least = weight;
-        path = std::move(rival);
-    }
+        path = std::move(other);
+    };
+    compare(path);
+    for (const Pattern pattern : rivals)
+        compare(pathBy(pattern, task, n, stretch, decomposed, rings));
+    std::stable_sort(compared.begin() + 1, compared.end(),
+                     [](const FedPattern& a, const FedPattern& b) { return a.time_s < b.time_s; });
+    path.as_fed = std::move(compared);
     return path;
 }
 

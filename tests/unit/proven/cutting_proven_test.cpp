@@ -112,6 +112,13 @@ TEST(CuttingPlan, CutsAnOpenFaceFromOutsideIn) {
     const Operation& face = proven.plan.setups.front().operations.front();
     EXPECT_EQ(face.path.pattern, toString(Pattern::StockOffset));
     EXPECT_LT(face.cuts.length_shares.back(), 0.06) << "in full width";
+    ASSERT_GT(face.path.as_fed.size(), 1u);
+    EXPECT_EQ(face.path.as_fed.front().pattern, face.path.pattern);
+    for (const FedPattern& other : face.path.as_fed)
+        EXPECT_GE(other.time_s, face.path.as_fed.front().time_s) << other.pattern;
+    // What it was chosen by is what it takes.
+    EXPECT_NEAR(face.path.as_fed.front().time_s, face.path.totals.motion_time_s,
+                0.02 * face.path.totals.motion_time_s);
 }
 
 TEST(CuttingPlan, KeepsTheLibrarysFeedsWithoutASpindle) {
