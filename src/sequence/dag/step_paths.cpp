@@ -123,6 +123,7 @@ Toolpath quickestAsFed(Toolpath path, const DagTask& task, const Candidate& n, c
     std::vector<FedPattern> compared;
     double least = kNoEdge;
     const auto compare = [&](Toolpath other) {
+        if (other.moves.empty()) return;
         const PathTotals totals = as_fed(other);
         const FedPattern fed{other.pattern, std::max(totals.motion_time_s, totals.time_s())};
         const double weight = weightOf(task, n, totals);

@@ -87,8 +87,11 @@ class StepMutations : public ::testing::Test {
         std::string pattern = (fs::temp_directory_path() / "stepmill-mutations-XXXXXX").string();
         ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
         folder_ = pattern;
-        for (const fs::path& file : partFiles())
-            if (fs::exists(file)) originals_.push_back(original(file));
+        for (const fs::path& file : partFiles()) {
+            if (!fs::exists(file)) continue;
+            originals_.push_back(original(file));
+            ASSERT_GT(originals_.back().volume_mm3, 0) << file << " was not read in time";
+        }
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -108,6 +111,7 @@ class StepMutations : public ::testing::Test {
             kTimeLimit_s);
         EXPECT_EQ(run.exit_code, 0) << file;
         std::ifstream(note) >> result.volume_mm3 >> result.mesh_share;
+        fs::remove(note);
         return result;
     }
 
