@@ -102,7 +102,7 @@ struct Toolpath {
     std::string pattern;  ///< "contour-parallel", "zigzag at 30 deg", "drill"; several: joined by " + "
     /// Regions in the order they are cut; empty for drills.
     std::vector<RegionPatterns> regions;
-    /// Where the pattern was chosen by what the paths cut: those compared, this one first, the others by time.
+    /// Where the pattern was chosen by what the paths cut: those compared, this one first, then by time.
     std::vector<FedPattern> as_fed;
     int depths = 0;           ///< number of depths of cut, evenly divided
     double step_over_mm = 0;  ///< as used
