@@ -30,10 +30,8 @@ constexpr double kMostCells = 2e6;
 constexpr double kFinestMm = 0.1;
 /// A stretch is as long as this many diameters: shorter ones are too few cells.
 constexpr double kStretchDiameters = 3;
-/// Cells that are counted whole make a stretch's removal uncertain by this share of it, ...
+/// Cells that are counted whole make a stretch's removal uncertain by this share of it.
 constexpr double kRateShare = 0.1;
-/// ... and one row of cells along it comes or goes.
-constexpr double kRowShare = 1;
 /// Heights of programs are rounded, and a plunge begins a little over its ground [mm].
 constexpr double kHeightMm = 0.01;
 
@@ -133,13 +131,15 @@ class CutJudge {
         const bool stretch_ends = event.kind == Kind::Rapid || id != stretch_of_;
         if (stretch_ends) startStretch(id);
         if (event.kind == Kind::Rapid) return;
-        if (found != rated_.end()) plunge(from, event, found->second);
+        const bool plunges = goesStraightDown(from, event);
+        if (plunges && found != rated_.end()) plunge(from, event, found->second);
         const HeightMap::Cut cut = map_.run(pathOf(from, event), cutter, 0);
-        if (found == rated_.end()) return;
+        // Ways straight down have a feed of their own; their depth is what is limited.
+        if (plunges) startStretch(id);
+        if (plunges || found == rated_.end()) return;
         removed_mm3_ += cut.removed_mm3;
         length_mm_ += cut.feed_mm;
         minutes_ += cut.feed_mm / event.feed_mm_per_min;
-        deepest_mm_ = std::max(deepest_mm_, -event.to[2]);
         const Rated& rated = found->second;
         if (length_mm_ < kStretchDiameters * rated.diameter_mm) return;
         weigh(rated, event);
@@ -148,18 +148,15 @@ class CutJudge {
 
     void startStretch(const std::string& operation) {
         stretch_of_ = operation;
-        removed_mm3_ = length_mm_ = minutes_ = deepest_mm_ = 0;
+        removed_mm3_ = length_mm_ = minutes_ = 0;
     }
 
     void weigh(const Rated& rated, const CanonEvent& event) {
         ++found_.stretches;
         const double removal = removed_mm3_ / minutes_;
-        // The depth of cut is no more than what the stretch has taken from a row as long as itself.
-        const double row = kRowShare * map_.raster().cellMm() * deepest_mm_ * length_mm_ / minutes_;
         const double share = removal / rated.removal_mm3_per_min;
         found_.rated_share = std::max(found_.rated_share, share);
-        const double slack = rated.removal_mm3_per_min * kRateShare + std::min(row, removal / 4);
-        if (removal > rated.removal_mm3_per_min + slack)
+        if (removal > rated.removal_mm3_per_min * (1 + kRateShare))
             note(found_.too_fast, fmt::format("removes {:.2f} times what the tool is rated for", share),
                  event);
         // No chip is thicker than the feed per tooth, and thinner ones ask for more force a section.
@@ -171,9 +168,12 @@ class CutJudge {
             note(found_.too_strong, fmt::format("takes {:.1f} kW at least", least_kw), event);
     }
 
+    static bool goesStraightDown(const Vec3& from, const CanonEvent& event) {
+        return event.kind == Kind::Feed && from.head<2>() == placeOf(event).head<2>() &&
+               event.to[2] < from.z();
+    }
+
     void plunge(const Vec3& from, const CanonEvent& event, const Rated& rated) {
-        const bool straight = event.kind == Kind::Feed && from.head<2>() == placeOf(event).head<2>();
-        if (!straight || event.to[2] >= from.z()) return;
         double highest_mm = -stock_mm_.z();
         map_.raster().forDisc(
             from.head<2>(), rated.cutter.radius_mm - 2 * map_.raster().cellMm(),
@@ -200,7 +200,6 @@ class CutJudge {
     double removed_mm3_ = 0;
     double length_mm_ = 0;
     double minutes_ = 0;
-    double deepest_mm_ = 0;
     Judgement found_;
 };
 
@@ -230,7 +229,13 @@ class RatedCuts : public testing::TestWithParam<ExpectedOutcome> {
         STEPMILL_NEEDS_SECOND_READER();
     }
 
-    void expectWithin(const std::vector<std::string>& options) const {
+    void expectWithin(std::vector<std::string> options) const {
+        // A part that is larger than the machine's travel has no program.
+        if (GetParam().part.starts_with("nist/")) {
+            options.push_back("--machine");
+            options.push_back(std::string(STEPMILL_SOURCE_DIR) +
+                              "/tests/corpus/whole_machine/large_machine.json");
+        }
         const Judgement found = judged(GetParam().path, options);
         EXPECT_GT(found.stretches, 0);
         EXPECT_EQ(found.too_fast, 0) << found.first;
@@ -255,6 +260,7 @@ TEST(RatedCutsJudge, FindsSlotsAtTheLibrarysFeed) {
     EXPECT_GT(judged(pocket, {}, 1.5).too_fast, 0);
 }
 
+const std::string kNothingToCut = "machined/simple_block_rawpiece.stp";
 const std::string kSlowSample = "step_parts/die_with_islands.step";
 
 std::vector<ExpectedOutcome> rowsOf(const std::vector<std::string>& parts) {
@@ -274,6 +280,7 @@ std::vector<ExpectedOutcome> quickSamples() {
 
 std::vector<ExpectedOutcome> slowRows() {
     std::vector<ExpectedOutcome> rows = expectedPlans({"machined", "nist"});
+    std::erase_if(rows, [](const ExpectedOutcome& row) { return row.part == kNothingToCut; });
     for (ExpectedOutcome& row : rowsOf({kSlowSample}))
         rows.push_back(std::move(row));
     return rows;
