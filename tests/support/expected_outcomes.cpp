@@ -98,6 +98,13 @@ std::vector<ExpectedOutcome> expectedOf(const std::string& folder) {
     return rows;
 }
 
+std::vector<ExpectedOutcome> expectedRows(const std::vector<std::string>& parts) {
+    std::vector<ExpectedOutcome> rows;
+    for (const ExpectedOutcome& expected : expectedOutcomes())
+        if (std::find(parts.begin(), parts.end(), expected.part) != parts.end()) rows.push_back(expected);
+    return rows;
+}
+
 std::vector<ExpectedOutcome> expectedPlans(const std::vector<std::string>& folders) {
     std::vector<ExpectedOutcome> rows;
     for (const std::string& folder : folders)

@@ -38,6 +38,9 @@ void PrintTo(const ExpectedOutcome& expected, std::ostream* out);
 /// All rows, patterns resolved, in the table's order.
 const std::vector<ExpectedOutcome>& expectedOutcomes();
 
+/// The rows of these parts ("nist/nist_ctc_01_asme1_rd.stp"), in the table's order.
+std::vector<ExpectedOutcome> expectedRows(const std::vector<std::string>& parts);
+
 /// The rows of these folders ("step_parts", "nist", ...) that get a plan and are not slow.
 std::vector<ExpectedOutcome> expectedPlans(const std::vector<std::string>& folders);
 /// All rows that get a plan and are slow.

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/expected_outcomes.h"
+#include "support/plan_json.h"
 #include "support/planned_parts.h"
 #include "support/program_judge.h"
 #include "support/second_reader.h"
@@ -64,7 +65,7 @@ struct Judgement {
 class CutJudge {
   public:
     CutJudge(const Json& plan, const Json& setup)
-        : stock_mm_(sizesOf(plan, setup)),
+        : stock_mm_(rawStockIn(plan, transformOf(setup)).sizes()),
           map_(Box2(Vec2(0, 0), Vec2(stock_mm_.x(), stock_mm_.y())), cellMm(stock_mm_), -stock_mm_.z()) {
         map_.raise(makeRectangle(Vec2(0, 0), Vec2(stock_mm_.x(), stock_mm_.y())), 0);
         std::map<std::string, Json> tools;
@@ -98,30 +99,8 @@ class CutJudge {
     }
 
   private:
-    static Vec3 sizesOf(const Json& plan, const Json& setup) {
-        const auto corners = plan.at("stock").at("bbox_mm").get<std::array<std::array<double, 3>, 2>>();
-        const auto rows = setup.at("transform").get<std::array<double, 16>>();
-        Eigen::Matrix3d turn;
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column)
-                turn(row, column) = rows[static_cast<std::size_t>(4 * row + column)];
-        return (turn * (Vec3(corners[1].data()) - Vec3(corners[0].data()))).cwiseAbs();
-    }
-
     static double cellMm(const Vec3& stock_mm) {
         return std::max(kFinestMm, std::sqrt(stock_mm.x() * stock_mm.y() / kMostCells));
-    }
-
-    static CutterProfile cutterOf(const Json& tool) {
-        ToolAssembly cutter;
-        cutter.diameter_mm = tool.at("diameter_mm");
-        cutter.corner_radius_mm = tool.at("corner_radius_mm");
-        cutter.tip_diameter_mm = tool.value("tip_diameter_mm", 0.0);
-        cutter.included_angle_deg = tool.value("included_angle_deg", 0.0);
-        cutter.point_angle_deg = tool.value("point_angle_deg", 118.0);
-        for (const ToolType type : {ToolType::Drill, ToolType::Chamfer})
-            if (tool.at("type") == toString(type)) cutter.type = type;
-        return profileOf(cutter);
     }
 
     void move(const Vec3& from, const CanonEvent& event) {
@@ -209,10 +188,8 @@ Judgement judged(const std::string& part, const std::vector<std::string>& option
     EXPECT_LE(planned.run.exit_code, 1) << planned.run.err;
     const Json plan = Json::parse(slurp(planned.folder / "plan.json"));
     const Json& setup = plan.at("setups").front();
-    std::string table;
-    for (const Json& tool : plan.at("tools"))
-        table += fmt::format("T{0} P{0} Z0 D0.1 ;\n", tool.at("number").get<int>());
-    const SecondReader reader(slurp(planned.folder / setup.at("program").get<std::string>()), table);
+    const SecondReader reader(slurp(planned.folder / setup.at("program").get<std::string>()),
+                              toolTableOf(plan));
     EXPECT_EQ(reader.exit_code, 0) << reader.refusal;
     std::vector<CanonEvent> events = canonEvents(reader.output);
     for (CanonEvent& event : events)
@@ -263,13 +240,6 @@ TEST(RatedCutsJudge, FindsSlotsAtTheLibrarysFeed) {
 const std::string kNothingToCut = "machined/simple_block_rawpiece.stp";
 const std::string kSlowSample = "step_parts/die_with_islands.step";
 
-std::vector<ExpectedOutcome> rowsOf(const std::vector<std::string>& parts) {
-    std::vector<ExpectedOutcome> rows;
-    for (const ExpectedOutcome& row : expectedOutcomes())
-        if (std::find(parts.begin(), parts.end(), row.part) != parts.end()) rows.push_back(row);
-    return rows;
-}
-
 const auto kPartName = [](const auto& row) { return testName(row.param); };
 /// The sample parts, but for those whose two plans take minutes.
 std::vector<ExpectedOutcome> quickSamples() {
@@ -281,13 +251,13 @@ std::vector<ExpectedOutcome> quickSamples() {
 std::vector<ExpectedOutcome> slowRows() {
     std::vector<ExpectedOutcome> rows = expectedPlans({"machined", "nist"});
     std::erase_if(rows, [](const ExpectedOutcome& row) { return row.part == kNothingToCut; });
-    for (ExpectedOutcome& row : rowsOf({kSlowSample}))
+    for (ExpectedOutcome& row : expectedRows({kSlowSample}))
         rows.push_back(std::move(row));
     return rows;
 }
 
 INSTANTIATE_TEST_SUITE_P(SampleParts, RatedCuts, testing::ValuesIn(quickSamples()), kPartName);
-INSTANTIATE_TEST_SUITE_P(RealParts, RatedCuts, testing::ValuesIn(rowsOf({"machined/hole_model.stp"})),
+INSTANTIATE_TEST_SUITE_P(RealParts, RatedCuts, testing::ValuesIn(expectedRows({"machined/hole_model.stp"})),
                          kPartName);
 INSTANTIATE_TEST_SUITE_P(Slow, RatedCuts, testing::ValuesIn(slowRows()), kPartName);
 

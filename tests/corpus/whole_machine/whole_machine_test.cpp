@@ -11,6 +11,7 @@
 
 #include "stepmill/planar/region_json.h"
 #include "support/expected_outcomes.h"
+#include "support/plan_json.h"
 #include "support/planned_parts.h"
 #include "support/program_judge.h"
 #include "support/second_reader.h"
@@ -49,13 +50,7 @@ struct Spindle {
 };
 
 Spindle spindleOf(const Json& tool, double shorter_mm) {
-    ToolAssembly cutter;
-    cutter.type = tool.at("type") == "chamfer" ? ToolType::Chamfer : ToolType::Flat;
-    cutter.diameter_mm = tool.at("diameter_mm");
-    cutter.corner_radius_mm = tool.at("corner_radius_mm");
-    cutter.tip_diameter_mm = tool.value("tip_diameter_mm", 0.0);
-    cutter.included_angle_deg = tool.value("included_angle_deg", 0.0);
-    Spindle spindle{profileOf(cutter), tool.at("flute_length_mm"), {}};
+    Spindle spindle{cutterOf(tool), tool.at("flute_length_mm"), {}};
     const auto add = [&](const Json& one) {
         spindle.above.push_back({one.at("diameter_mm").get<double>() / 2,
                                  one.at("bottom_mm").get<double>() - shorter_mm, one.at("top_mm")});
@@ -65,25 +60,6 @@ Spindle spindleOf(const Json& tool, double shorter_mm) {
         add(one);
     spindle.above.back().top_mm = 1e6;
     return spindle;
-}
-
-Eigen::Isometry3d transformOf(const Json& setup) {
-    const auto rows = setup.at("transform").get<std::array<double, 16>>();
-    Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
-    for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 4; ++column)
-            transform(row, column) = rows[static_cast<std::size_t>(4 * row + column)];
-    return transform;
-}
-
-/// The raw stock's box around all its corners in a setup.
-Box3 boxIn(const Json& stock, const Eigen::Isometry3d& part_to_setup) {
-    const auto corners = stock.at("bbox_mm").get<std::array<std::array<double, 3>, 2>>();
-    const Box3 raw(Vec3(corners[0].data()), Vec3(corners[1].data()));
-    Box3 box;
-    for (int corner = 0; corner < 8; ++corner)
-        box.extend(Vec3(part_to_setup * raw.corner(static_cast<Box3::CornerType>(corner))));
-    return box;
 }
 
 /// Tops of the fixtures around the stock.
@@ -186,18 +162,16 @@ class Run {
 Hits simulated(const fs::path& job, double shorter_mm) {
     const Json plan = Json::parse(slurp(job / "plan.json"));
     std::map<int, Spindle> spindles;
-    std::string table;
-    for (const Json& tool : plan.at("tools")) {
+    for (const Json& tool : plan.at("tools"))
         spindles[tool.at("number")] = spindleOf(tool, shorter_mm);
-        table += fmt::format("T{0} P{0} Z0 D0.1 ;\n", tool.at("number").get<int>());
-    }
+    const std::string table = toolTableOf(plan);
     Hits hits;
     std::optional<VoxelStock> stock;
     Eigen::Isometry3d before;
     for (const Json& setup : plan.at("setups")) {
         if (setup.at("operations").empty()) continue;
         const Eigen::Isometry3d here = transformOf(setup);
-        const Box3 box = boxIn(plan.at("stock"), here);
+        const Box3 box = rawStockIn(plan, here);
         const double cell_mm = std::max(kFinestMm, std::cbrt(box.sizes().prod() / kCubes));
         stock = stock ? stock->turned(box, before * here.inverse()) : VoxelStock(box, cell_mm);
         const HeightMap fixtures = fixturesOf(plan, setup, box);
@@ -241,20 +215,15 @@ TEST_P(WholeMachine, IsMetWhereToolsAreShorterThanPlanned) {
     EXPECT_GT(simulated(planOf(GetParam()), 25).cylinders, 0);
 }
 
-std::vector<ExpectedOutcome> rowsOf(const std::vector<std::string>& parts) {
-    std::vector<ExpectedOutcome> rows;
-    for (const ExpectedOutcome& row : expectedOutcomes())
-        if (std::find(parts.begin(), parts.end(), row.part) != parts.end()) rows.push_back(row);
-    return rows;
-}
-
 const auto kPartName = [](const auto& row) { return testName(row.param); };
-INSTANTIATE_TEST_SUITE_P(
-    RealParts, WholeMachine,
-    testing::ValuesIn(rowsOf({"step_parts/four_setups.step", "machined/aagnet_partC.step"})), kPartName);
-INSTANTIATE_TEST_SUITE_P(
-    Slow, WholeMachine,
-    testing::ValuesIn(rowsOf({"nist/nist_ctc_01_asme1_rd.stp", "nist/nist_ftc_06_asme1_rd.stp"})), kPartName);
+INSTANTIATE_TEST_SUITE_P(RealParts, WholeMachine,
+                         testing::ValuesIn(expectedRows({"step_parts/four_setups.step",
+                                                         "machined/aagnet_partC.step"})),
+                         kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, WholeMachine,
+                         testing::ValuesIn(expectedRows({"nist/nist_ctc_01_asme1_rd.stp",
+                                                         "nist/nist_ftc_06_asme1_rd.stp"})),
+                         kPartName);
 
 }  // namespace
 }  // namespace stepmill::test
