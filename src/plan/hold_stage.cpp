@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "plan/held_stock.h"
+#include "stepmill/access/collision.h"
 #include "stepmill/core/error.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -117,8 +118,8 @@ StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
 double fixtureGrowthMm(const FixtureFile& shop, const ToolLibrary& library) {
     double widest_mm = 0;
     for (const ToolAssembly& tool : library.tools) {
-        widest_mm = std::max({widest_mm, tool.diameter_mm, tool.shank.diameter_mm});
-        for (const HolderCylinder& cylinder : tool.holder)
+        widest_mm = std::max(widest_mm, tool.diameter_mm);
+        for (const HolderCylinder& cylinder : access::cylindersOf(tool))
             widest_mm = std::max(widest_mm, cylinder.diameter_mm);
     }
     return shop.growth * widest_mm / 2;

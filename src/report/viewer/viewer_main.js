@@ -162,8 +162,9 @@ class Viewer {
     const [, , tintOf] = this.colouring;
     const { raw } = kLooks[this.look];
     const paler = (tint) => tint.map((value, i) => Math.round(value + kPaler * (raw[i] - value)));
+    const byLoad = kLoadColourings.includes(this.colouring);
     const tints = this.run.setup.operations.map((operation, i) =>
-      paler(tintOf(this, operation, kFeed, operation.feeds[kFeed], this.run.usualLoad(i))));
+      paler(tintOf(this, operation, kFeed, operation.feeds[kFeed], byLoad ? this.run.usualLoad(i) : 0)));
     this.scene.stock.setPalette([raw, ...tints]);
     this.showPaths();
     this.ask();

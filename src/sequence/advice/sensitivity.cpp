@@ -105,6 +105,12 @@ Shop shopAt(double value, Shop shop, Parameter parameter) {
     return shop;
 }
 
+/// The costs alone: who pays them stays as it is.
+void addCosts(const CostLine& more, CostLine& into) {
+    into.fixed += more.fixed;
+    into.per_unit += more.per_unit;
+}
+
 /// The cost of a sequence. Consecutive steps with the same tool share one tool change.
 CostLine lineOf(const ToolSequence& sequence, const Shop& shop, Parameter parameter, Objective objective) {
     CostLine sum;
@@ -114,10 +120,7 @@ CostLine lineOf(const ToolSequence& sequence, const Shop& shop, Parameter parame
         totals += step.path.totals;
         const bool goes_on = i + 1 < sequence.steps.size() && sequence.steps[i + 1].tool_id == step.tool_id;
         if (goes_on) continue;
-        const CostLine line =
-            edgeLine(totals, shop.library.tool(step.tool_id), shop.machine, parameter, objective);
-        sum.fixed += line.fixed;
-        sum.per_unit += line.per_unit;
+        addCosts(edgeLine(totals, shop.library.tool(step.tool_id), shop.machine, parameter, objective), sum);
         sum.tools.push_back(step.tool_id);
         totals = {};
     }
@@ -140,12 +143,9 @@ class EdgeLines {
             }
             const int to = nodeOf(edge.to);
             CostLine line = edgeLine(edge.totals, *order_[to], machine, parameter, objective);
-            for (const SurrogateWork& work : edge.surrogates) {
-                const CostLine more =
-                    edgeLine(work.totals, *order_[nodeOf(work.tool)], machine, parameter, objective);
-                line.fixed += more.fixed;
-                line.per_unit += more.per_unit;
-            }
+            for (const SurrogateWork& work : edge.surrogates)
+                addCosts(edgeLine(work.totals, *order_[nodeOf(work.tool)], machine, parameter, objective),
+                         line);
             lines_[{from, to}] = std::move(line);
         }
     }
@@ -162,9 +162,7 @@ class EdgeLines {
         CostLine sum;
         int before = kSource;
         for (const int node : path.tools) {
-            const CostLine& line = lines_.at({before, node});
-            sum.fixed += line.fixed;
-            sum.per_unit += line.per_unit;
+            addCosts(lines_.at({before, node}), sum);
             sum.tools.push_back(order_[node]->id);
             before = node;
         }

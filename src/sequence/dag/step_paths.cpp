@@ -125,9 +125,9 @@ Toolpath quickestAsFed(Toolpath path, const DagTask& task, const Candidate& n, c
     const auto compare = [&](Toolpath other) {
         if (other.moves.empty()) return;
         const PathTotals totals = as_fed(other);
-        const FedPattern fed{other.pattern, std::max(totals.motion_time_s, totals.time_s())};
         const double weight = weightOf(task, n, totals);
-        compared.insert(weight < least ? compared.begin() : compared.end(), fed);
+        compared.insert(weight < least ? compared.begin() : compared.end(),
+                        {other.pattern, totals.motion_time_s});
         if (weight >= least) return;
         least = weight;
         path = std::move(other);
