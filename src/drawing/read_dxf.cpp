@@ -276,7 +276,9 @@ class DxfGroups {
 
     void readInto(DxfTaker& taker) {
         DL_Dxf reader;
+        // Only this sets all its members.
         std::istringstream group;
+        reader.in(group, &taker);
         bool ended = false;
         while (!ended && next()) {
             checkCount();
