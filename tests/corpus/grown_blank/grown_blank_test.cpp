@@ -1,6 +1,9 @@
-// Posted programs of the sample parts, run on a blank that is too large by its tolerance on every side.
+// Posted programs of the sample parts and of real ones, run on a blank that is too large by its tolerance on
+// every side.
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -8,6 +11,7 @@
 #include "stepmill/plan/plan.h"
 #include "stepmill/post/post.h"
 #include "stepmill/post/read_program.h"
+#include "support/expected_outcomes.h"
 #include "support/height_map.h"
 #include "support/tolerances.h"
 
@@ -20,6 +24,8 @@ constexpr double kCellMm = 0.2;
 constexpr double kRimMm = 0.3;
 /// A holder that is lower than the material beside it by less rests on rounding [mm].
 constexpr double kFlushMm = 0.01;
+
+constexpr std::size_t kAllSetups = std::numeric_limits<std::size_t>::max();
 
 using test::kTol;
 
@@ -70,9 +76,11 @@ struct Hits {
     std::string first;
 };
 
-Hits run(const Plan& plan, Dialect dialect) {
+/// The programs of a plan's first setups, each on a blank of its own.
+Hits run(const Plan& plan, Dialect dialect, std::size_t setups) {
     Hits hits;
-    for (const PlannedSetup& planned : plan.setups) {
+    for (std::size_t i = 0; i < std::min(setups, plan.setups.size()); ++i) {
+        const PlannedSetup& planned = plan.setups[i];
         const Blank blank(plan.stock.raw_bbox_mm, planned.setup);
         HeightMap stock(grown(blank.sides, 2 * kCellMm), kCellMm, blank.bottom_mm);
         stock.raise(makeRectangle(blank.sides.min(), blank.sides.max()), blank.top_mm);
@@ -93,23 +101,44 @@ Hits run(const Plan& plan, Dialect dialect) {
     return hits;
 }
 
-Plan plan(const std::string& name, double tolerance_mm, const Machine& machine) {
-    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + name + ".step").front();
+Machine machineThatEveryPartFits() {
+    Machine machine = defaultMachine();
+    machine.travel_mm = {4000, 4000, 2000};
+    return machine;
+}
+
+Plan plan(const std::string& file, double tolerance_mm, const Machine& machine) {
+    const Part part = readStep(file).front();
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.setup.stock_tolerance_mm = tolerance_mm;
     return planPart(part, request, defaultToolLibrary(), machine, kTol);
 }
 
-class GrownBlank : public testing::TestWithParam<const char*> {};
+std::string fileOf(const std::string& sample) {
+    return std::string(STEPMILL_SOURCE_DIR) + "/step_parts/" + sample + ".step";
+}
 
-TEST_P(GrownBlank, MeetsNoRapidAndNoHolderInAnyDialect) {
-    const Plan planned = plan(GetParam(), kToleranceMm, defaultMachine());
+void expectNothingMet(const Plan& planned, std::size_t setups) {
     for (const Dialect dialect : {Dialect::LinuxCnc, Dialect::Fanuc, Dialect::Grbl}) {
-        const Hits hits = run(planned, dialect);
+        const Hits hits = run(planned, dialect, setups);
         EXPECT_EQ(hits.rapids, 0) << toString(dialect) << ": " << hits.first;
         EXPECT_EQ(hits.holders, 0) << toString(dialect);
     }
+}
+
+class GrownBlank : public testing::TestWithParam<const char*> {};
+
+TEST_P(GrownBlank, MeetsNoRapidAndNoHolderInAnyDialect) {
+    expectNothingMet(plan(fileOf(GetParam()), kToleranceMm, defaultMachine()), kAllSetups);
+}
+
+/// What later setups of real parts find is no block any more.
+class GrownBlankOf : public testing::TestWithParam<ExpectedOutcome> {};
+
+TEST_P(GrownBlankOf, MeetsNoRapidAndNoHolderInTheFirstSetup) {
+    STEPMILL_NEEDS_PART(GetParam());
+    expectNothingMet(plan(GetParam().path, kToleranceMm, machineThatEveryPartFits()), 1);
 }
 
 const auto kSampleName = [](const auto& parameter) { return std::string(parameter.param); };
@@ -123,13 +152,20 @@ INSTANTIATE_TEST_SUITE_P(SampleParts, GrownBlank,
                          kSampleName);
 INSTANTIATE_TEST_SUITE_P(Slow, GrownBlank, testing::Values("die_with_islands"), kSampleName);
 
+const auto kPartName = [](const auto& row) { return testName(row.param); };
+
+INSTANTIATE_TEST_SUITE_P(RealParts, GrownBlankOf,
+                         testing::ValuesIn(expectedRows({"machined/hole_model.stp"})), kPartName);
+INSTANTIATE_TEST_SUITE_P(Slow, GrownBlankOf, testing::ValuesIn(expectedPlans({"machined", "nist"})),
+                         kPartName);
+
 /// A plan that takes the blank for exact touches it with rapids: so the test above can fail.
 TEST(ExactBlank, IsMetByRapidsWhereItIsLarger) {
     Machine touching = defaultMachine();
     touching.side_clearance_mm = touching.top_clearance_mm = touching.inside_clearance_mm = 0;
     int hits = 0;
     for (const char* name : {"shoulder_block", "open_slots", "four_setups"})
-        hits += run(plan(name, 0, touching), Dialect::LinuxCnc).rapids;
+        hits += run(plan(fileOf(name), 0, touching), Dialect::LinuxCnc, kAllSetups).rapids;
     EXPECT_GT(hits, 0);
 }
 
