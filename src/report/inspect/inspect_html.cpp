@@ -84,14 +84,15 @@ std::vector<int> faceTints(const Inspection& inspection, const InspectedSetup& s
     return by_face;
 }
 
-Element setupSection(const Inspection& inspection, const InspectedSetup& setup, const Tints& tints) {
+Element setupSection(const Inspection& inspection, const FacetedPart& part, const InspectedSetup& setup,
+                     const Tints& tints) {
     const std::string words = fmt::format("Tool axis {} of the part{}. Stock {} as it arrives. {}",
                                           axisName(setup.setup.axis), setup.setup.indexed ? " (indexed)" : "",
                                           sizeWords(setup.setup.stock_bbox_mm.sizes()), setup.clamping.text);
-    return Element("section", Element("h2", "Setup " + setup.setup.id), Element("p", words),
-                   figuresOf(partDrawings(inspection.part, setup.setup.part_to_setup,
-                                          faceTints(inspection, setup, tints))),
-                   featuresTable(setup, tints));
+    return Element(
+        "section", Element("h2", "Setup " + setup.setup.id), Element("p", words),
+        figuresOf(partDrawings(part, setup.setup.part_to_setup, faceTints(inspection, setup, tints))),
+        featuresTable(setup, tints));
 }
 
 std::optional<Element> holesSection(const Inspection& inspection) {
@@ -146,8 +147,9 @@ std::string stepmill::inspectionHtml(const Inspection& inspection) {
         main.add(Element("div.warn", warning));
     main.add(notesSection(inspection));
     const Tints tints = tintsOf(inspection);
+    const FacetedPart part = facetedPart(inspection.part);
     for (const InspectedSetup& setup : inspection.setups)
-        main.add(setupSection(inspection, setup, tints));
+        main.add(setupSection(inspection, part, setup, tints));
     main.add(holesSection(inspection), booksSection(inspection.books));
     return htmlDocument(inspection.part.name, std::move(main));
 }

@@ -4,7 +4,6 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
-#include <gp_Trsf.hxx>
 #include <HLRBRep_Algo.hxx>
 #include <HLRBRep_HLRToShape.hxx>
 #include <HLRBRep_PolyAlgo.hxx>
@@ -17,14 +16,6 @@
 
 namespace stepmill::report {
 namespace {
-
-gp_Trsf toTrsf(const Eigen::Isometry3d& transform) {
-    const Eigen::Matrix4d& m = transform.matrix();
-    gp_Trsf trsf;
-    trsf.SetValues(m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1), m(1, 2), m(1, 3), m(2, 0), m(2, 1),
-                   m(2, 2), m(2, 3));
-    return trsf;
-}
 
 /// Hidden-line edges lie in the plane z = 0 of the view.
 std::vector<Polyline> polylines(const TopoDS_Shape& edges, double deflection_mm) {
@@ -60,6 +51,14 @@ Lines sharpAndOutlines(Shapes& shapes, double deflection_mm) {
 }
 
 }  // namespace
+
+gp_Trsf toTrsf(const Eigen::Isometry3d& transform) {
+    const Eigen::Matrix4d& m = transform.matrix();
+    gp_Trsf trsf;
+    trsf.SetValues(m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1), m(1, 2), m(1, 3), m(2, 0), m(2, 1),
+                   m(2, 2), m(2, 3));
+    return trsf;
+}
 
 Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm) {
     Handle(HLRBRep_Algo) algorithm = new HLRBRep_Algo();

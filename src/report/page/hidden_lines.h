@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <gp_Trsf.hxx>
 #include <HLRAlgo_Projector.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -26,6 +27,8 @@ Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
 /// Of the facets.
 /// \pre the solid has them
 Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
+
+gp_Trsf toTrsf(const Eigen::Isometry3d& transform);
 
 /// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.
 TopoDS_Shape solidIn(const PartShape& shape, const Eigen::Isometry3d& part_to_setup);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/page/element.h"
-#include "stepmill/part/part.h"
+#include "report/page/faceted_part.h"
 
 namespace stepmill::report {
 
@@ -18,7 +18,7 @@ struct PartDrawing {
 /// \param tints  one a part face: what is visible of each is filled with tintClass(), of negative ones not
 ///               at all; empty: lines alone
 /// \throws Error(GeometryKernel)
-std::vector<PartDrawing> partDrawings(const Part& part, const Eigen::Isometry3d& part_to_setup,
+std::vector<PartDrawing> partDrawings(const FacetedPart& faceted, const Eigen::Isometry3d& part_to_setup,
                                       const std::vector<int>& tints = {});
 
 /// Figures in pairs, titles below.

@@ -2,7 +2,6 @@
 
 #include "stepmill/report/part_views.h"
 
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <gp_Ax2.hxx>
 #include <HLRAlgo_Projector.hxx>
 
@@ -28,6 +27,12 @@ struct Eye {
     gp_Dir right;
 };
 
+/// The eye's plane in part coordinates, x to the right; its origin is the setup's.
+gp_Ax2 planeOf(const Eye& eye, const Eigen::Isometry3d& part_to_setup) {
+    const gp_Ax2 in_setup(gp_Pnt(0, 0, 0), eye.towards_viewer, eye.right);
+    return in_setup.Transformed(toTrsf(part_to_setup.inverse()));
+}
+
 Element drawn(const Lines& lines, const Shading& shading, std::string label) {
     Box2 box;
     for (const std::vector<Polyline>* group : {&lines.visible, &lines.hidden})
@@ -50,37 +55,32 @@ const std::vector<Eye>& eyes() {
     return all;
 }
 
-std::vector<PartDrawing> drawAll(const Part& part, const TopoDS_Shape& solid, const std::vector<int>& tints) {
-    constexpr double kAngularDeflection = 0.2;
+std::vector<PartDrawing> drawAll(const FacetedPart& faceted, const Eigen::Isometry3d& part_to_setup,
+                                 const std::vector<int>& tints) {
+    const Part& part = faceted.part;
     const double deflection_mm = kDrawingDeflection * part.bbox_mm.diagonal().norm();
     const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;
-    // Exact hidden lines would be disturbed by facets that were there before them.
-    if (!exact) BRepMesh_IncrementalMesh(solid, deflection_mm, false, kAngularDeflection);
-    std::vector<Lines> lines;
-    for (const Eye& eye : eyes()) {
-        const HLRAlgo_Projector projector(gp_Ax2(gp_Pnt(0, 0, 0), eye.towards_viewer, eye.right));
-        lines.push_back(exact ? exactLines(solid, projector, deflection_mm)
-                              : facetLines(solid, projector, deflection_mm));
-    }
-    if (exact && !tints.empty()) BRepMesh_IncrementalMesh(solid, deflection_mm, false, kAngularDeflection);
+    const TopoDS_Shape smooth = exact ? solidIn(part, Eigen::Isometry3d::Identity()) : TopoDS_Shape();
     std::vector<PartDrawing> drawings;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const Eye& eye = eyes()[i];
-        const Shading shading =
-            tints.empty() ? Shading{} : shade(solid, eye.towards_viewer, eye.right, tints);
-        drawings.push_back({eye.title, drawn(lines[i], shading, std::string(eye.title) + " view")});
+    for (const Eye& eye : eyes()) {
+        const gp_Ax2 plane = planeOf(eye, part_to_setup);
+        const HLRAlgo_Projector projector(plane);
+        const Lines lines = exact ? exactLines(smooth, projector, deflection_mm)
+                                  : facetLines(faceted.solid, projector, deflection_mm);
+        const Shading shading = tints.empty() ? Shading{} : shade(faceted.solid, plane, tints);
+        drawings.push_back({eye.title, drawn(lines, shading, std::string(eye.title) + " view")});
     }
     return drawings;
 }
 
 }  // namespace
 
-std::vector<PartDrawing> partDrawings(const Part& part, const Eigen::Isometry3d& part_to_setup,
+std::vector<PartDrawing> partDrawings(const FacetedPart& faceted, const Eigen::Isometry3d& part_to_setup,
                                       const std::vector<int>& tints) {
-    STEPMILL_CHECK(tints.empty() || tints.size() == part.faces.size(), "one tint a face");
+    STEPMILL_CHECK(tints.empty() || tints.size() == faceted.part.faces.size(), "one tint a face");
     std::vector<PartDrawing> drawings;
-    guardOcct(ErrorCode::GeometryKernel, "views of " + part.name,
-              [&] { drawings = drawAll(part, solidIn(part, part_to_setup), tints); });
+    guardOcct(ErrorCode::GeometryKernel, "views of " + faceted.part.name,
+              [&] { drawings = drawAll(faceted, part_to_setup, tints); });
     return drawings;
 }
 
@@ -105,7 +105,7 @@ std::vector<View> asText(const std::vector<report::PartDrawing>& drawings) {
 }  // namespace
 
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup) {
-    return asText(report::partDrawings(part, part_to_setup));
+    return asText(report::partDrawings(report::facetedPart(part), part_to_setup));
 }
 
 }  // namespace stepmill

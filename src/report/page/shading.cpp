@@ -23,13 +23,13 @@ struct Facet {
     int tint = kNothing;
 };
 
-std::vector<Facet> facetsOf(const TopoDS_Shape& solid, const gp_Dir& towards_viewer, const gp_Dir& right,
-                            const std::vector<int>& tints) {
-    const gp_Dir up = towards_viewer.Crossed(right);
-    const auto axis = [](const gp_Dir& along) { return Vec3(along.X(), along.Y(), along.Z()); };
-    const auto seen = [&](const Vec3& at) {
-        return Vec3(at.dot(axis(right)), at.dot(axis(up)), at.dot(axis(towards_viewer)));
-    };
+std::vector<Facet> facetsOf(const TopoDS_Shape& solid, const gp_Ax2& plane, const std::vector<int>& tints) {
+    const auto vector = [](const auto& xyz) { return Vec3(xyz.X(), xyz.Y(), xyz.Z()); };
+    Eigen::Matrix3d axes;
+    axes << vector(plane.XDirection()).transpose(), vector(plane.YDirection()).transpose(),
+        vector(plane.Direction()).transpose();
+    const Vec3 origin = vector(plane.Location());
+    const auto seen = [&](const Vec3& at) -> Vec3 { return axes * (at - origin); };
     std::vector<Facet> facets;
     for (const report::SolidFacet& facet : report::facetsOf(solid)) {
         Facet& shown = facets.emplace_back();
@@ -131,9 +131,8 @@ class Raster {
 
 }  // namespace
 
-Shading shade(const TopoDS_Shape& solid, const gp_Dir& towards_viewer, const gp_Dir& right,
-              const std::vector<int>& tints) {
-    return Raster(facetsOf(solid, towards_viewer, right, tints)).patches();
+Shading shade(const TopoDS_Shape& solid, const gp_Ax2& plane, const std::vector<int>& tints) {
+    return Raster(facetsOf(solid, plane, tints)).patches();
 }
 
 }  // namespace stepmill

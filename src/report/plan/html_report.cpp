@@ -155,8 +155,9 @@ Anchor operationAnchor(const std::string& operation_id) {
 namespace {
 
 /// \param viewer  its section, where the page has one
-Element mainOf(const Plan& plan, bool inch, const Tolerances& tol, std::optional<Element> viewer) {
-    ReportSubject subject{plan, Measures(inch), dialectOf(plan.machine)};
+Element mainOf(const Plan& plan, const FacetedPart& part, bool inch, const Tolerances& tol,
+               std::optional<Element> viewer) {
+    ReportSubject subject{plan, part, Measures(inch), dialectOf(plan.machine)};
     Element main("main", Element("h1", plan.part.name), partWords(plan, subject.in), cards(plan, subject.in),
                  gapsWords(plan, tol), graveWarnings(plan), sharingWords(plan), otherWarnings(plan),
                  contents(plan), std::move(viewer));
@@ -174,11 +175,14 @@ std::string stepmill::reportHtml(const ProvenPlan& proven, const ReportOptions& 
                                  const Tolerances& tol) {
     using namespace report;
     const Plan& plan = proven.plan;
-    if (!options.viewer) return htmlDocument(plan.part.name, mainOf(plan, options.inch, tol, std::nullopt));
-    return viewerDocument(plan.part.name, mainOf(plan, options.inch, tol, viewerSection()),
-                          viewerData(proven, options.inch));
+    const FacetedPart part = facetedPart(plan.part);
+    if (!options.viewer)
+        return htmlDocument(plan.part.name, mainOf(plan, part, options.inch, tol, std::nullopt));
+    return viewerDocument(plan.part.name, mainOf(plan, part, options.inch, tol, viewerSection()),
+                          viewerData(proven, part, options.inch));
 }
 
 std::string stepmill::reportHtml(const Plan& plan, const Tolerances& tol) {
-    return report::htmlDocument(plan.part.name, report::mainOf(plan, false, tol, std::nullopt));
+    return report::htmlDocument(
+        plan.part.name, report::mainOf(plan, report::facetedPart(plan.part), false, tol, std::nullopt));
 }

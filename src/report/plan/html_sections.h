@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/page/element.h"
+#include "report/page/faceted_part.h"
 #include "report/page/measures.h"
 #include "report/plan/area_figures.h"
 #include "stepmill/feature/whole_feature.h"
@@ -14,6 +15,7 @@ namespace stepmill::report {
 /// What the sections of one report are made of.
 struct ReportSubject {
     const Plan& plan;
+    const FacetedPart& part;
     Measures in;
     Dialect dialect = Dialect::LinuxCnc;
     std::size_t area_room = kMostAreaBytes;  ///< what is left of the page for pictures of areas

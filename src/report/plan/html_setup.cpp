@@ -219,7 +219,7 @@ Element keys() {
 Element setupSection(ReportSubject& subject, const PlannedSetup& setup) {
     const std::string& id = setup.setup.id;
     Element section("section", Element("h2", "The part as it stands in " + id),
-                    figuresOf(partDrawings(subject.plan.part, setup.setup.part_to_setup)),
+                    figuresOf(partDrawings(subject.part, setup.setup.part_to_setup)),
                     Element("h2", "Setup " + id), Element("p", setupWords(subject, setup)),
                     setupFigure(setup));
     section.mark(setupAnchor(id));

@@ -5,34 +5,22 @@
 #include <cmath>
 #include <map>
 
-#include <BRepMesh_IncrementalMesh.hxx>
-
 #include "report/page/facets.h"
-#include "report/page/hidden_lines.h"
-#include "stepmill/part/part_shape.h"
 
 namespace stepmill::report {
 namespace {
 
-/// How far facets may be off the part as a share of its diagonal, and how far they turn [rad].
-constexpr double kChordShare = 4e-4;
-constexpr double kFacetAngle = 0.3;
 /// More facets are made coarser, as often as that takes.
 constexpr std::size_t kMostTriangles = 150000;
 constexpr double kCoarser = 2;
 constexpr int kMostTries = 4;
 
 /// As few as kMostTriangles where that can be.
-std::vector<SolidFacet> meshed(const Part& part) {
-    std::vector<SolidFacet> facets;
-    double coarser = 1;
-    for (int tries = 0; tries < kMostTries; ++tries, coarser *= kCoarser) {
-        const TopoDS_Shape solid = solidIn(part, Eigen::Isometry3d::Identity());
-        const BRepMesh_IncrementalMesh mesh(solid, coarser * kChordShare * part.bbox_mm.diagonal().norm(),
-                                            false, coarser * kFacetAngle);
-        facets = facetsOf(solid);
-        if (facets.size() <= kMostTriangles) break;
-    }
+std::vector<SolidFacet> fewFacetsOf(const FacetedPart& faceted) {
+    std::vector<SolidFacet> facets = facetsOf(faceted.solid);
+    double coarser = kCoarser;
+    for (int tries = 1; tries < kMostTries && facets.size() > kMostTriangles; ++tries, coarser *= kCoarser)
+        facets = facetsOf(facetedPart(faceted.part, coarser).solid);
     return facets;
 }
 
@@ -67,9 +55,8 @@ class Corners {
 
 }  // namespace
 
-PartMesh partMesh(const Part& part) {
-    std::vector<SolidFacet> facets;
-    guardOcct(ErrorCode::GeometryKernel, "facets of " + part.name, [&] { facets = meshed(part); });
+PartMesh partMesh(const FacetedPart& faceted) {
+    std::vector<SolidFacet> facets = fewFacetsOf(faceted);
     PartMesh packed;
     packed.triangles = facets.size();
     for (const SolidFacet& facet : facets)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "report/page/faceted_part.h"
 #include "report/viewer/packed_bytes.h"
-#include "stepmill/part/part.h"
 
 namespace stepmill::report {
 
@@ -18,6 +18,6 @@ struct PartMesh {
 };
 
 /// \throws Error(GeometryKernel)
-PartMesh partMesh(const Part& part);
+PartMesh partMesh(const FacetedPart& faceted);
 
 }  // namespace stepmill::report

@@ -41,7 +41,7 @@ constexpr double kSameLoad = 1e-4;
 /// Points of a cutter's outline between tip and full radius.
 constexpr int kFormPoints = 10;
 
-Json partJson(const Part& part) {
+Json partJson(const FacetedPart& part) {
     const PartMesh mesh = partMesh(part);
     return {{"corners", mesh.corners},
             {"triangles", mesh.triangles},
@@ -267,11 +267,11 @@ Json toolsJson(const Plan& plan) {
 
 }  // namespace
 
-std::string viewerData(const ProvenPlan& proven, bool inch) {
+std::string viewerData(const ProvenPlan& proven, const FacetedPart& part, bool inch) {
     const Plan& plan = proven.plan;
     const Json data{{"step", kPackedStepMm},
                     {"inch", inch},
-                    {"part", partJson(plan.part)},
+                    {"part", partJson(part)},
                     {"power_classes", kPowerClasses},
                     {"width_classes", kWidthClasses},
                     {"tools", toolsJson(plan)},

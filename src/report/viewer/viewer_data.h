@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "report/page/faceted_part.h"
 #include "stepmill/proven/proven_plan.h"
 
 namespace stepmill::report {
@@ -10,7 +11,8 @@ namespace stepmill::report {
 /// part's facets; of every setup the stock as it arrives, fixtures, features and the moves of its operations.
 /// What stands after an operation is cut from these in the page. Paths are thinned where they would be too
 /// long for a page. The same for any number of threads.
+/// \param part  the plan's
 /// \throws Error(GeometryKernel)
-std::string viewerData(const ProvenPlan& proven, bool inch);
+std::string viewerData(const ProvenPlan& proven, const FacetedPart& part, bool inch);
 
 }  // namespace stepmill::report
