@@ -212,9 +212,8 @@ void addSheetOptions(CLI::App& command, PlanOptions& options) {
         ->check(CLI::IsMember({"mm", "inch"}))
         ->capture_default_str();
     command.add_flag("!--no-viewer", options.viewer, "a plain report.html: no script, a few hundred kB less");
-    command.add_flag(
-        "--pdf", options.pdf,
-        "write sheets.pdf too, where Chromium or WeasyPrint is installed; A4, with inches Letter");
+    command.add_flag("--pdf", options.pdf,
+                     "write sheets.pdf too, where Chromium is installed; A4, with inches Letter");
 }
 
 void addJobOptions(CLI::App& command, PlanOptions& options, const std::string& folder_suffix) {

@@ -10,13 +10,10 @@
 
 namespace stepmill {
 
-enum class Paper { AsPrinter, A4, Letter };
-
 /// What a shop wants of its setup sheets.
 struct SheetOptions {
     JobDetails job;
     bool inch = false;  ///< lengths and feeds in inches
-    Paper paper = Paper::AsPrinter;
 };
 
 /// The setup sheets of a plan as one page [docs/setup-sheets.md]: for the setter, a sheet or two for each
@@ -31,9 +28,9 @@ struct Sheets {
     std::string why_no_pdf;  ///< where one was asked for
 };
 
-/// Prints a page without scripts as Chromium or WeasyPrint does, whichever is installed. Its dates are taken
-/// out: the same page gives the same bytes as long as program and fonts stay the same. Never throws for want
-/// of a printer: `why_no_pdf` says what is missing.
+/// Prints a page without scripts as Chromium does, where it is installed. The PDF's dates are taken out: the
+/// same page gives the same bytes as long as program and fonts stay the same. Never throws for want of a
+/// printer: `why_no_pdf` says what is missing.
 Sheets printed(std::string html);
 
 /// sheets.html, and where asked for the same as a PDF on A4, or on Letter for a shop with inches.

@@ -13,9 +13,9 @@
 
 #include <fmt/format.h>
 
+#include "report/sheets/sheets_page.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
-#include "stepmill/report/sheets.h"
 
 namespace stepmill {
 namespace {
@@ -54,7 +54,8 @@ std::string onPath(const std::string& name) {
     for (std::size_t from = 0; from < folders.size();) {
         const std::size_t end = std::min(folders.find(':', from), folders.size());
         const fs::path file = fs::path(folders.substr(from, end - from)) / name;
-        if (::access(file.c_str(), X_OK) == 0) return file.string();
+        std::error_code none;
+        if (fs::is_regular_file(file, none) && ::access(file.c_str(), X_OK) == 0) return file.string();
         from = end + 1;
     }
     return {};
@@ -81,8 +82,6 @@ std::vector<std::string> printCommand(const fs::path& folder) {
         command.push_back("file://" + page);
         return command;
     }
-    if (const std::string weasyprint = onPath("weasyprint"); !weasyprint.empty())
-        return {weasyprint, "--quiet", page, pdf};
     return {};
 }
 
@@ -140,7 +139,7 @@ Sheets printed(std::string html) {
         const WorkFolder folder;
         const std::vector<std::string> command = printCommand(folder.path());
         if (command.empty()) {
-            sheets.why_no_pdf = "neither Chromium nor WeasyPrint is installed";
+            sheets.why_no_pdf = "Chromium is not installed";
             return sheets;
         }
         sheets.pdf = printIn(folder.path(), command, sheets.html);
@@ -153,11 +152,12 @@ Sheets printed(std::string html) {
 
 Sheets makeSheets(const ProvenPlan& proven, const SheetOptions& options, bool with_pdf,
                   const Tolerances& tol) {
-    Sheets sheets{sheetsHtml(proven, options, tol), "", ""};
+    using namespace report;
+    const Element main = sheetsOf(proven, options, tol);
+    const std::string& name = proven.plan.part.name;
+    Sheets sheets{sheetsPage(name, main, Paper::AsPrinter), "", ""};
     if (!with_pdf) return sheets;
-    SheetOptions on_paper = options;
-    on_paper.paper = options.inch ? Paper::Letter : Paper::A4;
-    Sheets paper = printed(sheetsHtml(proven, on_paper, tol));
+    Sheets paper = printed(sheetsPage(name, main, options.inch ? Paper::Letter : Paper::A4));
     sheets.pdf = std::move(paper.pdf);
     sheets.why_no_pdf = std::move(paper.why_no_pdf);
     return sheets;

@@ -1,6 +1,10 @@
 // sheets.html: a sheet or two for each setup.
 
+#include <optional>
+#include <vector>
+
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include "report/page/document.h"
 #include "report/page/page_style.h"
@@ -8,6 +12,7 @@
 #include "report/page/words.h"
 #include "report/sheets/setup_pictures.h"
 #include "report/sheets/sheet_sections.h"
+#include "report/sheets/sheets_page.h"
 
 namespace stepmill::report {
 
@@ -86,15 +91,26 @@ std::string paperStyle(Paper paper) {
 
 }  // namespace
 
+Element sheetsOf(const ProvenPlan& proven, const SheetOptions& options, const Tolerances& tol) {
+    const SheetSubject subject{proven, options.job, Measures(options.inch), tol};
+    std::vector<std::optional<Element>> sheets(proven.plan.setups.size());
+    tbb::parallel_for(std::size_t{0}, sheets.size(),
+                      [&](std::size_t i) { sheets[i] = setupSheet(subject, i); });
+    Element main("main.sheets");
+    for (std::optional<Element>& sheet : sheets)
+        main.add(std::move(sheet));
+    return main;
+}
+
+std::string sheetsPage(const std::string& name, Element sheets, Paper paper) {
+    return printedDocument(name + ": setup sheets", std::move(sheets),
+                           std::string(kPageStyle) + std::string(kSheetStyle) + paperStyle(paper));
+}
+
 }  // namespace stepmill::report
 
 std::string stepmill::sheetsHtml(const ProvenPlan& proven, const SheetOptions& options,
                                  const Tolerances& tol) {
-    using namespace report;
-    const SheetSubject subject{proven, options.job, Measures(options.inch), tol};
-    Element main("main.sheets");
-    for (std::size_t i = 0; i < proven.plan.setups.size(); ++i)
-        main.add(setupSheet(subject, i));
-    return printedDocument(proven.plan.part.name + ": setup sheets", std::move(main),
-                           std::string(kPageStyle) + std::string(kSheetStyle) + paperStyle(options.paper));
+    return report::sheetsPage(proven.plan.part.name, report::sheetsOf(proven, options, tol),
+                              report::Paper::AsPrinter);
 }
