@@ -10,6 +10,7 @@
 #include "output.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
+#include "stepmill/layers/fixture_solids.h"
 
 namespace stepmill {
 
@@ -72,8 +73,8 @@ double stockTolerance(const PlanOptions& options) {
 }
 
 FixtureFile fixturesOf(const PlanOptions& options) {
-    return options.fixtures_file.empty() ? FixtureFile{}
-                                         : readFixtures(options.fixtures_file, options.limits.maxFileBytes());
+    if (options.fixtures_file.empty()) return {};
+    return readFixturesWithSolids(options.fixtures_file, options.limits.maxFileBytes(), Tolerances());
 }
 
 /// The margins that were asked for, or with `auto` what the shop saws, with stock for the vise below the
@@ -81,7 +82,9 @@ FixtureFile fixturesOf(const PlanOptions& options) {
 void setMargins(const PlanOptions& options, SetupRequest& request) {
     if (options.stock_margin) request.margin = parseMargin(*options.stock_margin);
     if (options.stock != "auto") return;
-    const FixtureFile shop = fixturesOf(options);
+    const FixtureFile shop = options.fixtures_file.empty()
+                                 ? FixtureFile{}
+                                 : readFixtures(options.fixtures_file, options.limits.maxFileBytes());
     request.stock_sizes_mm = shop.blank.sizes_mm;
     if (!options.stock_margin)
         request.margin = {shop.blank.side_mm, shop.blank.top_mm,

@@ -5,6 +5,7 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/layers/fixture_solids.h"
 #include "stepmill/verify/claim.h"
 
 namespace stepmill {
@@ -83,7 +84,8 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
     sources.library = library;
     if (!options.stock_file.empty())
         sources.stock = onlySolid(options.stock_file, readOptions(-1, "", max_bytes));
-    if (!options.fixtures_file.empty()) sources.fixtures = readFixtures(options.fixtures_file, max_bytes);
+    if (!options.fixtures_file.empty())
+        sources.fixtures = readFixturesWithSolids(options.fixtures_file, max_bytes, tol);
     if (!options.holes_file.empty()) sources.holes = readHoleTable(options.holes_file, max_bytes);
     return compareWithPart(record, sources, tol);
 }

@@ -27,6 +27,17 @@ constexpr EnumWord<FixtureKind> kFixtureKinds[] = {{FixtureKind::Clamp, "clamp"}
                                                    {FixtureKind::Screw, "screw"},
                                                    {FixtureKind::HeldStock, "held stock"}};
 
+/// Turns what points up in a file, "+x" to "-z", to the spindle: its x stays x, or where x points up or down
+/// its y becomes x.
+Eigen::Matrix3d uprightAxes(const std::string& up) {
+    Eigen::Vector3d z = Eigen::Vector3d::Zero();
+    z[up[1] - 'x'] = up[0] == '-' ? -1 : 1;
+    const Eigen::Vector3d x = up[1] == 'x' ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitX();
+    Eigen::Matrix3d rows;
+    rows << x.transpose(), z.cross(x).transpose(), z.transpose();
+    return rows;
+}
+
 /// Reads a document that keeps the schema.
 class FixtureReader {
   public:
@@ -51,6 +62,10 @@ class FixtureReader {
             for (std::size_t k = 0; k < setup["fixtures"].size(); ++k)
                 entry->second.push_back(
                     fixture(setup["fixtures"][k], fmt::format("{}/fixtures/{}", pointer, k)));
+            if (!setup.contains("solids")) continue;
+            for (std::size_t k = 0; k < setup["solids"].size(); ++k)
+                file.solids[entry->first].push_back(
+                    solid(setup["solids"][k], fmt::format("{}/solids/{}", pointer, k)));
         }
         return file;
     }
@@ -114,6 +129,21 @@ class FixtureReader {
                                                from["bottom"].dump(), from["top"].dump()));
         fixture.section = outline(from["outline"], pointer + "/outline");
         return fixture;
+    }
+
+    FixtureSolid solid(const json& from, const std::string& pointer) const {
+        FixtureSolid solid;
+        solid.name = from["name"];
+        solid.pointer = file_name_ + pointer;
+        solid.file = from["file"].get<std::string>();
+        const double turn_rad = degToRad(from.value("turn", 0.0));
+        Eigen::Vector3d origin_mm;
+        for (int axis = 0; axis < 3; ++axis)
+            origin_mm[axis] = length(from["at"][axis], fmt::format("{}/at/{}", pointer, axis));
+        solid.to_setup = Eigen::Translation3d(origin_mm) *
+                         Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitZ()) *
+                         Eigen::Isometry3d(uprightAxes(from.value("up", "+z")));
+        return solid;
     }
 
     Region outline(const json& from, const std::string& pointer) const {

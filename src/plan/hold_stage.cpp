@@ -83,9 +83,9 @@ std::vector<Fixture> givenFixtures(const Stage& stage, const FixtureFile& given,
 }
 
 Clamping givenClamping(const FixtureFile& given, const std::string& setup_id) {
-    std::vector<std::string> names;
+    std::vector<std::string> names;  // a solid's blocks have one
     for (const Fixture& fixture : given.setups.at(setup_id))
-        names.push_back(fixture.name);
+        if (std::find(names.begin(), names.end(), fixture.name) == names.end()) names.push_back(fixture.name);
     Clamping clamping;
     clamping.kind = HoldKind::Given;
     clamping.text =

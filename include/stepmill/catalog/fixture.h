@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "stepmill/catalog/blank.h"
 #include "stepmill/catalog/vise.h"
 #include "stepmill/core/file.h"
@@ -36,6 +38,14 @@ struct Fixture {
     FixtureKind kind = FixtureKind::Clamp;
 };
 
+/// A fixture that is a solid in a STEP file, and how it stands in its setup.
+struct FixtureSolid {
+    std::string name;            ///< "vise"
+    std::string pointer;         ///< where it is named: "clamps.json#/setups/0/solids/0"
+    std::filesystem::path file;  ///< as named there; a relative one stands beside the fixture file
+    Eigen::Isometry3d to_setup = Eigen::Isometry3d::Identity();  ///< upright: of the file's coordinates
+};
+
 /// Fixtures are planned with larger by this share of the radius of the widest cutter or holder, for they are
 /// measured by eye and set by hand: all keep off them as if they were as much wider, R' = 1.05 R
 /// [Tripathi2005; docs/fixtures.md].
@@ -50,12 +60,16 @@ struct FixtureFile {
     std::string sha256;                                  ///< of the file
     double growth = kFixtureGrowth;                      ///< share of that radius
     std::map<std::string, std::vector<Fixture>> setups;  ///< by setup id; as they are, not grown
+    /// By setup id, each of which `setups` has too: with their blocks once readFixturesWithSolids() has read
+    /// them [layers/fixture_solids.h].
+    std::map<std::string, std::vector<FixtureSolid>> solids;
     Vise vise;
     double plate_mm = kPlateThicknessMm;
     BlankRule blank;
 };
 
 /// Reads a fixture file (schemas/fixtures.schema.json) and converts it to mm. An outline may run either way.
+/// The files of solids it names are not opened.
 /// \throws Error(InvalidCatalog) with "file#/json/pointer" as subject and what was expected: a breach of the
 ///         schema, a setup named twice, a top that is not above the bottom, an outline that crosses itself;
 ///         Error(FileUnreadable).

@@ -144,8 +144,17 @@ std::string screwWords(const Measures& in, const Plan& plan, const PlannedSetup&
 
 std::string fixtureWords(const Measures& in, const Plan& plan, const Setup& setup) {
     std::string words = fmt::format("as {} says:", plan.request.fixtures.file);
-    for (const Fixture& fixture : setup.fixtures)
-        words += fmt::format(" {} up to Z {};", fixture.name, in.length(fixture.top_z_mm));
+    std::vector<const Fixture*> highest;  // of each name: a solid's blocks have one
+    for (const Fixture& fixture : setup.fixtures) {
+        const auto known = std::find_if(highest.begin(), highest.end(),
+                                        [&](const Fixture* other) { return other->name == fixture.name; });
+        if (known == highest.end())
+            highest.push_back(&fixture);
+        else if (fixture.top_z_mm > (*known)->top_z_mm)
+            *known = &fixture;
+    }
+    for (const Fixture* fixture : highest)
+        words += fmt::format(" {} up to Z {};", fixture->name, in.length(fixture->top_z_mm));
     if (setup.fixtures.empty()) words += " nothing stands in the way;";
     words.back() = '.';
     return words;

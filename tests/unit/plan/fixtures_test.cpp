@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/layers/fixture_solids.h"
 #include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/plan.h"
+#include "support/occt_solids.h"
 #include "support/told.h"
 #include "support/tolerances.h"
 
@@ -58,6 +62,27 @@ TEST(Fixtures, GrowByAShareOfTheWidestToolsRadius) {
     FixtureFile measured;
     measured.growth = 0;
     EXPECT_EQ(fixtureGrowthMm(measured, library), 0);
+}
+
+// A bar that lies over the corner of the block, as a CAD system has it.
+TEST(Fixtures, SolidsAreKeptClearOfAtEveryHeight) {
+    const TopoDS_Shape bar = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp::DX()), 8, 140).Shape();
+    const Eigen::Isometry3d across =
+        Eigen::Translation3d(-20, 30, 8) * Eigen::AngleAxisd(degToRad(20), Vec3::UnitZ());
+    const std::vector<Fixture> blocks = fixtureBlocks("bar", test::part(bar), across, kTol);
+    ASSERT_GT(blocks.size(), 2U);
+    const Plan plan = planWith("rounded_pocket.step", blocks);
+    EXPECT_GT(residualMm3(plan, Reason::Fixture), 0);
+    for (const Operation& operation : plan.setups.front().operations) {
+        const double radius_mm = plan.library.tool(operation.tool_id).radius_mm();
+        for (const Move& move : operation.path.moves) {
+            const Vec3 in_bar = across.inverse() * move.to;
+            if (in_bar.z() > 8 || in_bar.x() < 0 || in_bar.x() > 140) continue;
+            // The cutter stands on the bar's full width where its tip is below the bar's axis.
+            const double half_mm = in_bar.z() < 0 ? 8 : std::sqrt(64 - in_bar.z() * in_bar.z());
+            EXPECT_GT(std::abs(in_bar.y()), half_mm + radius_mm) << operation.id;
+        }
+    }
 }
 
 // 100 x 80 x 30 block with a pocket from (15, 15) to (85, 65).
