@@ -31,8 +31,7 @@ std::vector<Part> load(const fs::path& file, const std::string& unit,
     drawing.outline = outline;
     drawing.thickness = thickness;
     drawing.unit = unit;
-    if (isDrawing(file)) return {readDrawing(file, drawing)};
-    if (drawing.given()) throw Error(ErrorCode::Usage, file.string(), "expected a drawing (.dxf, .svg)");
+    if (isDrawing(file) || drawing.given()) return {readDrawing(file, drawing)};
     ReadOptions options;
     options.unit = unit;
     return readStep(file, options);

@@ -60,10 +60,8 @@ Part readDrawnPart(const std::string& file, const DrawingWords& words, const std
     return readDrawing(file, options);
 }
 
-void requireNoDrawingWords(const DrawingWords& words, const std::string& file) {
-    if (words.depths.empty() && words.outline.empty() && words.thickness == 0) return;
-    throw Error(ErrorCode::Usage, words.depths.empty() ? "--outline" : "--depth",
-                fmt::format("expected a drawing (.dxf, .svg), found {}", file));
+bool isDrawn(const std::string& file, const DrawingWords& words) {
+    return isDrawing(file) || !words.depths.empty() || !words.outline.empty() || words.thickness != 0;
 }
 
 }  // namespace stepmill

@@ -25,7 +25,7 @@ void addDrawingOptions(CLI::App& command, DrawingWords& words);
 Part readDrawnPart(const std::string& file, const DrawingWords& words, const std::string& unit,
                    std::uintmax_t max_bytes);
 
-/// \throws Error(Usage) where words on profiles are given for a file that is no drawing
-void requireNoDrawingWords(const DrawingWords& words, const std::string& file);
+/// Is the part a drawing: by the file's name, or since words on profiles are given (STEP files of curves)?
+bool isDrawn(const std::string& file, const DrawingWords& words);
 
 }  // namespace stepmill

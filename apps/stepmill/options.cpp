@@ -290,10 +290,9 @@ std::optional<Part> onlyRealPart(const std::vector<Part>& parts) {
 }
 
 std::vector<Part> chooseParts(const PlanOptions& options) {
-    if (isDrawing(options.part_file))
+    if (isDrawn(options.part_file, options.drawing))
         return {
             readDrawnPart(options.part_file, options.drawing, options.unit, options.limits.maxFileBytes())};
-    requireNoDrawingWords(options.drawing, options.part_file);
     ReadOptions read;
     read.unit = options.unit;
     read.max_file_bytes = options.limits.maxFileBytes();

@@ -96,7 +96,8 @@ void fillFromJob(ReplanOptions& options, const PlanRecord& before) {
     const JobFiles files(options);
     options.same_part = plan.part_file.empty();
     files.fill("--part", plan.part_file, {before.part_file, before.part_sha256});
-    if (options.same_part && !isDrawing(plan.part_file)) plan.solid = std::to_string(request.solid);
+    if (options.same_part && !isDrawn(plan.part_file, plan.drawing))
+        plan.solid = std::to_string(request.solid);
     fillRequest(plan, request);
     std::string stock;
     files.fill("--stock", stock, request.stock);

@@ -224,17 +224,34 @@ class DrawnPart {
 
 }  // namespace
 
+namespace {
+
+struct Format {
+    const char* name;
+    Sketch (*read)(std::string_view text, const std::string& file);
+};
+
+/// What is no SVG and no STEP file by its name is read as DXF.
+const Format& formatOf(const std::string& name) {
+    static const Format dxf{"DXF", drawing::readDxf};
+    static const Format svg{"SVG", drawing::readSvg};
+    static const Format step{"STEP curves", drawing::readStepCurves};
+    const std::string end = ending(name);
+    return end == ".svg" ? svg : end == ".step" || end == ".stp" ? step : dxf;
+}
+
+}  // namespace
+
 bool isDrawing(const std::filesystem::path& file) {
     return ending(file) == ".dxf" || ending(file) == ".svg";
 }
 
 Part drawingFromText(std::string_view text, const std::string& name, const DrawingOptions& options) {
-    const bool is_svg = ending(name) == ".svg";
-    Part part =
-        DrawnPart(is_svg ? drawing::readSvg(text, name) : drawing::readDxf(text, name), name, options).part();
+    const Format& format = formatOf(name);
+    Part part = DrawnPart(format.read(text, name), name, options).part();
     part.file = name;
     part.sha256 = sha256(text);
-    part.schema = is_svg ? "SVG" : "DXF";
+    part.schema = format.name;
     if (!options.unit.empty()) part.unit_in_file = options.unit;
     return part;
 }

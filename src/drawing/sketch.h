@@ -61,5 +61,7 @@ Stroke bezier(const std::vector<Vec2>& poles);
 /// \throws Error(InvalidCatalog)
 Sketch readDxf(std::string_view text, const std::string& file);
 Sketch readSvg(std::string_view text, const std::string& file);
+/// Of a STEP file that holds curves alone, in one plane across z.
+Sketch readStepCurves(std::string_view text, const std::string& file);
 
 }  // namespace stepmill::drawing

@@ -23,7 +23,8 @@ struct DrawingOptions {
     bool given() const { return !depths.empty() || !outline.empty() || thickness != 0; }
 };
 
-/// Is it a file of profiles by its name: .dxf or .svg?
+/// Is it a file of profiles by its name: .dxf or .svg? A STEP file may be one of curves alone: it is taken as
+/// a drawing where DrawingOptions are given.
 bool isDrawing(const std::filesystem::path& file);
 
 /// Ends of lines and curves that are no farther apart are one corner: drawings round, and hands slip [mm].

@@ -83,13 +83,13 @@ double edgeGap(const TopoDS_Edge& edge, const TopoDS_Face& face, double exact_mm
     return gap;
 }
 
-void noteFaces(const TopoDS_Shape& replacement, const std::string& name, FaceNames& names) {
+void noteFaces(const TopoDS_Shape& replacement, const std::string& name, ShapeNames& names) {
     if (replacement.IsNull()) return;
     for (TopExp_Explorer it(replacement, TopAbs_FACE); it.More(); it.Next())
         names.set(it.Current(), name);
 }
 
-TopoDS_Shape fixShape(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
+TopoDS_Shape fixShape(const TopoDS_Shape& solid, const std::string& subject, ShapeNames& names,
                       std::vector<Remark>& remarks) {
     const double volume_before = volumeOf(solid);
     const int faces_before = countShapes(solid, TopAbs_FACE);
@@ -144,7 +144,7 @@ Misfit measureMisfit(const TopoDS_Shape& solid, double exact_mm, double limit_mm
     return misfit;
 }
 
-TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, FaceNames& names,
+TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, ShapeNames& names,
                        std::vector<Remark>& remarks) {
     if (const int free_edges = countFreeEdges(solid); free_edges > 0)
         throw Error(ErrorCode::OpenShell, subject,
@@ -164,7 +164,7 @@ TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, Fa
     return healed;
 }
 
-TopoDS_Shape scaleSolid(const TopoDS_Shape& solid, double factor, FaceNames& names) {
+TopoDS_Shape scaleSolid(const TopoDS_Shape& solid, double factor, ShapeNames& names) {
     gp_Trsf scale;
     scale.SetScale(gp_Pnt(0, 0, 0), factor);
     BRepBuilderAPI_Transform transform(solid, scale, Standard_True);

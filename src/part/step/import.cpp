@@ -22,8 +22,10 @@
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
+#include <StepVisual_PresentationLayerAssignment.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <TransferBRep.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -145,6 +147,46 @@ void readNames(STEPControl_Reader& reader, StepImport& result) {
     }
 }
 
+/// The layer that an entity of the file lies on; empty for none.
+std::string layerOf(const Handle(Standard_Transient) & item, const Interface_Graph& graph) {
+    for (Interface_EntityIterator it = graph.Sharings(item); it.More(); it.Next()) {
+        const auto layer = Handle(StepVisual_PresentationLayerAssignment)::DownCast(it.Value());
+        if (!layer.IsNull()) return textOf(layer->Name());
+    }
+    return {};
+}
+
+/// Edges that bound no face. Each has the layer of its curve, else that of the set the curve is in, else the
+/// name of that set or of its product.
+void collectCurves(STEPControl_Reader& reader, StepImport& result) {
+    const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+    const Interface_Graph& graph = reader.WS()->Graph();
+    ShapeNames on_layer, in_set;
+    for (int i = 1; i <= process->NbMapped(); ++i) {
+        const Handle(Standard_Transient)& item = process->Mapped(i);
+        const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
+        if (shape.IsNull()) continue;
+        const bool is_edge = shape.ShapeType() == TopAbs_EDGE;
+        std::string name = layerOf(item, graph);
+        if (name.empty() && !is_edge) {
+            const auto set = Handle(StepRepr_RepresentationItem)::DownCast(item);
+            if (!set.IsNull()) name = textOf(set->Name());
+            if (name.empty()) name = productOfSolid(item, graph);
+            if (name.empty()) name = productOf(item, graph);
+        }
+        if (name.empty()) continue;
+        ShapeNames& names = is_edge ? on_layer : in_set;
+        for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
+            if (names.of(it.Current()).empty()) names.set(it.Current(), name);
+    }
+    for (int i = 1; i <= reader.NbShapes(); ++i)
+        for (TopExp_Explorer it(reader.Shape(i), TopAbs_EDGE, TopAbs_FACE); it.More(); it.Next()) {
+            const std::string layer = on_layer.of(it.Current());
+            result.curves.push_back(
+                {TopoDS::Edge(it.Current()), layer.empty() ? in_set.of(it.Current()) : layer});
+        }
+}
+
 void collectSolids(const TopoDS_Shape& root, StepImport& result) {
     for (TopExp_Explorer it(root, TopAbs_SOLID); it.More(); it.Next()) {
         const auto known =
@@ -177,12 +219,12 @@ void collectStrays(const TopoDS_Shape& root, Strays& strays) {
 
 }  // namespace
 
-void FaceNames::set(const TopoDS_Shape& face, const std::string& name) {
-    names_.Bind(unplaced(face), name);
+void ShapeNames::set(const TopoDS_Shape& shape, const std::string& name) {
+    names_.Bind(unplaced(shape), name);
 }
 
-std::string FaceNames::of(const TopoDS_Shape& face) const {
-    const std::string* name = names_.Seek(unplaced(face));
+std::string ShapeNames::of(const TopoDS_Shape& shape) const {
+    const std::string* name = names_.Seek(unplaced(shape));
     return name ? *name : std::string();
 }
 
@@ -205,6 +247,7 @@ StepImport importStep(std::string_view text, const std::string& file) {
             collectSolids(root, result);
             collectStrays(root, result.strays);
         }
+        if (result.solids.empty()) collectCurves(reader, result);
         readNames(reader, result);
         result.bodies = accountBodies(reader);
     });

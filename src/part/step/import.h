@@ -9,16 +9,17 @@
 #include <TopTools_ShapeMapHasher.hxx>
 
 #include "part/step/import_account.h"
+#include "stepmill/part/step_curves.h"
 
 namespace stepmill {
 
-/// STEP names of faces. Looked up by the face itself wherever it is placed; survives edits that are told
-/// to it.
-class FaceNames {
+/// STEP names of faces or edges. Looked up by the shape itself wherever it is placed; survives edits that are
+/// told to it.
+class ShapeNames {
   public:
-    void set(const TopoDS_Shape& face, const std::string& name);
-    /// Empty when the face has none.
-    std::string of(const TopoDS_Shape& face) const;
+    void set(const TopoDS_Shape& shape, const std::string& name);
+    /// Empty when the shape has none.
+    std::string of(const TopoDS_Shape& shape) const;
 
   private:
     NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher> names_;
@@ -44,8 +45,9 @@ struct Strays {
 struct StepImport {
     std::vector<ImportedSolid> solids;  ///< in file order
     Strays strays;
-    FaceNames face_names;
+    ShapeNames face_names;
     std::vector<BodyAccount> bodies;  ///< solid entities of the file and what became of them
+    std::vector<StepCurve> curves;    ///< edges of no face, where there are no solids
     std::vector<std::string> units;   ///< length units, each once, as the file names them
 };
 

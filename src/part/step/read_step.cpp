@@ -9,6 +9,7 @@
 #include "stepmill/core/file.h"
 #include "stepmill/core/plain_text.h"
 #include "stepmill/core/units.h"
+#include "stepmill/part/step_curves.h"
 
 namespace stepmill {
 namespace {
@@ -95,7 +96,10 @@ std::string schemaName(const std::vector<std::string>& schemas) {
     if (text.solid_bodies > 0 && strays.shell_free_edges > 0)
         throw Error(ErrorCode::OpenShell, file, "the solid is not closed: " + found + "; faces are missing");
     throw Error(ErrorCode::NoSolid, file,
-                "no solid, only " + found + "; knit the surfaces into a solid and export again");
+                "no solid, only " + found +
+                    (strays.shell_faces + strays.faces == 0 && strays.edges > 0
+                         ? "; curves of profiles are a part with --outline, --thickness and --depth"
+                         : "; knit the surfaces into a solid and export again"));
 }
 
 std::string plural(int count, const std::string& one) {
@@ -225,7 +229,7 @@ ImportReport reportOf(const StepText& text, const StepImport& import, const Body
     return report;
 }
 
-Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, FaceNames& names,
+Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, ShapeNames& names,
                  const ReadOptions& options, ImportReport report, const std::string& subject) {
     Part part = common;
     part.count = solid.count;
@@ -249,6 +253,27 @@ Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, 
 }
 
 }  // namespace
+
+StepCurves stepCurvesFromText(std::string_view text, const std::string& file) {
+    const StepText screened = screenStep(text, file);
+    StepImport import = importStep(withoutByteOrderMark(text), file);
+    const int faces = import.strays.shell_faces + import.strays.faces;
+    if (import.curves.empty() || faces > 0)
+        throw Error(
+            ErrorCode::NoSolid, file,
+            fmt::format("expected the curves of profiles alone, found {} and {}: a part of solids takes "
+                        "neither an outline nor depths",
+                        plural(static_cast<int>(import.solids.size()), "solid"),
+                        plural(faces, "loose face")));
+    StepCurves curves{std::move(import.curves), "", 0, schemaName(screened.schemas)};
+    if (import.units.size() > 1)
+        throw Error(ErrorCode::StepDamaged, file, "expected one length unit for all profiles, found several");
+    if (!import.units.empty()) {
+        curves.unit = shortUnit(import.units.front());
+        curves.mm_per_unit = mmPerUnit(curves.unit).value_or(0);
+    }
+    return curves;
+}
 
 std::vector<Part> readStep(const std::filesystem::path& path, const ReadOptions& options) {
     const std::string bytes = readFile(path, options.max_file_bytes);

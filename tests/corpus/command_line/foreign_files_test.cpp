@@ -85,7 +85,7 @@ TEST_F(ForeignFiles, DrawingsAskForWhatTheyDoNotSay) {
     expectRefused({"inspect", drawing, "--outline", "OUTLINE"}, "--thickness");
     expectRefused({"inspect", drawing, "--depth", "POCKET"}, "--depth: expected LAYER=DEPTH");
     expectRefused({"inspect", kSource + "/step_parts/rounded_pocket.step", "--depth", "A=1"},
-                  "--depth: expected a drawing");
+                  "expected the curves of profiles alone, found 1 solid");
 }
 
 TEST_F(ForeignFiles, ToolsComeInAndGoOut) {

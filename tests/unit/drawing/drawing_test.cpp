@@ -2,10 +2,23 @@
 
 #include <cmath>
 #include <filesystem>
+#include <regex>
 
 #include <fmt/format.h>
+#include <BRep_Builder.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Elips.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Wire.hxx>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/file.h"
 #include "stepmill/core/units.h"
 #include "stepmill/drawing/drawing.h"
 
@@ -45,6 +58,28 @@ std::string svg(const std::string& content) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 "
            "100\">" +
            content + "</svg>";
+}
+
+/// A STEP file of sketches, each a product of its name.
+std::string stepOf(const std::vector<std::pair<std::string, std::vector<TopoDS_Shape>>>& sketches) {
+    STEPControl_Writer writer;
+    for (const auto& [name, shapes] : sketches) {
+        TopoDS_Compound sketch;
+        BRep_Builder builder;
+        builder.MakeCompound(sketch);
+        for (const TopoDS_Shape& shape : shapes)
+            builder.Add(sketch, shape);
+        Interface_Static::SetCVal("write.step.product.name", name.c_str());
+        writer.Transfer(sketch, STEPControl_AsIs);
+    }
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "stepmill_sketches.step";
+    writer.Write(file.c_str());
+    std::string text = readFile(file);
+    std::filesystem::remove(file);
+    // The writer numbers the products it names.
+    for (const auto& [name, shapes] : sketches)
+        text = std::regex_replace(text, std::regex("'" + name + " [0-9.]+'"), "'" + name + "'");
+    return text;
 }
 
 double volume(const std::string& text, const DrawingOptions& options, const char* name = "plate.dxf") {
@@ -224,6 +259,54 @@ TEST(Dxf, RemarksOnWhatItLeavesAside) {
 TEST(Dxf, FindsProfilesByColour) {
     const std::string red = "0\nCIRCLE\n8\nP\n62\n1\n10\n25\n20\n25\n40\n5\n";
     EXPECT_VOLUME(volume(dxf(square("OUT", 0, 0, 50) + red), plate({{"colour:1", 3}})), 25000 - 3 * kPi * 25);
+}
+
+// Curves as CAD systems export sketches: a set of curves a sketch, named by it.
+TEST(StepCurves, MakeThePartOfTheirProfiles) {
+    const auto rectangle = [](double x, double y, double width, double height, double z) {
+        BRepBuilderAPI_MakePolygon polygon;
+        for (const auto& [px, py] : {std::pair(x, y), std::pair(x + width, y),
+                                     std::pair(x + width, y + height), std::pair(x, y + height)})
+            polygon.Add(gp_Pnt(px, py, z));
+        polygon.Close();
+        return polygon.Wire();
+    };
+    const gp_Ax2 down(gp_Pnt(30, 20, 5), gp_Dir(0, 0, -1), gp_Dir(1, 0, 0));
+    const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(down, 6));
+    const TopoDS_Edge half_ellipse = BRepBuilderAPI_MakeEdge(gp_Elips(down, 9, 7), 0, kPi);
+    const TopoDS_Edge half_arc = BRepBuilderAPI_MakeEdge(gp_Circ(down, 9), kPi, 2 * kPi);
+    const std::string plain = stepOf({{"OUT", {rectangle(0, 0, 60, 40, 5)}}, {"P", {circle}}});
+    EXPECT_VOLUME(volume(plain, plate({{"P", 2}}), "plate.step"), 24000 - 2 * kPi * 36);
+    const std::string mixed =
+        stepOf({{"OUT", {rectangle(0, 0, 60, 40, 5)}}, {"P", {half_ellipse, half_arc}}});
+    EXPECT_VOLUME(volume(mixed, plate({{"P", 2}}), "plate.step"), 24000 - kPi * (9 * 7 + 81));
+}
+
+TEST(StepCurves, LieOnTheLayersOfTheFile) {
+    const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 6));
+    std::string text = stepOf({{"sketch", {circle}}});
+    std::smatch set;
+    ASSERT_TRUE(std::regex_search(text, set, std::regex("(#[0-9]+) = GEOMETRIC_CURVE_SET")));
+    const std::string layer =
+        fmt::format("#99999 = PRESENTATION_LAYER_ASSIGNMENT('DISC','',({}));\n", set[1].str());
+    text.insert(text.rfind("ENDSEC;"), layer);
+    DrawingOptions options = plate();
+    options.outline = "DISC";
+    EXPECT_VOLUME(volume(text, options, "disc.step"), 10 * kPi * 36);
+}
+
+TEST(StepCurves, RefuseWhatIsNoProfileInOnePlane) {
+    const TopoDS_Edge low = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0));
+    const TopoDS_Edge high = BRepBuilderAPI_MakeEdge(gp_Pnt(10, 0, 4), gp_Pnt(10, 9, 4));
+    EXPECT_NE(refusal(stepOf({{"OUT", {low, high}}}), plate(), "plate.step")
+                  .find("curve 2: expected profiles in one plane across z, found z 0 mm and z 4 mm"),
+              std::string::npos);
+    EXPECT_NE(refusal(stepOf({{"OUT", {low}}}), plate(), "plate.step").find("layer 'OUT'"),
+              std::string::npos);
+    EXPECT_NE(refusal(stepOf({{"OUT", {BRepPrimAPI_MakeBox(9, 9, 9).Shape()}}}), plate(), "plate.step")
+                  .find("expected the curves of profiles alone, found 1 solid"),
+              std::string::npos);
+    EXPECT_NE(refusal("no STEP", plate(), "plate.step").find("plate.step"), std::string::npos);
 }
 
 TEST(Svg, ReadsShapesPathsAndTransforms) {

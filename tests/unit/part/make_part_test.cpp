@@ -110,7 +110,7 @@ TEST(GuardOcct, LetsOtherErrorsThrough) {
 }
 
 TEST(HealSolid, TurnsASolidThatIsInsideOut) {
-    FaceNames names;
+    ShapeNames names;
     std::vector<Remark> remarks;
     const TopoDS_Shape inside_out = block().Reversed();
     ASSERT_LT(volumeOf(inside_out), 0);
@@ -121,7 +121,7 @@ TEST(HealSolid, TurnsASolidThatIsInsideOut) {
 }
 
 TEST(HealSolid, LeavesAGoodSolidAloneAndRefusesAnOpenOne) {
-    FaceNames names;
+    ShapeNames names;
     std::vector<Remark> remarks;
     const TopoDS_Shape good = block();
     EXPECT_TRUE(healSolid(good, "block", names, remarks).IsEqual(good));
@@ -129,8 +129,8 @@ TEST(HealSolid, LeavesAGoodSolidAloneAndRefusesAnOpenOne) {
     EXPECT_EQ(codeOf([&] { healSolid(openBlock(), "open", names, remarks); }), ErrorCode::OpenShell);
 }
 
-TEST(ScaleSolid, ScalesLengthsAndKeepsFaceNames) {
-    FaceNames names;
+TEST(ScaleSolid, ScalesLengthsAndKeepsShapeNames) {
+    ShapeNames names;
     const TopoDS_Shape small = block();
     const std::vector<TopoDS_Face> faces = facesOf(small);
     for (std::size_t i = 0; i < faces.size(); ++i)
