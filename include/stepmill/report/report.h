@@ -27,9 +27,9 @@ std::string reportHtml(const Plan& plan, const Tolerances& tol);
 /// The short table for the terminal: features, tools, times, what stays.
 std::string summaryText(const Plan& plan);
 
-/// Writes plan.json, report.html, the setup sheets and one program per setup as the job of that folder, in
-/// place of the job that was there. Unless proven.mayRun() no program is written, and none of an earlier plan
-/// stays.
+/// Writes plan.json, report.html, the setup sheets and a program for each setup in which something is cut as
+/// the job of that folder, in place of the job that was there. Unless proven.mayRun() no program is written,
+/// and none of an earlier plan stays.
 /// \param beside  files of the same job that say more of the plan
 /// \throws Error(OutputUnwritable): the folder then holds what it held
 void writePlan(const ProvenPlan& proven, const Sheets& sheets, const ReportOptions& report, JobFolder& folder,

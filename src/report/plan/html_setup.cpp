@@ -24,6 +24,9 @@ std::string toleranceWords(const Stock& stock, const Measures& in) {
 }
 
 std::string setupWords(const ReportSubject& subject, const PlannedSetup& setup) {
+    if (setup.operations.empty())
+        return fmt::format("Tool axis {} of the part. Nothing can be cut from here: there is no program.",
+                           axisName(setup.setup.axis));
     return fmt::format(
         "Tool axis {}{} of the part. Stock {} as it arrives{}. Work offset G54: x and y zero at the stock's "
         "lower left corner seen from the spindle, z zero on its top. Program {}, {}. Clamping: {}.",

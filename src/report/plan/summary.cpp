@@ -61,7 +61,9 @@ std::string summaryText(const Plan& plan) {
                         "volume", "time", "x best", "tools", "stays");
     for (const PlannedSetup& setup : plan.setups) {
         text += fmt::format("{} along {}{}: {}\n", setup.setup.id, axisName(setup.setup.axis),
-                            setup.setup.indexed ? " (indexed)" : "", plainLine(setup.clamping.text));
+                            setup.setup.indexed ? " (indexed)" : "",
+                            setup.operations.empty() ? "nothing can be cut from here, no program"
+                                                     : plainLine(setup.clamping.text));
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
             text += featureLine(feature, plan.machine);
     }

@@ -1,5 +1,5 @@
+#include "report/page/program_lines.h"
 #include "stepmill/core/file.h"
-#include "stepmill/plan/warning_order.h"
 #include "stepmill/report/report.h"
 
 namespace stepmill {
@@ -16,11 +16,10 @@ void writePlan(const ProvenPlan& proven, const Sheets& sheets, const ReportOptio
     job.files.push_back({"sheets.html", "", sheets.html});
     if (!sheets.pdf.empty()) job.files.push_back({"sheets.pdf", "", sheets.pdf});
     job.files.insert(job.files.end(), beside.begin(), beside.end());
-    if (proven.mayRun())
-        for (const auto& [setup, programs] : proven.files.programs)
-            for (const PostedProgram& program : programs)
-                if (isWithinTravel(proven.plan, setup))
-                    job.files.push_back({program.file, toString(proven.files.dialect), program.text});
+    for (const PlannedSetup& setup : proven.plan.setups)
+        if (report::programOf(proven, setup) != nullptr)
+            for (const PostedProgram& program : proven.files.programs.at(setup.setup.id))
+                job.files.push_back({program.file, toString(proven.files.dialect), program.text});
     folder.write(job);
 }
 

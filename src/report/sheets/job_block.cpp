@@ -124,7 +124,8 @@ Element runTable(const SheetSubject& subject) {
                  numbers("cut"),
                  numbers("rapid"),
                  numbers("time")});
-    for (const PlannedSetup& setup : plan.setups) {
+    for (const PlannedSetup* one : subject.setups) {
+        const PlannedSetup& setup = *one;
         const RunFigures run = figuresOf(plan, setup);
         table.row(setup.setup.id, programWords(programOf(subject.proven, setup)), axisName(setup.setup.axis),
                   toolNumbers(run.tools), std::to_string(setup.operations.size()), in.number(run.highest_mm),

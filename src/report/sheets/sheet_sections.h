@@ -18,6 +18,8 @@ struct SheetSubject {
     const JobDetails& job;
     Measures measures;
     const Tolerances& tol;
+    /// In order: those that cut something, each with a sheet of its own; all where none does.
+    std::vector<const PlannedSetup*> setups;
 
     const Plan& plan() const { return proven.plan; }
 };

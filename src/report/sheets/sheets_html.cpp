@@ -33,7 +33,7 @@ Element sheetHead(const SheetSubject& subject, const PlannedSetup& setup) {
     const PostedProgram* program = programOf(subject.proven, setup);
     const std::string name = subject.job.part.empty() ? plan.part.name : subject.job.part;
     return Element("div.head",
-                   Element("h1", fmt::format("Setup {} of {}", setup.setup.id, plan.setups.size())),
+                   Element("h1", fmt::format("Setup {} of {}", setup.setup.id, subject.setups.size())),
                    Element("b.part-name", name),
                    Element("b.program", program == nullptr ? "no program" : program->file));
 }
@@ -59,9 +59,8 @@ Element picturesOf(const SheetSubject& subject, const PlannedSetup& setup, const
 }
 
 Element setupSheet(const SheetSubject& subject, std::size_t index) {
-    const std::vector<PlannedSetup>& setups = subject.plan().setups;
-    const PlannedSetup& setup = setups[index];
-    const Setup* before = index > 0 ? &setups[index - 1].setup : nullptr;
+    const PlannedSetup& setup = *subject.setups[index];
+    const Setup* before = index > 0 ? &subject.setups[index - 1]->setup : nullptr;
     const std::vector<HoleGroup> holes = holeGroups(subject, setup);
     Element sheet("section.sheet", sheetHead(subject, setup));
     sheet.mark(Anchor("sheet", setup.setup.id));
@@ -72,9 +71,18 @@ Element setupSheet(const SheetSubject& subject, std::size_t index) {
     sheet.add(squawks(subject, setup, index == 0), picturesOf(subject, setup, before),
               setupWords(subject, setup, before), toolSections(subject, setup),
               operationTable(subject, setup), holeTable(subject, holes),
-              checkTable(subject, setup, holes, index + 1 == setups.size()));
+              checkTable(subject, setup, holes, index + 1 == subject.setups.size()));
     if (index == 0) sheet.add(runTable(subject));
     return sheet;
+}
+
+std::vector<const PlannedSetup*> setupsOnSheets(const Plan& plan) {
+    std::vector<const PlannedSetup*> all, cutting;
+    for (const PlannedSetup& setup : plan.setups) {
+        all.push_back(&setup);
+        if (!setup.operations.empty()) cutting.push_back(&setup);
+    }
+    return cutting.empty() ? all : cutting;
 }
 
 std::string paperStyle(Paper paper) {
@@ -92,8 +100,8 @@ std::string paperStyle(Paper paper) {
 }  // namespace
 
 Element sheetsOf(const ProvenPlan& proven, const SheetOptions& options, const Tolerances& tol) {
-    const SheetSubject subject{proven, options.job, Measures(options.inch), tol};
-    std::vector<std::optional<Element>> sheets(proven.plan.setups.size());
+    const SheetSubject subject{proven, options.job, Measures(options.inch), tol, setupsOnSheets(proven.plan)};
+    std::vector<std::optional<Element>> sheets(subject.setups.size());
     tbb::parallel_for(std::size_t{0}, sheets.size(),
                       [&](std::size_t i) { sheets[i] = setupSheet(subject, i); });
     Element main("main.sheets");

@@ -36,9 +36,9 @@ std::string setupOf(const std::string& subject) {
     return subject.substr(0, subject.find('.'));
 }
 
-bool isOfASetup(const Plan& plan, const Warning& warning) {
-    return std::any_of(plan.setups.begin(), plan.setups.end(),
-                       [&](const PlannedSetup& setup) { return setup.setup.id == setupOf(warning.subject); });
+bool hasSheet(const SheetSubject& subject, const std::string& setup_id) {
+    return std::any_of(subject.setups.begin(), subject.setups.end(),
+                       [&](const PlannedSetup* setup) { return setup->setup.id == setup_id; });
 }
 
 std::string warningText(const Warning& warning) {
@@ -66,10 +66,15 @@ Element row(const Squawk& squawk) {
 Element squawks(const SheetSubject& subject, const PlannedSetup& setup, bool first) {
     std::vector<Squawk> all = ownSquawks(subject, setup);
     for (const Warning& warning : subject.plan().warnings) {
-        const bool of_a_setup = isOfASetup(subject.plan(), warning);
-        if (of_a_setup ? setupOf(warning.subject) == setup.setup.id : first)
+        const std::string of = setupOf(warning.subject);
+        if (hasSheet(subject, of) ? of == setup.setup.id : first)
             all.push_back({gradeOf(warning), warningText(warning)});
     }
+    for (const PlannedSetup& other : subject.plan().setups)
+        if (first && !hasSheet(subject, other.setup.id))
+            all.push_back(
+                {SquawkGrade::Note,
+                 other.setup.id + ": nothing can be cut from there; it has no program and no sheet."});
     if (all.empty()) all.push_back({SquawkGrade::Note, "nothing to heed in this setup."});
     std::stable_sort(all.begin(), all.end(),
                      [](const Squawk& a, const Squawk& b) { return a.grade < b.grade; });

@@ -113,6 +113,21 @@ TEST(WritePlan, WithoutAProofThereIsNoProgramAndNoneOfAnEarlierPlan) {
     EXPECT_FALSE(fs::exists(job.path() / "S1.ngc"));
 }
 
+TEST(WritePlan, ASetupThatCutsNothingHasNoProgram) {
+    const test::TemporaryFolder folder;
+    JobFolder job(fs::path(folder.path()) / "job");
+    ProvenPlan idle = provenShoulder();
+    PlannedSetup& second = idle.plan.setups.emplace_back(idle.plan.setups.front());
+    second.setup.id = "S2";
+    second.features.clear();
+    second.operations.clear();
+    idle.files.programs["S2"] = {{"S2.ngc", "M30\n", {}}};
+    writePlan(idle, {"a page", "", ""}, ReportOptions(), job, Tolerances());
+    EXPECT_TRUE(fs::exists(job.path() / "S1.ngc"));
+    EXPECT_FALSE(fs::exists(job.path() / "S2.ngc"));
+    EXPECT_NE(summaryText(idle.plan).find("nothing can be cut from here"), std::string::npos);
+}
+
 TEST(WritePlan, LeavesNothingBehindWhereItCannotWrite) {
     const test::TemporaryFolder folder;
     writeFile(fs::path(folder.path()) / "file", "in the way");

@@ -90,6 +90,19 @@ TEST(Sheets, WithoutAProofWarnOfDangerAndNameNoProgram) {
     EXPECT_EQ(page.find("S1.ngc"), std::string::npos);
 }
 
+TEST(Sheets, AreOfSetupsInWhichSomethingIsCut) {
+    ProvenPlan idle = provenShoulder();
+    PlannedSetup& second = idle.plan.setups.emplace_back(idle.plan.setups.front());
+    second.setup.id = "S2";
+    second.operations.clear();
+    idle.plan.warnings = {{"residual", "S2.F1", "something stays", 1}};
+    const std::string text = textOf(sheetsHtml(idle, {}, Tolerances()));
+    EXPECT_NE(text.find("Setup S1 of 1"), std::string::npos);
+    EXPECT_EQ(text.find("Setup S2"), std::string::npos);
+    EXPECT_NE(text.find("S2: nothing can be cut from there"), std::string::npos);
+    EXPECT_NE(text.find("something stays"), std::string::npos);
+}
+
 TEST(Sheets, GradeWarningsByWhatComesOfThem) {
     ProvenPlan warned = provenShoulder();
     warned.plan.warnings = {{"residual", "S1.F1", "something stays", 1}, {"travel", "S1", "too small", 1}};
