@@ -1,9 +1,16 @@
 #include <gtest/gtest.h>
 #include <BRep_Builder.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -151,6 +158,45 @@ TEST(Misfit, IsNothingOnACleanBoolean) {
     EXPECT_EQ(misfit.vertices_off + misfit.edges_off, 0);
     EXPECT_LT(misfit.vertex_mm, 1e-9);
     EXPECT_LT(misfit.edge_mm, 1e-9);
+}
+
+/// A star with round rays: a periodic spline of that many spans.
+Handle(Geom_BSplineCurve) star(int spans) {
+    Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, spans);
+    for (int i = 0; i < spans; ++i) {
+        const double angle = 2 * kPi * i / spans;
+        const double radius_mm = 10 + 0.8 * std::sin(9 * angle);
+        points->SetValue(i + 1,
+                         gp_Pnt(30 + radius_mm * std::cos(angle), 20 + radius_mm * std::sin(angle), 0));
+    }
+    GeomAPI_Interpolate interpolated(points, true, 1e-7);
+    interpolated.Perform();
+    return interpolated.Curve();
+}
+
+// The kernel's own integrals are 0.5 to 5 % off here.
+TEST(VolumeOf, SeesTheSpansOfSweptSplines) {
+    for (const int spans : {8, 40, 120}) {
+        const Handle(Geom_BSplineCurve) curve = star(spans);
+        constexpr int kChords = 100000;
+        double twice_mm2 = 0;
+        double length_mm = 0;
+        gp_Pnt from = curve->Value(curve->FirstParameter());
+        for (int i = 1; i <= kChords; ++i) {
+            const double share = static_cast<double>(i) / kChords;
+            const gp_Pnt to =
+                curve->Value((1 - share) * curve->FirstParameter() + share * curve->LastParameter());
+            twice_mm2 += from.X() * to.Y() - to.X() * from.Y();
+            length_mm += from.Distance(to);
+            from = to;
+        }
+        const TopoDS_Face face =
+            BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve)).Wire());
+        const TopoDS_Shape solid = BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 3));
+        EXPECT_NEAR(std::abs(volumeOf(solid)), 1.5 * std::abs(twice_mm2), 1e-5 * std::abs(twice_mm2))
+            << spans;
+        EXPECT_NEAR(areaOf(solid), std::abs(twice_mm2) + 3 * length_mm, 1e-5 * std::abs(twice_mm2)) << spans;
+    }
 }
 
 }  // namespace
