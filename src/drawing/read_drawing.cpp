@@ -107,6 +107,16 @@ class DrawnPart {
                 pole *= mm_per_unit_;
             stroke.spline = std::move(spline);
         }
+        std::vector<Stroke> strokes;
+        guardOcct(ErrorCode::InvalidCatalog, file_ + ", splines", [&] {
+            for (const Stroke& stroke : sketch_.strokes)
+                for (Stroke& span : drawing::spansOf(stroke))
+                    strokes.push_back(std::move(span));
+        });
+        if (strokes.size() > drawing::kMostStrokes)
+            drawing::refuse(file_, "splines",
+                            fmt::format("expected at most {} lines, arcs and spans", drawing::kMostStrokes));
+        sketch_.strokes = std::move(strokes);
     }
 
     /// The profiles of a layer or colour as areas: every second of nested ones is left out.

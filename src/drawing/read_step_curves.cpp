@@ -10,8 +10,10 @@
 #include <GeomConvert.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
+#include <Precision.hxx>
 
 #include "drawing/sketch.h"
+#include "stepmill/core/plain_text.h"
 #include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
 #include "stepmill/part/step_curves.h"
@@ -38,7 +40,7 @@ class CurveReader {
         for (const StepCurve& curve : from_.curves) {
             ++number_;
             for (Stroke& stroke : strokesOf(curve.edge)) {
-                stroke.layer = curve.layer.empty() ? "curves" : curve.layer;
+                stroke.layer = curve.layer.empty() ? "curves" : plainLine(curve.layer);
                 stroke.place = place();
                 sketch_.strokes.push_back(std::move(stroke));
             }
@@ -62,11 +64,13 @@ class CurveReader {
     }
     static Vec2 flat(const gp_Dir& d) { return {d.X(), d.Y()}; }
 
-    bool isUpright(const gp_Dir& axis) const { return std::abs(axis.Z()) > kUprightCos; }
+    static bool isUpright(const gp_Dir& axis) { return std::abs(axis.Z()) > kUprightCos; }
 
     std::vector<Stroke> strokesOf(const TopoDS_Edge& edge) const {
         const BRepAdaptor_Curve curve(edge);
         const double first = curve.FirstParameter();
+        if (Precision::IsInfinite(first) || Precision::IsInfinite(curve.LastParameter()))
+            refuse(file_, place(), "expected a curve with two ends, found one without end");
         const double sweep = curve.LastParameter() - first;
         Stroke stroke;
         stroke.from = flat(curve.Value(first));

@@ -1,8 +1,13 @@
 #include "drawing/spline_points.h"
 
+#include <Geom_BezierCurve.hxx>
+#include <GeomConvert_BSplineCurveToBezierCurve.hxx>
+#include <Precision.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+
+#include "stepmill/drawing/drawing.h"
 
 namespace stepmill::drawing {
 
@@ -33,6 +38,39 @@ opencascade::handle<Geom_BSplineCurve> kernelSpline(const Spline& spline) {
         repeat_array.SetValue(i + 1, repeats[static_cast<std::size_t>(i)]);
     }
     return new Geom_BSplineCurve(pole_array, weight_array, knot_array, repeat_array, spline.degree);
+}
+
+std::vector<Stroke> spansOf(const Stroke& stroke) {
+    if (!stroke.spline) return {stroke};
+    const auto whole = kernelSpline(*stroke.spline);
+    GeomConvert_BSplineCurveToBezierCurve spans(whole, whole->FirstParameter(), whole->LastParameter(),
+                                                Precision::PConfusion());
+    std::vector<Stroke> strokes;
+    for (int i = 1; i <= spans.NbArcs(); ++i) {
+        const Handle(Geom_BezierCurve) arc = spans.Arc(i);
+        std::vector<Vec2> poles;
+        std::vector<double> weights;
+        double length_mm = 0;
+        for (int pole = 1; pole <= arc->NbPoles(); ++pole) {
+            poles.emplace_back(arc->Pole(pole).X(), arc->Pole(pole).Y());
+            weights.push_back(arc->Weight(pole));
+            if (pole > 1) length_mm += (poles.back() - poles[poles.size() - 2]).norm();
+        }
+        if (length_mm <= kHealedGapMm) continue;
+        Stroke span = bezier(poles);
+        if (poles.size() == 2) {
+            span.spline = nullptr;
+        } else {
+            auto spline = std::make_shared<Spline>(*span.spline);
+            spline->weights = weights;
+            span.spline = std::move(spline);
+        }
+        span.layer = stroke.layer;
+        span.colour = stroke.colour;
+        span.place = stroke.place;
+        strokes.push_back(std::move(span));
+    }
+    return strokes;
 }
 
 std::vector<Vec2> splinePoints(const Spline& spline) {

@@ -1,7 +1,9 @@
 #include "part/step/import.h"
 
+#include <cmath>
 #include <sstream>
 
+#include <gp_Vec.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_Check.hxx>
 #include <Interface_EntityIterator.hxx>
@@ -16,9 +18,13 @@
 #include <STEPControl_Controller.hxx>
 #include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Curve.hxx>
+#include <StepGeom_Direction.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepRepr_ShapeRepresentationRelationship.hxx>
+#include <StepShape_GeometricSet.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
@@ -147,6 +153,44 @@ void readNames(STEPControl_Reader& reader, StepImport& result) {
     }
 }
 
+/// Refuses placements that scale or mirror: the reader turns and moves only, and makes another shape.
+void checkPlacements(const Handle(Interface_InterfaceModel) & model, const std::string& file) {
+    constexpr double kExact = 1e-9;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto placement = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(model->Value(i));
+        if (placement.IsNull()) continue;
+        const auto axis = [](const Handle(StepGeom_Direction) & direction, const gp_Vec& otherwise) {
+            if (direction.IsNull() || direction->NbDirectionRatios() != 3) return otherwise;
+            return gp_Vec(direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
+                          direction->DirectionRatiosValue(3));
+        };
+        const bool scales = placement->HasScale() && std::abs(placement->Scale() - 1) > kExact;
+        const gp_Vec x = axis(placement->Axis1(), gp_Vec(1, 0, 0));
+        const gp_Vec y = axis(placement->Axis2(), gp_Vec(0, 1, 0));
+        const gp_Vec z = axis(placement->Axis3(), gp_Vec(0, 0, 1));
+        if (!scales && x.Crossed(y).Dot(z) > 0) continue;
+        throw Error(
+            ErrorCode::StepDamaged, file,
+            entityName(model, placement) +
+                " scales or mirrors what it places, which the geometry reader cannot; export it as it "
+                "stands");
+    }
+}
+
+/// Refuses curves of sets and representations that the reader makes no edge of.
+void checkCurves(const Handle(Interface_InterfaceModel) & model, const Interface_Graph& graph,
+                 const Handle(Transfer_TransientProcess) & process, const std::string& file) {
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto curve = Handle(StepGeom_Curve)::DownCast(model->Value(i));
+        if (curve.IsNull() || !TransferBRep::ShapeResult(process, curve).IsNull()) continue;
+        for (Interface_EntityIterator it = graph.Sharings(curve); it.More(); it.Next())
+            if (it.Value()->IsKind(STANDARD_TYPE(StepShape_GeometricSet)) ||
+                it.Value()->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation)))
+                throw Error(ErrorCode::StepDamaged, file,
+                            entityName(model, curve) + " is a curve that the geometry reader cannot build");
+    }
+}
+
 /// The layer that an entity of the file lies on; empty for none.
 std::string layerOf(const Handle(Standard_Transient) & item, const Interface_Graph& graph) {
     for (Interface_EntityIterator it = graph.Sharings(item); it.More(); it.Next()) {
@@ -239,6 +283,7 @@ StepImport importStep(std::string_view text, const std::string& file) {
         if (reader.ReadStream(file.c_str(), stream) != IFSelect_RetDone)
             throw Error(ErrorCode::StepDamaged, file, "the STEP reader cannot make sense of the entities");
         checkEntities(reader.Model(), file);
+        checkPlacements(reader.Model(), file);
         reader.TransferRoots();
         result.units = lengthUnits(reader);
         for (int i = 1; i <= reader.NbShapes(); ++i) {
@@ -247,7 +292,11 @@ StepImport importStep(std::string_view text, const std::string& file) {
             collectSolids(root, result);
             collectStrays(root, result.strays);
         }
-        if (result.solids.empty()) collectCurves(reader, result);
+        if (result.solids.empty()) {
+            checkCurves(reader.Model(), reader.WS()->Graph(),
+                        reader.WS()->TransferReader()->TransientProcess(), file);
+            collectCurves(reader, result);
+        }
         readNames(reader, result);
         result.bodies = accountBodies(reader);
     });

@@ -9,6 +9,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Elips.hxx>
 #include <Interface_Static.hxx>
@@ -280,6 +281,41 @@ TEST(StepCurves, MakeThePartOfTheirProfiles) {
     const std::string mixed =
         stepOf({{"OUT", {rectangle(0, 0, 60, 40, 5)}}, {"P", {half_ellipse, half_arc}}});
     EXPECT_VOLUME(volume(mixed, plate({{"P", 2}}), "plate.step"), 24000 - kPi * (9 * 7 + 81));
+}
+
+// As POLYLINEs and splines of CAD systems are: one edge of several spans, with a point given twice.
+TEST(StepCurves, AreCutAtTheirKnots) {
+    const std::vector<gp_Pnt> corners{{20, 10, 5}, {40, 10, 5}, {40, 30, 5},
+                                      {40, 30, 5}, {20, 30, 5}, {20, 10, 5}};
+    const int count = static_cast<int>(corners.size());
+    TColgp_Array1OfPnt poles(1, count);
+    TColStd_Array1OfReal knots(1, count);
+    TColStd_Array1OfInteger repeats(1, count);
+    for (int i = 1; i <= count; ++i) {
+        poles(i) = corners[static_cast<std::size_t>(i - 1)];
+        knots(i) = i;
+        repeats(i) = i == 1 || i == count ? 2 : 1;
+    }
+    const TopoDS_Edge polyline = BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, repeats, 1));
+    const TopoDS_Edge circle =
+        BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(30, 20, 5), gp_Dir(0, 0, 1)), 18));
+    const std::string text = stepOf({{"OUT", {circle}}, {"P", {polyline}}});
+    const Part part = drawingFromText(text, "plate.step", plate({{"P", 2}}));
+    EXPECT_VOLUME(part.volume_mm3, 10 * kPi * 18 * 18 - 2 * 400);
+    EXPECT_EQ(part.faces.size(), 3U + 5U);
+}
+
+TEST(StepCurves, AreAllBuiltOrRefused) {
+    const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 6));
+    std::string text = stepOf({{"OUT", {circle}}});
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, std::regex("GEOMETRIC_CURVE_SET\\('',\\(")));
+    text.insert(static_cast<std::size_t>(found.position() + found.length()), "#99999,");
+    text.insert(text.rfind("ENDSEC;"),
+                "#99998=CARTESIAN_POINT('',(0.,0.,0.));\n#99999=POLYLINE('',(#99998));\n");
+    EXPECT_NE(refusal(text, plate(), "disc.step")
+                  .find("#99999 POLYLINE is a curve that the geometry reader cannot"),
+              std::string::npos);
 }
 
 TEST(StepCurves, LieOnTheLayersOfTheFile) {
