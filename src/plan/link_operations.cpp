@@ -23,6 +23,8 @@ std::vector<Move> rapidsBetween(const Vec3& from, const Vec3& to) {
 
 void linkOperations(std::vector<Operation>& operations, const Machine& machine) {
     for (std::size_t i = 1; i < operations.size(); ++i) {
+        // From a tool change it comes straight to its own start.
+        if (operations[i].tool_id != operations[i - 1].tool_id) continue;
         const Toolpath& before = operations[i - 1].path;
         Toolpath& path = operations[i].path;
         const Vec3 from = before.moves.empty() ? before.start : before.moves.back().to;

@@ -25,7 +25,8 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups, const
 std::string operationId(const std::string& setup_id, std::size_t number);
 
 /// Joins operations in their order: each begins with the rapid from where the one before it ended, so that
-/// an operation's lengths and times are those of its part of the program.
+/// an operation's lengths and times are those of its part of the program. Not across a tool change, whose
+/// way is part of its time.
 void linkOperations(std::vector<Operation>& operations, const Machine& machine);
 
 }  // namespace stepmill

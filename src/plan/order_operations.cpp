@@ -102,10 +102,11 @@ class NextOperation {
     Below below_;
 };
 
-/// Rapids that join the operations of one setup.
+/// Rapids that join the operations of one setup without a tool change between them.
 double travelMm(const std::vector<Operation>& operations, const std::vector<int>& order) {
     double sum_mm = 0;
     for (std::size_t i = 1; i < order.size(); ++i) {
+        if (operations[order[i]].tool_id != operations[order[i - 1]].tool_id) continue;
         const Toolpath& before = operations[order[i - 1]].path;
         const Vec3 from = before.moves.empty() ? before.start : before.moves.back().to;
         const Vec3 way = operations[order[i]].path.start - from;

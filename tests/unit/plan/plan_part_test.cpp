@@ -61,9 +61,13 @@ TEST(PlanPart, TotalsAreTheSumOfOperationsAndToolChanges) {
             const Operation& operation = setup.operations[i];
             EXPECT_EQ(operation.id, setup.setup.id + ".O" + std::to_string(i + 1));
             operations_s += measure(operation.path, plan.machine).time_s();
-            changes += i == 0 || operation.tool_id != setup.operations[i - 1].tool_id ? 1 : 0;
-            if (i == 0) continue;
-            EXPECT_EQ(operation.path.start, setup.operations[i - 1].path.moves.back().to);
+            const bool changed = i == 0 || operation.tool_id != setup.operations[i - 1].tool_id;
+            changes += changed ? 1 : 0;
+            // From a change straight down, else from where the operation before it ended.
+            if (changed)
+                EXPECT_EQ(operation.path.moves.front().to.head<2>(), operation.path.start.head<2>());
+            else
+                EXPECT_EQ(operation.path.start, setup.operations[i - 1].path.moves.back().to);
         }
     }
     EXPECT_GT(changes, 0);
