@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "plan_job.h"
+#include "stepmill/catalog/fixture.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 
@@ -40,10 +41,15 @@ bool namesFile(const std::string& name, const std::string& value) {
     return takes_file && !(name == "stock" && (value == "box" || value == "auto"));
 }
 
-/// The name of a file stands in plan.json, its folder does not.
-std::string withContent(const std::string& file, std::uintmax_t max_file_bytes) {
+/// The name of a file stands in plan.json, its folder does not. Of fixtures the files of their solids count.
+std::string withContent(const std::string& option, const std::string& file, std::uintmax_t max_file_bytes) {
     const std::filesystem::path path(file);
-    return path.filename().string() + " " + sha256(readFile(path, max_file_bytes));
+    std::string words = path.filename().string() + " " + sha256(readFile(path, max_file_bytes));
+    if (option != "fixtures") return words;
+    for (const auto& [setup, solids] : readFixtures(path, max_file_bytes).solids)
+        for (const FixtureSolid& solid : solids)
+            words += " " + sha256(readFile(path.parent_path() / solid.file, max_file_bytes));
+    return words;
 }
 
 std::vector<std::string> lineOf(const OptionWords& words) {
@@ -96,7 +102,7 @@ std::string sha256Of(const OptionWords& words, std::uintmax_t max_file_bytes) {
         if (fmt::format("{}", fmt::join(values, " ")) == usual) continue;
         for (const std::string& value : values)
             text += fmt::format("{}={}\n", name,
-                                namesFile(name, value) ? withContent(value, max_file_bytes) : value);
+                                namesFile(name, value) ? withContent(name, value, max_file_bytes) : value);
     }
     return sha256(text);
 }

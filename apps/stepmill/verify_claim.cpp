@@ -112,6 +112,13 @@ void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
 
 void verifyClaim(const ClaimOptions& options, const RecordedPlan& plan, std::uintmax_t max_bytes,
                  const Tolerances& tol, Verification& verification) {
+    if (options.part_file.empty())
+        for (const auto& [option, file] :
+             {std::pair("--stock", options.stock_file), std::pair("--fixtures", options.fixtures_file),
+              std::pair("--holes", options.holes_file)})
+            if (!file.empty())
+                throw Error(ErrorCode::Usage, option,
+                            "is compared with --part alone: give the part's file too");
     if (options.part_file.empty() && options.tools_file.empty() && options.machine_file.empty()) return;
     const auto add = [&](const std::vector<ProofFailure>& failures) {
         verification.failures.insert(verification.failures.end(), failures.begin(), failures.end());

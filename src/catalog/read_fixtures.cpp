@@ -10,6 +10,7 @@
 #include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/core/plain_text.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -135,7 +136,10 @@ class FixtureReader {
         FixtureSolid solid;
         solid.name = from["name"];
         solid.pointer = file_name_ + pointer;
-        solid.file = from["file"].get<std::string>();
+        const std::string file = from["file"];
+        if (plainLine(file) != file)
+            fail(pointer + "/file", "expected a file's name of printable characters");
+        solid.file = file;
         const double turn_rad = degToRad(from.value("turn", 0.0));
         Eigen::Vector3d origin_mm;
         for (int axis = 0; axis < 3; ++axis)

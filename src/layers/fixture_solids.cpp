@@ -38,9 +38,15 @@ std::vector<Part> solidsOf(const std::filesystem::path& path, std::uintmax_t max
                         fmt::format("expected solids that stand in one place each, found {} used {} times; "
                                     "export the fixture as one part",
                                     solid.name, solid.count));
-        for (const Remark& remark : solid.remarks)
-            if (remark.code == kUnitDoubt || remark.code == kInputDoubt)
-                throw Error(ErrorCode::InvalidCatalog, solid.file, remark.text);
+        for (const Remark& remark : solid.remarks) {
+            if (remark.code == kInputDoubt) throw Error(ErrorCode::InvalidCatalog, solid.file, remark.text);
+            if (remark.code == kUnitDoubt)
+                throw Error(ErrorCode::InvalidCatalog, solid.file,
+                            fmt::format("expected a fixture with its unit, found one of unit {} and {:.4g} x "
+                                        "{:.4g} x {:.4g} mm",
+                                        solid.unit_in_file, solid.bbox_mm.sizes().x(),
+                                        solid.bbox_mm.sizes().y(), solid.bbox_mm.sizes().z()));
+        }
     }
     return solids;
 }
@@ -70,7 +76,10 @@ std::vector<Fixture> blocksOf(const FixtureSolid& fixture, const std::filesystem
 std::vector<Fixture> fixtureBlocks(const std::string& name, const Part& solid,
                                    const Eigen::Isometry3d& to_setup, const Tolerances& tol) {
     std::vector<Fixture> blocks;
-    for (Layer& layer : slice(standing(solid, to_setup), tol).layers) {
+    // A clamp's underside may slant close over the stock.
+    SliceOptions every_level;
+    every_level.join_slabs = false;
+    for (Layer& layer : slice(standing(solid, to_setup), tol, every_level).layers) {
         if (layer.part.empty()) continue;
         Fixture& block = blocks.emplace_back();
         block.name = name;

@@ -34,18 +34,24 @@ Fixture grown(const Fixture& fixture, double growth_mm, const Tolerances& tol) {
 void requireOutside(const Fixture& fixture, const FixtureFile& given, const LayerStack& layers,
                     const std::string& setup_id, const Tolerances& tol) {
     const Region core = offset(fixture.section, -kTouchMm, tol);
+    double most_mm2 = 0;
+    double from_mm = fixture.top_z_mm;
+    double to_mm = fixture.bottom_z_mm;
     for (const Layer& layer : layers.layers) {
         const double low_mm = std::max(layer.bottom_z_mm, fixture.bottom_z_mm);
         const double high_mm = std::min(layer.top_z_mm, fixture.top_z_mm);
         if (high_mm - low_mm <= kTouchMm) continue;
         const double inside_mm2 = area(intersect(core, layer.stock, tol));
         if (inside_mm2 <= tol.area_mm2) continue;
-        throw Error(
-            ErrorCode::Usage, given.file,
-            fmt::format("fixture '{}' of {} stands in the stock: {:.4g} mm2 of it between z {:.4g} and "
-                        "{:.4g} mm; expected fixtures beside the stock or on it",
-                        fixture.name, setup_id, inside_mm2, low_mm, high_mm));
+        most_mm2 = std::max(most_mm2, inside_mm2);
+        from_mm = std::min(from_mm, low_mm);
+        to_mm = std::max(to_mm, high_mm);
     }
+    if (most_mm2 == 0) return;
+    throw Error(ErrorCode::Usage, given.file,
+                fmt::format("fixture '{}' of {} stands in the stock: {:.4g} mm2 of it between z {:.4g} and "
+                            "{:.4g} mm; expected fixtures beside the stock or on it",
+                            fixture.name, setup_id, most_mm2, from_mm, to_mm));
 }
 
 /// What stands under the stock is set against it and does not grow into it.

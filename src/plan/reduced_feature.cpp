@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "stepmill/feature/heights.h"
 #include "stepmill/feature/hole_group.h"
 #include "stepmill/planar/boolean.h"
@@ -74,7 +77,7 @@ std::string namesOf(const std::vector<CutFeature>& parents) {
 
 struct InTheWay {
     std::vector<Standing> standing;
-    std::string names;
+    std::vector<std::string> names;  ///< each once: a solid's blocks have one
 };
 
 /// Fixtures that reach above the feature's floor.
@@ -83,7 +86,8 @@ InTheWay inTheWay(const std::vector<Fixture>& fixtures, const Feature& feature) 
     for (const Fixture& fixture : fixtures) {
         if (fixture.top_z_mm <= feature.floor_z_mm + kSameHeightMm) continue;
         found.standing.push_back({fixture.section, fixture.top_z_mm});
-        found.names += (found.names.empty() ? "" : ", ") + fixture.name;
+        if (std::find(found.names.begin(), found.names.end(), fixture.name) == found.names.end())
+            found.names.push_back(fixture.name);
     }
     return found;
 }
@@ -165,7 +169,8 @@ ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& pa
     ReducedFeature found{feature, {}};
     stopAboveFixtures(found.feature, fixtures, tol);
     const InTheWay held = inTheWay(fixtures, feature);
-    keepClear(found, held.standing, {Reason::Fixture, {}}, "another clamping than " + held.names, tol);
+    keepClear(found, held.standing, {Reason::Fixture, {}},
+              fmt::format("another clamping than {}", fmt::join(held.names, ", ")), tol);
     const std::string names = namesOf(parents);
     keepClear(found, standingOf(ancestors), {Reason::BelowStanding, names}, "what " + names + " needs", tol);
     return found;

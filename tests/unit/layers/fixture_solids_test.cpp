@@ -4,6 +4,9 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <STEPControl_Writer.hxx>
 
 #include "stepmill/core/error.h"
@@ -64,6 +67,23 @@ TEST(FixtureBlocks, HoldARoundClampAtEveryHeight) {
                 EXPECT_TRUE(holds(blocks, to_setup * Vec3(along_mm, side * half_mm, height_mm))) << height_mm;
             }
     EXPECT_LT(volumeOf(blocks), 1.2 * kPi * kRadiusMm * kRadiusMm * 80);
+}
+
+// A toe clamp, which rests on the stock's top with its nose and slants down behind it.
+TEST(FixtureBlocks, LeaveFreeWhatIsUnderASlantingClamp) {
+    BRepBuilderAPI_MakePolygon profile;
+    for (const auto& [x, z] : std::initializer_list<std::pair<double, double>>{
+             {-40, -25}, {-20, -25}, {-20, 2}, {10, 0}, {10, 15}, {-40, 15}})
+        profile.Add(gp_Pnt(x, 20, z));
+    profile.Close();
+    const TopoDS_Shape clamp =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(profile.Wire()).Face(), gp_Vec(0, 30, 0));
+    const std::vector<Fixture> blocks =
+        fixtureBlocks("clamp", part(clamp), Eigen::Isometry3d::Identity(), kTol);
+    EXPECT_TRUE(holds(blocks, {5, 30, 5}));
+    EXPECT_TRUE(holds(blocks, {-30, 30, -20}));
+    EXPECT_FALSE(holds(blocks, {-19, 30, -0.1}));
+    EXPECT_FALSE(holds(blocks, {5, 30, -0.1}));
 }
 
 class FixtureFiles : public testing::Test {
