@@ -37,8 +37,7 @@ bool isProven(const RecordedPlan& plan, const Tolerances& tol) {
 RecordedPlan postAll(const RecordedPlan& planned, const PostOptions& request) {
     RecordedPlan posted{{planned.files.plan_json, request.dialect, {}}, planned.record};
     for (const RecordedSetup& setup : planned.record.setups)
-        if (planned.files.programs.at(setup.id).empty() &&
-            (!setup.within_travel || setup.operation_ids.empty()))
+        if (planned.files.programs.at(setup.id).empty() && !setup.hasProgram())
             posted.files.programs[setup.id];  // its machine is too small, or nothing is cut: nothing to post
         else
             posted.files.programs[setup.id] =

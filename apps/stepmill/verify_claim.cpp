@@ -118,7 +118,7 @@ void verifyClaim(const ClaimOptions& options, const RecordedPlan& plan, std::uin
               std::pair("--holes", options.holes_file)})
             if (!file.empty())
                 throw Error(ErrorCode::Usage, option,
-                            "is compared with --part alone: give the part's file too");
+                            "is compared only together with --part: give the part's file too");
     if (options.part_file.empty() && options.tools_file.empty() && options.machine_file.empty()) return;
     const auto add = [&](const std::vector<ProofFailure>& failures) {
         verification.failures.insert(verification.failures.end(), failures.begin(), failures.end());

@@ -232,22 +232,20 @@ class DrawnPart {
     Healing healing_;
 };
 
-}  // namespace
-
-namespace {
-
 struct Format {
     const char* name;
     Sketch (*read)(std::string_view text, const std::string& file);
 };
 
-/// What is no SVG and no STEP file by its name is read as DXF.
 const Format& formatOf(const std::string& name) {
-    static const Format dxf{"DXF", drawing::readDxf};
-    static const Format svg{"SVG", drawing::readSvg};
-    static const Format step{"STEP curves", drawing::readStepCurves};
-    const std::string end = ending(name);
-    return end == ".svg" ? svg : end == ".step" || end == ".stp" ? step : dxf;
+    static const std::map<std::string, Format> formats{{".dxf", {"DXF", drawing::readDxf}},
+                                                       {".svg", {"SVG", drawing::readSvg}},
+                                                       {".step", {"STEP curves", drawing::readStepCurves}},
+                                                       {".stp", {"STEP curves", drawing::readStepCurves}}};
+    const auto found = formats.find(ending(name));
+    if (found == formats.end())
+        drawing::refuse(name, "its name", "expected a drawing: .dxf, .svg, or .step or .stp with curves");
+    return found->second;
 }
 
 }  // namespace

@@ -108,7 +108,6 @@ class CurveReader {
         double first = 0;
         double last = 0;
         const Handle(Geom_Curve) whole = BRep_Tool::Curve(edge, first, last);
-        if (whole.IsNull()) refuse(file_, place(), "expected a curve, found an edge without one");
         const Handle(Geom_BSplineCurve) curve =
             GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(whole, first, last));
         if (curve->IsPeriodic()) curve->SetNotPeriodic();

@@ -46,6 +46,8 @@ std::vector<Stroke> spansOf(const Stroke& stroke) {
     GeomConvert_BSplineCurveToBezierCurve spans(whole, whole->FirstParameter(), whole->LastParameter(),
                                                 Precision::PConfusion());
     std::vector<Stroke> strokes;
+    Vec2 reached = stroke.from;
+    double skipped_mm = 0;
     for (int i = 1; i <= spans.NbArcs(); ++i) {
         const Handle(Geom_BezierCurve) arc = spans.Arc(i);
         std::vector<Vec2> poles;
@@ -56,7 +58,11 @@ std::vector<Stroke> spansOf(const Stroke& stroke) {
             weights.push_back(arc->Weight(pole));
             if (pole > 1) length_mm += (poles.back() - poles[poles.size() - 2]).norm();
         }
-        if (length_mm <= kHealedGapMm) continue;
+        skipped_mm += length_mm;
+        if (skipped_mm <= kHealedGapMm) continue;
+        skipped_mm = 0;
+        poles.front() = reached;
+        reached = poles.back();
         Stroke span = bezier(poles);
         if (poles.size() == 2) {
             span.spline = nullptr;

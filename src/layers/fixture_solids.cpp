@@ -97,6 +97,7 @@ FixtureFile readFixturesWithSolids(const std::filesystem::path& path, std::uintm
         for (const FixtureSolid& solid : solids)
             for (Fixture& block : blocksOf(solid, path.parent_path(), max_bytes, tol))
                 file.setups.at(setup).push_back(std::move(block));
+    file.solids.clear();
     return file;
 }
 

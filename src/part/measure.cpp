@@ -41,12 +41,11 @@ bool isIntegrable(const TopoDS_Face& face) {
     }
 }
 
-/// The shape, or where a face needs that the same of spline surfaces.
+/// The shape; where a face is not integrable, a copy with spline surfaces.
 TopoDS_Shape integrable(const TopoDS_Shape& shape) {
     const std::vector<TopoDS_Face> faces = facesOf(shape);
     if (std::all_of(faces.begin(), faces.end(), isIntegrable)) return shape;
-    BRepBuilderAPI_NurbsConvert splines(shape, true);
-    return splines.IsDone() ? splines.Shape() : shape;
+    return BRepBuilderAPI_NurbsConvert(shape, true).Shape();
 }
 
 }  // namespace

@@ -78,6 +78,7 @@ void growWithStock(Fixture& fixture, const StockGrowth& growth, const Tolerances
 /// What the file says of the setup stands there instead of a vise.
 std::vector<Fixture> givenFixtures(const Stage& stage, const FixtureFile& given, double growth_mm,
                                    const Tolerances& tol) {
+    STEPMILL_CHECK(given.solids.empty(), "solids of fixtures are read before planning");
     std::vector<Fixture> fixtures;
     for (const Fixture& fixture : given.setups.at(stage.setup.id)) {
         requireOutside(fixture, given, stage.layers, stage.setup.id, tol);

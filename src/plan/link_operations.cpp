@@ -23,7 +23,7 @@ std::vector<Move> rapidsBetween(const Vec3& from, const Vec3& to) {
 
 void linkOperations(std::vector<Operation>& operations, const Machine& machine) {
     for (std::size_t i = 1; i < operations.size(); ++i) {
-        // From a tool change it comes straight to its own start.
+        // After a tool change the tool comes down at the operation's own start: nothing to link.
         if (operations[i].tool_id != operations[i - 1].tool_id) continue;
         const Toolpath& before = operations[i - 1].path;
         Toolpath& path = operations[i].path;

@@ -30,7 +30,7 @@ std::vector<PostedProgram> programsIn(const std::filesystem::path& dir, const st
         const int visit = visitOf(name, setup.id, dialect);
         if (visit > 0) visits[visit] = name;
     }
-    if (visits.empty() && !setup.operation_ids.empty() && setup.within_travel)
+    if (visits.empty() && setup.hasProgram())
         return {{whole, readFile(dir / whole, max_bytes), {}}};  // which says what is missing
     std::vector<PostedProgram> programs;
     for (const auto& [visit, name] : visits)
@@ -45,7 +45,10 @@ PlanFiles postedFiles(const Plan& plan) {
     files.plan_json = planJson(plan);
     files.dialect = dialectOf(plan.machine);
     for (const PlannedSetup& setup : plan.setups)
-        files.programs[setup.setup.id] = post(jobOf(plan, setup), {files.dialect});
+        if (setup.operations.empty())
+            files.programs[setup.setup.id];  // nothing is cut
+        else
+            files.programs[setup.setup.id] = post(jobOf(plan, setup), {files.dialect});
     return files;
 }
 

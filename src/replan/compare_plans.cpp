@@ -238,7 +238,7 @@ int countLines(const std::string& text) {
 /// The programs of a setup that are written; empty for none.
 std::vector<PostedProgram> programsOf(const RecordedPlan& plan, const std::string& setup_id) {
     for (const RecordedSetup& setup : plan.record.setups)
-        if (setup.id == setup_id && setup.within_travel) return plan.files.programs.at(setup_id);
+        if (setup.id == setup_id && setup.hasProgram()) return plan.files.programs.at(setup_id);
     return {};
 }
 

@@ -50,7 +50,7 @@ void addOperations(const std::string& text, const ReadProgram& program, LinesByI
 
 LinesById operationLines(const PlanFiles& files, const RecordedSetup& setup) {
     LinesById operations;
-    if (!setup.within_travel || setup.operation_ids.empty()) return operations;
+    if (!setup.hasProgram()) return operations;
     const std::vector<ReadProgram> programs = readPrograms(files, setup);
     for (std::size_t i = 0; i < programs.size(); ++i)
         addOperations(files.programs.at(setup.id)[i].text, programs[i], operations);

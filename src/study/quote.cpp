@@ -21,8 +21,11 @@ void quotePiece(const Plan& plan, Quote& quote) {
     const QuoteTerms& terms = quote.terms;
     const double rate = plan.machine.hourly_rate;
     const double programming_rate = terms.programming_rate > 0 ? terms.programming_rate : rate;
-    quote.setups = static_cast<int>(plan.setups.size());
-    quote.machining_s = {plan.totals.time_s, std::max(plan.totals.time_s, plan.totals.motion_s)};
+    quote.setups =
+        static_cast<int>(std::count_if(plan.setups.begin(), plan.setups.end(),
+                                       [](const PlannedSetup& setup) { return !setup.operations.empty(); }));
+    const double slowest_s = quote.acceleration ? plan.totals.motion_s : plan.totals.time_s;
+    quote.machining_s = {plan.totals.time_s, std::max(plan.totals.time_s, slowest_s)};
     quote.load_s = quote.setups * terms.load_s;
     quote.wear = plan.totals.cost - plan.totals.time_s / kSecondsPerHour * rate;
     quote.setup_min = quote.setups * terms.setup_min;

@@ -60,8 +60,8 @@ struct FixtureFile {
     std::string sha256;                                  ///< of the file
     double growth = kFixtureGrowth;                      ///< share of that radius
     std::map<std::string, std::vector<Fixture>> setups;  ///< by setup id; as they are, not grown
-    /// By setup id, each of which `setups` has too: with their blocks once readFixturesWithSolids() has read
-    /// them [layers/fixture_solids.h].
+    /// Not read yet, by setup id, each of which `setups` has too: readFixturesWithSolids() makes them blocks
+    /// there [layers/fixture_solids.h].
     std::map<std::string, std::vector<FixtureSolid>> solids;
     Vise vise;
     double plate_mm = kPlateThicknessMm;

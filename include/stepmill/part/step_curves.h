@@ -19,13 +19,12 @@ struct StepCurve {
 /// The curves of a file without solids, in the order of the file.
 struct StepCurves {
     std::vector<StepCurve> curves;
-    std::string unit;        ///< of lengths in the file: "mm", "inch"; empty: it names none
-    double mm_per_unit = 0;  ///< 0: it names none
-    std::string schema;      ///< as Part::schema
+    double mm_per_unit = 0;  ///< of lengths in the file; 0: it names no unit
 };
 
 /// Reads the curves of a STEP file, screened as readStep() does.
-/// \throws Error(NotStep, StepDamaged); Error(NoSolid) where it has solids or faces, or no curve
+/// \throws Error(NotStep); Error(StepDamaged), also where a curve cannot be built; Error(NoSolid) where the
+///         file has solids or faces, or no curve
 StepCurves stepCurvesFromText(std::string_view text, const std::string& file);
 
 }  // namespace stepmill

@@ -35,6 +35,7 @@ struct RecordedSetup {
     std::vector<std::string> operation_ids;  ///< in machining order
     /// The machine travels as far as the programs go: all but those the plan warns of, which it has not got.
     bool within_travel = true;
+    bool hasProgram() const { return within_travel && !operation_ids.empty(); }
 };
 
 /// A file the plan was made from; empty: none.

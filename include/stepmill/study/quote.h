@@ -74,7 +74,7 @@ struct Quote {
     std::string currency;
     double hourly_rate = 0;
     QuoteTerms terms;
-    int setups = 0;
+    int setups = 0;             ///< in which something is cut
     bool complete = false;      ///< else it is of what the plan cuts, and something stays
     bool acceleration = false;  ///< the machine's is known; else the high times are those of feeds alone
     Range machining_s;          ///< a piece: feeds alone, and with the machine's acceleration

@@ -153,22 +153,23 @@ void readNames(STEPControl_Reader& reader, StepImport& result) {
     }
 }
 
+gp_Vec vectorOf(const Handle(StepGeom_Direction) & direction, const gp_Vec& otherwise) {
+    if (direction.IsNull() || direction->NbDirectionRatios() != 3) return otherwise;
+    return {direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
+            direction->DirectionRatiosValue(3)};
+}
+
 /// Refuses placements that scale or mirror: the reader turns and moves only, and makes another shape.
 void checkPlacements(const Handle(Interface_InterfaceModel) & model, const std::string& file) {
-    constexpr double kExact = 1e-9;
+    constexpr double kScaleRounding = 1e-9;
     for (int i = 1; i <= model->NbEntities(); ++i) {
         const auto placement = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(model->Value(i));
         if (placement.IsNull()) continue;
-        const auto axis = [](const Handle(StepGeom_Direction) & direction, const gp_Vec& otherwise) {
-            if (direction.IsNull() || direction->NbDirectionRatios() != 3) return otherwise;
-            return gp_Vec(direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
-                          direction->DirectionRatiosValue(3));
-        };
-        const bool scales = placement->HasScale() && std::abs(placement->Scale() - 1) > kExact;
-        const gp_Vec x = axis(placement->Axis1(), gp_Vec(1, 0, 0));
-        const gp_Vec y = axis(placement->Axis2(), gp_Vec(0, 1, 0));
-        const gp_Vec z = axis(placement->Axis3(), gp_Vec(0, 0, 1));
-        if (!scales && x.Crossed(y).Dot(z) > 0) continue;
+        const bool scales = placement->HasScale() && std::abs(placement->Scale() - 1) > kScaleRounding;
+        const gp_Vec x = vectorOf(placement->Axis1(), gp_Vec(1, 0, 0));
+        const gp_Vec y = vectorOf(placement->Axis2(), gp_Vec(0, 1, 0));
+        const gp_Vec z = vectorOf(placement->Axis3(), gp_Vec(0, 0, 1));
+        if (!scales && x.Crossed(y).Dot(z) >= 0) continue;
         throw Error(
             ErrorCode::StepDamaged, file,
             entityName(model, placement) +
@@ -205,29 +206,30 @@ std::string layerOf(const Handle(Standard_Transient) & item, const Interface_Gra
 void collectCurves(STEPControl_Reader& reader, StepImport& result) {
     const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
     const Interface_Graph& graph = reader.WS()->Graph();
-    ShapeNames on_layer, in_set;
+    ShapeNames layers, layers_of_sets, names_of_sets;
+    const auto name = [](ShapeNames& names, const TopoDS_Shape& shape, const std::string& text) {
+        for (TopExp_Explorer it(shape, TopAbs_EDGE); !text.empty() && it.More(); it.Next())
+            if (names.of(it.Current()).empty()) names.set(it.Current(), text);
+    };
     for (int i = 1; i <= process->NbMapped(); ++i) {
         const Handle(Standard_Transient)& item = process->Mapped(i);
         const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
         if (shape.IsNull()) continue;
         const bool is_edge = shape.ShapeType() == TopAbs_EDGE;
-        std::string name = layerOf(item, graph);
-        if (name.empty() && !is_edge) {
-            const auto set = Handle(StepRepr_RepresentationItem)::DownCast(item);
-            if (!set.IsNull()) name = textOf(set->Name());
-            if (name.empty()) name = productOfSolid(item, graph);
-            if (name.empty()) name = productOf(item, graph);
-        }
-        if (name.empty()) continue;
-        ShapeNames& names = is_edge ? on_layer : in_set;
-        for (TopExp_Explorer it(shape, TopAbs_EDGE); it.More(); it.Next())
-            if (names.of(it.Current()).empty()) names.set(it.Current(), name);
+        name(is_edge ? layers : layers_of_sets, shape, layerOf(item, graph));
+        if (is_edge) continue;
+        const auto set = Handle(StepRepr_RepresentationItem)::DownCast(item);
+        std::string called = set.IsNull() ? std::string() : textOf(set->Name());
+        if (called.empty()) called = productOfSolid(item, graph);
+        if (called.empty()) called = productOf(item, graph);
+        name(names_of_sets, shape, called);
     }
     for (int i = 1; i <= reader.NbShapes(); ++i)
         for (TopExp_Explorer it(reader.Shape(i), TopAbs_EDGE, TopAbs_FACE); it.More(); it.Next()) {
-            const std::string layer = on_layer.of(it.Current());
-            result.curves.push_back(
-                {TopoDS::Edge(it.Current()), layer.empty() ? in_set.of(it.Current()) : layer});
+            std::string layer;
+            for (const ShapeNames* names : {&layers, &layers_of_sets, &names_of_sets})
+                if (layer.empty()) layer = names->of(it.Current());
+            result.curves.push_back({TopoDS::Edge(it.Current()), layer});
         }
 }
 
@@ -292,7 +294,7 @@ StepImport importStep(std::string_view text, const std::string& file) {
             collectSolids(root, result);
             collectStrays(root, result.strays);
         }
-        if (result.solids.empty()) {
+        if (result.solids.empty() && result.strays.faces + result.strays.shell_faces == 0) {
             checkCurves(reader.Model(), reader.WS()->Graph(),
                         reader.WS()->TransferReader()->TransientProcess(), file);
             collectCurves(reader, result);

@@ -255,23 +255,27 @@ Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, 
 }  // namespace
 
 StepCurves stepCurvesFromText(std::string_view text, const std::string& file) {
-    const StepText screened = screenStep(text, file);
+    screenStep(text, file);
     StepImport import = importStep(withoutByteOrderMark(text), file);
     const int faces = import.strays.shell_faces + import.strays.faces;
-    if (import.curves.empty() || faces > 0)
+    if (!import.solids.empty() || faces > 0)
         throw Error(
             ErrorCode::NoSolid, file,
             fmt::format("expected the curves of profiles alone, found {} and {}: a part of solids takes "
                         "neither an outline nor depths",
                         plural(static_cast<int>(import.solids.size()), "solid"),
                         plural(faces, "loose face")));
-    StepCurves curves{std::move(import.curves), "", 0, schemaName(screened.schemas)};
+    if (import.curves.empty())
+        throw Error(ErrorCode::NoSolid, file, "expected the curves of profiles, found none");
     if (import.units.size() > 1)
         throw Error(ErrorCode::StepDamaged, file, "expected one length unit for all profiles, found several");
-    if (!import.units.empty()) {
-        curves.unit = shortUnit(import.units.front());
-        curves.mm_per_unit = mmPerUnit(curves.unit).value_or(0);
-    }
+    StepCurves curves{std::move(import.curves), 0};
+    if (import.units.empty()) return curves;
+    const std::optional<double> mm_per_unit = mmPerUnit(shortUnit(import.units.front()));
+    if (!mm_per_unit)
+        throw Error(ErrorCode::StepDamaged, file,
+                    "expected a length unit that drawings have, found \"" + import.units.front() + "\"");
+    curves.mm_per_unit = *mm_per_unit;
     return curves;
 }
 

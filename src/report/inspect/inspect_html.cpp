@@ -147,7 +147,7 @@ std::string stepmill::inspectionHtml(const Inspection& inspection) {
         main.add(Element("div.warn", warning));
     main.add(notesSection(inspection));
     const Tints tints = tintsOf(inspection);
-    const FacetedPart part = facetedPart(inspection.part);
+    const FacetedPart part(inspection.part);
     for (const InspectedSetup& setup : inspection.setups)
         main.add(setupSection(inspection, part, setup, tints));
     main.add(holesSection(inspection), booksSection(inspection.books));

@@ -14,15 +14,16 @@ constexpr double kFacetAngle = 0.2;
 
 }  // namespace
 
-FacetedPart facetedPart(const Part& part, double coarser) {
-    FacetedPart faceted{part, {}};
-    guardOcct(ErrorCode::GeometryKernel, "facets of " + part.name, [&] {
-        faceted.solid = solidIn(part, Eigen::Isometry3d::Identity());
-        const BRepMesh_IncrementalMesh mesh(faceted.solid,
-                                            coarser * kChordShare * part.bbox_mm.diagonal().norm(), false,
-                                            coarser * kFacetAngle);
+const TopoDS_Shape& FacetedPart::solid() const {
+    if (!solid_.IsNull()) return solid_;
+    guardOcct(ErrorCode::GeometryKernel, "facets of " + part_.name, [&] {
+        TopoDS_Shape copy = solidIn(part_, Eigen::Isometry3d::Identity());
+        const double size_mm = part_.bbox_mm.diagonal().norm();
+        const BRepMesh_IncrementalMesh mesh(copy, coarser_ * kChordShare * size_mm, false,
+                                            coarser_ * kFacetAngle);
+        solid_ = copy;
     });
-    return faceted;
+    return solid_;
 }
 
 }  // namespace stepmill::report

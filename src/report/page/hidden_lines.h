@@ -28,6 +28,7 @@ Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, 
 /// \pre the solid has them
 Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
 
+/// A rigid motion as the kernel takes it.
 gp_Trsf toTrsf(const Eigen::Isometry3d& transform);
 
 /// The solid as it stands in the setup: a copy, since meshing writes into the shape and the part is shared.

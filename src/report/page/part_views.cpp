@@ -57,17 +57,18 @@ const std::vector<Eye>& eyes() {
 
 std::vector<PartDrawing> drawAll(const FacetedPart& faceted, const Eigen::Isometry3d& part_to_setup,
                                  const std::vector<int>& tints) {
-    const Part& part = faceted.part;
+    const Part& part = faceted.part();
     const double deflection_mm = kDrawingDeflection * part.bbox_mm.diagonal().norm();
     const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;
+    // Facets would disturb exact hidden lines.
     const TopoDS_Shape smooth = exact ? solidIn(part, Eigen::Isometry3d::Identity()) : TopoDS_Shape();
     std::vector<PartDrawing> drawings;
     for (const Eye& eye : eyes()) {
         const gp_Ax2 plane = planeOf(eye, part_to_setup);
         const HLRAlgo_Projector projector(plane);
         const Lines lines = exact ? exactLines(smooth, projector, deflection_mm)
-                                  : facetLines(faceted.solid, projector, deflection_mm);
-        const Shading shading = tints.empty() ? Shading{} : shade(faceted.solid, plane, tints);
+                                  : facetLines(faceted.solid(), projector, deflection_mm);
+        const Shading shading = tints.empty() ? Shading{} : shade(faceted.solid(), plane, tints);
         drawings.push_back({eye.title, drawn(lines, shading, std::string(eye.title) + " view")});
     }
     return drawings;
@@ -77,9 +78,9 @@ std::vector<PartDrawing> drawAll(const FacetedPart& faceted, const Eigen::Isomet
 
 std::vector<PartDrawing> partDrawings(const FacetedPart& faceted, const Eigen::Isometry3d& part_to_setup,
                                       const std::vector<int>& tints) {
-    STEPMILL_CHECK(tints.empty() || tints.size() == faceted.part.faces.size(), "one tint a face");
+    STEPMILL_CHECK(tints.empty() || tints.size() == faceted.part().faces.size(), "one tint a face");
     std::vector<PartDrawing> drawings;
-    guardOcct(ErrorCode::GeometryKernel, "views of " + faceted.part.name,
+    guardOcct(ErrorCode::GeometryKernel, "views of " + faceted.part().name,
               [&] { drawings = drawAll(faceted, part_to_setup, tints); });
     return drawings;
 }
@@ -105,7 +106,7 @@ std::vector<View> asText(const std::vector<report::PartDrawing>& drawings) {
 }  // namespace
 
 std::vector<View> partViews(const Part& part, const Eigen::Isometry3d& part_to_setup) {
-    return asText(report::partDrawings(report::facetedPart(part), part_to_setup));
+    return asText(report::partDrawings(report::FacetedPart(part), part_to_setup));
 }
 
 }  // namespace stepmill

@@ -1,6 +1,7 @@
 // report.html: head, setups with their features, volume books.
 
 #include <fmt/format.h>
+#include <oneapi/tbb/parallel_invoke.h>
 
 #include "report/page/document.h"
 #include "report/page/table.h"
@@ -175,14 +176,18 @@ std::string stepmill::reportHtml(const ProvenPlan& proven, const ReportOptions& 
                                  const Tolerances& tol) {
     using namespace report;
     const Plan& plan = proven.plan;
-    const FacetedPart part = facetedPart(plan.part);
+    const FacetedPart part(plan.part);
     if (!options.viewer)
         return htmlDocument(plan.part.name, mainOf(plan, part, options.inch, tol, std::nullopt));
-    return viewerDocument(plan.part.name, mainOf(plan, part, options.inch, tol, viewerSection()),
-                          viewerData(proven, part, options.inch));
+    part.solid();  // Both take the facets, side by side.
+    std::optional<Element> main;
+    std::string data;
+    tbb::parallel_invoke([&] { main = mainOf(plan, part, options.inch, tol, viewerSection()); },
+                         [&] { data = viewerData(proven, part, options.inch); });
+    return viewerDocument(plan.part.name, std::move(*main), data);
 }
 
 std::string stepmill::reportHtml(const Plan& plan, const Tolerances& tol) {
     return report::htmlDocument(
-        plan.part.name, report::mainOf(plan, report::facetedPart(plan.part), false, tol, std::nullopt));
+        plan.part.name, report::mainOf(plan, report::FacetedPart(plan.part), false, tol, std::nullopt));
 }

@@ -124,13 +124,13 @@ Element runTable(const SheetSubject& subject) {
                  numbers("cut"),
                  numbers("rapid"),
                  numbers("time")});
-    for (const PlannedSetup* one : subject.setups) {
-        const PlannedSetup& setup = *one;
-        const RunFigures run = figuresOf(plan, setup);
-        table.row(setup.setup.id, programWords(programOf(subject.proven, setup)), axisName(setup.setup.axis),
-                  toolNumbers(run.tools), std::to_string(setup.operations.size()), in.number(run.highest_mm),
+    for (const PlannedSetup* setup : subject.setups) {
+        const RunFigures run = figuresOf(plan, *setup);
+        table.row(setup->setup.id, programWords(programOf(subject.proven, *setup)),
+                  axisName(setup->setup.axis), toolNumbers(run.tools),
+                  std::to_string(setup->operations.size()), in.number(run.highest_mm),
                   in.number(run.lowest_mm), in.feed(run.feed_mm_per_min), fixed(run.speed_rpm, 0),
-                  in.way(run.cut_mm), in.way(run.rapid_mm), clockTime(setup.motion_s));
+                  in.way(run.cut_mm), in.way(run.rapid_mm), clockTime(setup->motion_s));
     }
     const std::string total =
         fmt::format("All setups {}, {} tool changes of {:g} s, rapids at {} {}, clamping not counted.",

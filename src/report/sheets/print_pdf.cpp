@@ -153,11 +153,11 @@ Sheets printed(std::string html) {
 Sheets makeSheets(const ProvenPlan& proven, const SheetOptions& options, bool with_pdf,
                   const Tolerances& tol) {
     using namespace report;
-    const Element main = sheetsOf(proven, options, tol);
+    Element main = sheetsOf(proven, options, tol);
     const std::string& name = proven.plan.part.name;
     Sheets sheets{sheetsPage(name, main, Paper::AsPrinter), "", ""};
     if (!with_pdf) return sheets;
-    Sheets paper = printed(sheetsPage(name, main, options.inch ? Paper::Letter : Paper::A4));
+    Sheets paper = printed(sheetsPage(name, std::move(main), options.inch ? Paper::Letter : Paper::A4));
     sheets.pdf = std::move(paper.pdf);
     sheets.why_no_pdf = std::move(paper.why_no_pdf);
     return sheets;

@@ -144,14 +144,12 @@ std::string screwWords(const Measures& in, const Plan& plan, const PlannedSetup&
 
 std::string fixtureWords(const Measures& in, const Plan& plan, const Setup& setup) {
     std::string words = fmt::format("as {} says:", plan.request.fixtures.file);
-    std::vector<const Fixture*> highest;  // of each name: a solid's blocks have one
+    std::vector<const Fixture*> highest;  // a solid's blocks have one name, the uppermost stands first
     for (const Fixture& fixture : setup.fixtures) {
-        const auto known = std::find_if(highest.begin(), highest.end(),
-                                        [&](const Fixture* other) { return other->name == fixture.name; });
-        if (known == highest.end())
-            highest.push_back(&fixture);
-        else if (fixture.top_z_mm > (*known)->top_z_mm)
-            *known = &fixture;
+        const bool is_below = std::any_of(highest.begin(), highest.end(), [&](const Fixture* other) {
+            return other->name == fixture.name && other->bottom_z_mm > fixture.bottom_z_mm;
+        });
+        if (!is_below) highest.push_back(&fixture);
     }
     for (const Fixture* fixture : highest)
         words += fmt::format(" {} up to Z {};", fixture->name, in.length(fixture->top_z_mm));

@@ -33,7 +33,7 @@ Element sheetHead(const SheetSubject& subject, const PlannedSetup& setup) {
     const PostedProgram* program = programOf(subject.proven, setup);
     const std::string name = subject.job.part.empty() ? plan.part.name : subject.job.part;
     return Element("div.head",
-                   Element("h1", fmt::format("Setup {} of {}", setup.setup.id, subject.setups.size())),
+                   Element("h1", fmt::format("Setup {} of {}", setup.setup.id, plan.setups.size())),
                    Element("b.part-name", name),
                    Element("b.program", program == nullptr ? "no program" : program->file));
 }

@@ -17,10 +17,10 @@ constexpr int kMostTries = 4;
 
 /// As few as kMostTriangles where that can be.
 std::vector<SolidFacet> fewFacetsOf(const FacetedPart& faceted) {
-    std::vector<SolidFacet> facets = facetsOf(faceted.solid);
+    std::vector<SolidFacet> facets = facetsOf(faceted.solid());
     double coarser = kCoarser;
     for (int tries = 1; tries < kMostTries && facets.size() > kMostTriangles; ++tries, coarser *= kCoarser)
-        facets = facetsOf(facetedPart(faceted.part, coarser).solid);
+        facets = facetsOf(FacetedPart(faceted.part(), coarser).solid());
     return facets;
 }
 

@@ -22,6 +22,7 @@
 #include "stepmill/core/file.h"
 #include "stepmill/core/units.h"
 #include "stepmill/drawing/drawing.h"
+#include "support/run_program.h"
 
 namespace stepmill {
 namespace {
@@ -73,10 +74,10 @@ std::string stepOf(const std::vector<std::pair<std::string, std::vector<TopoDS_S
         Interface_Static::SetCVal("write.step.product.name", name.c_str());
         writer.Transfer(sketch, STEPControl_AsIs);
     }
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "stepmill_sketches.step";
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = std::filesystem::path(folder.path()) / "sketches.step";
     writer.Write(file.c_str());
     std::string text = readFile(file);
-    std::filesystem::remove(file);
     // The writer numbers the products it names.
     for (const auto& [name, shapes] : sketches)
         text = std::regex_replace(text, std::regex("'" + name + " [0-9.]+'"), "'" + name + "'");
@@ -303,6 +304,25 @@ TEST(StepCurves, AreCutAtTheirKnots) {
     const Part part = drawingFromText(text, "plate.step", plate({{"P", 2}}));
     EXPECT_VOLUME(part.volume_mm3, 10 * kPi * 18 * 18 - 2 * 400);
     EXPECT_EQ(part.faces.size(), 3U + 5U);
+}
+
+TEST(StepCurves, KeepTheirFineKnots) {
+    // 400 chords of a circle of 2 mm: each shorter than what is mended.
+    constexpr int kChords = 400;
+    TColgp_Array1OfPnt poles(1, kChords + 1);
+    TColStd_Array1OfReal knots(1, kChords + 1);
+    TColStd_Array1OfInteger repeats(1, kChords + 1);
+    for (int i = 1; i <= kChords + 1; ++i) {
+        const double angle = 2 * kPi * (i - 1) / kChords;
+        poles(i) = i > kChords ? poles(1) : gp_Pnt(5 + std::cos(angle), std::sin(angle), 0);
+        knots(i) = i;
+        repeats(i) = i == 1 || i > kChords ? 2 : 1;
+    }
+    const TopoDS_Edge fine = BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, repeats, 1));
+    const TopoDS_Edge circle = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 18));
+    const TopoDS_Edge beside = BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(-8, 0, 0), gp_Dir(0, 0, 1)), 2));
+    const std::string text = stepOf({{"OUT", {circle}}, {"P", {fine, beside}}});
+    EXPECT_NEAR(volume(text, plate({{"P", 2}}), "plate.step"), 10 * kPi * 18 * 18 - 2 * kPi * (1 + 4), 0.01);
 }
 
 TEST(StepCurves, AreAllBuiltOrRefused) {

@@ -14,6 +14,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/layers/fixture_solids.h"
 #include "support/occt_solids.h"
+#include "support/run_program.h"
 #include "support/tolerances.h"
 
 namespace stepmill::test {
@@ -88,26 +89,20 @@ TEST(FixtureBlocks, LeaveFreeWhatIsUnderASlantingClamp) {
 
 class FixtureFiles : public testing::Test {
   protected:
-    FixtureFiles() {
-        std::string pattern = (fs::temp_directory_path() / "stepmill-fixtures-XXXXXX").string();
-        folder_ = mkdtemp(pattern.data());
-    }
-    ~FixtureFiles() override { fs::remove_all(folder_); }
-
     void step(const char* name, const std::vector<TopoDS_Shape>& shapes) const {
         STEPControl_Writer writer;
         for (const TopoDS_Shape& shape : shapes)
             writer.Transfer(shape, STEPControl_AsIs);
-        writer.Write((folder_ / name).c_str());
+        writer.Write(path(name).c_str());
     }
 
     FixtureFile read(const std::string& solid) const {
-        writeFile(folder_ / "clamps.json",
+        writeFile(path("clamps.json"),
                   R"({"format": 1, "unit": "mm", "setups": [{"setup": "S1", "fixtures": [)"
                   R"({"name": "stop", "outline": [[-9, 0], [0, 0], [0, 9]], "bottom": -9, "top": 0}],)"
                   R"("solids": [)" +
                       solid + "]}]}");
-        return readFixturesWithSolids(folder_ / "clamps.json", kMaxFileBytes, kTol);
+        return readFixturesWithSolids(path("clamps.json"), kMaxFileBytes, kTol);
     }
 
     std::string refusal(const std::string& solid) const {
@@ -121,7 +116,9 @@ class FixtureFiles : public testing::Test {
     }
 
   private:
-    fs::path folder_;
+    fs::path path(const char* name) const { return fs::path(folder_.path()) / name; }
+
+    TemporaryFolder folder_;
 };
 
 TEST_F(FixtureFiles, PlaceAllSolidsOfAStepFile) {

@@ -229,6 +229,24 @@ TEST_F(ReadStepTest, AShapeEntityWithAValueLeftOutIsDamage) {
     EXPECT_EQ(refusal(), ErrorCode::StepDamaged);
 }
 
+/// Whoever places something by it makes another part than the reader does.
+TEST_F(ReadStepTest, APlacementThatScalesOrMirrorsIsRefused) {
+    const std::string whole = text_;
+    const auto with = [&](const std::string& axes_and_scale) {
+        text_ = whole;
+        text_.insert(text_.rfind("ENDSEC;"),
+                     "#99990=CARTESIAN_POINT('',(0.,0.,0.));\n#99991=DIRECTION('',(-1.,0.,0.));\n"
+                     "#99992=DIRECTION('',(0.,1.,0.));\n#99993=DIRECTION('',(0.,0.,1.));\n"
+                     "#99994=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',$,$,#99990,1.,$);\n");
+        edit("$,$,#99990,1.,$", axes_and_scale);
+        return refusal();
+    };
+    EXPECT_EQ(with("$,$,#99990,1.,$"), std::nullopt);
+    EXPECT_EQ(with("$,$,#99990,2.,$"), ErrorCode::StepDamaged);
+    EXPECT_EQ(with("#99991,#99992,#99990,1.,#99993"), ErrorCode::StepDamaged);
+    EXPECT_EQ(with("#99992,#99991,#99990,1.,#99993"), std::nullopt);  // a quarter turn
+}
+
 TEST_F(ReadStepTest, AMissingFileIsUnreadable) {
     try {
         readStep(folder_ / "missing.step");

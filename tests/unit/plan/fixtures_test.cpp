@@ -75,12 +75,18 @@ TEST(Fixtures, SolidsAreKeptClearOfAtEveryHeight) {
     EXPECT_GT(residualMm3(plan, Reason::Fixture), 0);
     for (const Operation& operation : plan.setups.front().operations) {
         const double radius_mm = plan.library.tool(operation.tool_id).radius_mm();
+        Vec3 from = operation.path.start;
         for (const Move& move : operation.path.moves) {
-            const Vec3 in_bar = across.inverse() * move.to;
-            if (in_bar.z() > 8 || in_bar.x() < 0 || in_bar.x() > 140) continue;
-            // The cutter stands on the bar's full width where its tip is below the bar's axis.
-            const double half_mm = in_bar.z() < 0 ? 8 : std::sqrt(64 - in_bar.z() * in_bar.z());
-            EXPECT_GT(std::abs(in_bar.y()), half_mm + radius_mm) << operation.id;
+            // Arcs as chords: nothing here turns round the bar.
+            const int steps = static_cast<int>(std::ceil((move.to - from).norm())) + 1;
+            for (int i = 0; i <= steps; ++i) {
+                const Vec3 in_bar = across.inverse() * (from + (move.to - from) * i / steps);
+                if (in_bar.z() > 8 || in_bar.x() < 0 || in_bar.x() > 140) continue;
+                // A tip below the bar's axis has its full width beside it.
+                const double half_mm = in_bar.z() < 0 ? 8 : std::sqrt(64 - in_bar.z() * in_bar.z());
+                EXPECT_GT(std::abs(in_bar.y()), half_mm + radius_mm) << operation.id;
+            }
+            from = move.to;
         }
     }
 }

@@ -121,7 +121,7 @@ TEST(WritePlan, ASetupThatCutsNothingHasNoProgram) {
     second.setup.id = "S2";
     second.features.clear();
     second.operations.clear();
-    idle.files.programs["S2"] = {{"S2.ngc", "M30\n", {}}};
+    idle.files = postedFiles(idle.plan);
     writePlan(idle, {"a page", "", ""}, ReportOptions(), job, Tolerances());
     EXPECT_TRUE(fs::exists(job.path() / "S1.ngc"));
     EXPECT_FALSE(fs::exists(job.path() / "S2.ngc"));

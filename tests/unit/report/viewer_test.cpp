@@ -219,7 +219,7 @@ TEST(StockField, HasWhatEarlierSetupsCutSeenFromBothSides) {
 
 TEST(PartMesh, HoldsThePartsVolume) {
     const Part& part = fourSetups().plan.part;
-    const PartMesh mesh = partMesh(facetedPart(part));
+    const PartMesh mesh = partMesh(FacetedPart(part));
     std::vector<Vec3> corners;
     for (std::size_t i = 0; i < mesh.corners; ++i) {
         Vec3 corner;
@@ -251,7 +251,7 @@ TEST(ViewerData, TellsLoadsWhereFeedsFollowWhatIsCut) {
         PlanFiles files = postedFiles(plan);
         const ProvenPlan proven{std::move(plan), std::move(files), {}};
         const nlohmann::json data =
-            nlohmann::json::parse(viewerData(proven, facetedPart(proven.plan.part), false));
+            nlohmann::json::parse(viewerData(proven, FacetedPart(proven.plan.part), false));
         return data["setups"][0]["operations"][0]["loads"].get<std::string>();
     };
     PlanRequest request;
@@ -265,7 +265,7 @@ TEST(ViewerData, TellsLoadsWhereFeedsFollowWhatIsCut) {
 TEST(ViewerData, HasAllOperationsWithTheirFirstLines) {
     const ProvenPlan& proven = fourSetups();
     const nlohmann::json data =
-        nlohmann::json::parse(viewerData(proven, facetedPart(proven.plan.part), false));
+        nlohmann::json::parse(viewerData(proven, FacetedPart(proven.plan.part), false));
     ASSERT_EQ(data["setups"].size(), proven.plan.setups.size());
     for (std::size_t i = 0; i < proven.plan.setups.size(); ++i) {
         const PlannedSetup& setup = proven.plan.setups[i];
