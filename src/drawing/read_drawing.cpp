@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,6 +11,7 @@
 #include "drawing/chain.h"
 #include "drawing/prism_solid.h"
 #include "drawing/sketch.h"
+#include "drawing/spline_points.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
