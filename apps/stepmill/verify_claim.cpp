@@ -93,7 +93,7 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
 }  // namespace
 
 void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
-    verify.add_option(
+    CLI::Option* const part = verify.add_option(
         "--part", options.part_file,
         "STEP file or drawing that was planned: the plan's setups and features are derived anew from it");
     verify.add_option("--tools", options.tools_file,
@@ -101,24 +101,21 @@ void addClaimOptions(CLI::App& verify, ClaimOptions& options) {
     verify.add_option(
         "--machine", options.machine_file,
         "machine file that was planned with; with --part or --tools, without it: the built-in one");
-    verify.add_option("--stock", options.stock_file,
-                      "with --part: the stock's STEP file, where there is one");
-    verify.add_option("--fixtures", options.fixtures_file,
-                      "with --part: the fixture file, where there is one");
-    verify.add_option("--holes", options.holes_file,
-                      "with --part: the hole table, where there is one; threads are derived anew from it");
+    verify
+        .add_option("--stock", options.stock_file, "with --part: the stock's STEP file, where there is one")
+        ->needs(part);
+    verify
+        .add_option("--fixtures", options.fixtures_file, "with --part: the fixture file, where there is one")
+        ->needs(part);
+    verify
+        .add_option("--holes", options.holes_file,
+                    "with --part: the hole table, where there is one; threads are derived anew from it")
+        ->needs(part);
     addDrawingOptions(verify, options.drawing);
 }
 
 void verifyClaim(const ClaimOptions& options, const RecordedPlan& plan, std::uintmax_t max_bytes,
                  const Tolerances& tol, Verification& verification) {
-    if (options.part_file.empty())
-        for (const auto& [option, file] :
-             {std::pair("--stock", options.stock_file), std::pair("--fixtures", options.fixtures_file),
-              std::pair("--holes", options.holes_file)})
-            if (!file.empty())
-                throw Error(ErrorCode::Usage, option,
-                            "is compared only together with --part: give the part's file too");
     if (options.part_file.empty() && options.tools_file.empty() && options.machine_file.empty()) return;
     const auto add = [&](const std::vector<ProofFailure>& failures) {
         verification.failures.insert(verification.failures.end(), failures.begin(), failures.end());

@@ -60,6 +60,12 @@ TEST_F(CommandLine, RoughsAPartAndSaysWhatStays) {
     EXPECT_NE(proof.out.find("(allowance)"), std::string::npos) << proof.out;
 }
 
+TEST_F(CommandLine, VerifyComparesFilesOfThePartWithThePartAlone) {
+    for (const char* option : {"--stock", "--fixtures", "--holes"})
+        expectRefused(runProgram({stepmillBinary(), "verify", out_.string(), option, "file"}), out_,
+                      {option, "requires --part"});
+}
+
 TEST_F(CommandLine, RefusesAnAllowanceThatIsNone) {
     const ProgramRun run =
         runProgram({stepmillBinary(), "rough", kPart, "--floor-allowance", "7", "-o", out_.string()});
