@@ -48,7 +48,7 @@ std::string withContent(const std::string& option, const std::string& file, std:
     if (option != "fixtures") return words;
     for (const auto& [setup, solids] : readFixtures(path, max_file_bytes).solids)
         for (const FixtureSolid& solid : solids)
-            words += " " + sha256(readFile(path.parent_path() / solid.file, max_file_bytes));
+            words += fmt::format(" {}", sha256(readFile(path.parent_path() / solid.file, max_file_bytes)));
     return words;
 }
 
