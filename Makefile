@@ -16,10 +16,10 @@ plan: build/release/build.ninja
 	cmake --build --preset release --target stepmill-app
 	$(STEPMILL) plan $(PART) -o $(OUT) || test $$? -eq 1
 
-# Importable by PYTHONPATH=build/python/python; ctest's Python.Bindings then runs.
+# Importable by PYTHONPATH=build/release/python; ctest's Python.Bindings then runs.
 python: python-deps
-	cmake --preset python
-	cmake --build --preset python --target stepmill_python
+	cmake --preset release -DSTEPMILL_PYTHON=ON
+	cmake --build --preset release --target stepmill_python
 
 test: all
 	ctest --test-dir build/release -L 'unit|property' --output-on-failure -j2

@@ -50,9 +50,10 @@ endforeach()
 add_library(stepmill_warnings INTERFACE)
 target_compile_options(stepmill_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wnull-dereference -Werror
-  # GCC 12 reports these in Eigen and the standard library under -O2, in code that is right.
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized -Wno-error=null-dereference -Wno-error=array-bounds
-  -Wno-error=stringop-overflow -Wno-error=restrict>)
+  # GCC 12 reports these in Eigen and the standard library under -O2, in code that is right, and dozens of them where
+  # code may lie anywhere in memory. Clang, clang-tidy and the sanitizers look for the same.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-null-dereference -Wno-array-bounds -Wno-restrict
+  -Wno-stringop-overflow>)
 if(CMAKE_UNITY_BUILD)
   # To GCC each joined source is a header, whose types may not hold those of an unnamed namespace.
   target_compile_options(stepmill_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)

@@ -60,7 +60,7 @@ PlanRequest planRequest(const std::vector<std::string>& setups, const Machine& m
     request.scallop_mm = 0.02;
     const MaterialFile materials = defaultMaterials();
     request.materials_file = materials.file;
-    if (const Material* known = materials.find(material)) request.cut_material = *known;
+    if (const Material* known = materials.find(material)) request.sequence.cut_material = *known;
     return request;
 }
 
