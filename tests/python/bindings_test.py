@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The Python package against the program: the same plan, byte for byte, and the same words for what is wrong.
 STEPMILL_PYTHON is the folder that the package is imported from, STEPMILL_BINARY the program."""
+import json
 import os
 import pathlib
 import subprocess
@@ -47,13 +48,20 @@ class Bindings(unittest.TestCase):
         self.assertEqual(loops[0].shape[1], 2)
         area = sum((a[0] * b[1] - a[1] * b[0]) / 2 for loop in loops
                    for a, b in zip(loop.tolist(), loop.tolist()[1:] + loop.tolist()[:1]))
-        self.assertAlmostEqual(area, self.plan.data["features"][0]["area_mm2"], delta=2)
+        self.assertAlmostEqual(area, self.plan.data["features"][0]["bands"][0]["area_mm2"], delta=2)
 
     def test_studies_are_the_files_of_the_program(self):
         self.assertEqual(stepmill.inspect(self.part)["format"], 1)
         self.assertTrue(stepmill.rank(self.part)["format"] >= 1)
         quote = stepmill.quote(self.plan, [1, 10])
         self.assertEqual([lot["quantity"] for lot in quote["lots"]], [1, 10])
+
+    def test_the_notebook_runs(self):
+        cells = json.loads((ROOT / "samples" / "stepmill.ipynb").read_text())["cells"]
+        code = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+        ran = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True,
+                             env={**os.environ, "PYTHONPATH": os.environ["STEPMILL_PYTHON"]})
+        self.assertEqual(ran.returncode, 0, ran.stderr)
 
     def test_a_drawing_is_a_part(self):
         drawn = stepmill.load(ROOT / "samples" / "common_pocket.dxf", depths={"POCKET": 12}, outline="OUTLINE",
