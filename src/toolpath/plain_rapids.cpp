@@ -16,8 +16,14 @@ class PlainRapids {
     }
 
     Toolpath make() {
+        bool fed = false;
         for (const Move& move : path_.moves) {
-            if (move.kind == MoveKind::Rapid)
+            // Straight on at depth over a negative island: fed, as it would be without that.
+            const bool over_void = fed && move.kind == MoveKind::Rapid && move.to.z() == at().z();
+            fed = move.kind != MoveKind::Rapid || over_void;
+            if (over_void)
+                add(MoveKind::Feed, move.to);
+            else if (move.kind == MoveKind::Rapid)
                 rapidTo(move.to);
             else
                 made_.moves.push_back(move);

@@ -259,6 +259,12 @@ Toolpath withPlainRapids(const Toolpath& path, double stock_top_z_mm, const Mach
 Toolpath withClearRapids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
                          const Machine& machine);
 
+/// The same path with rapids at depth over negative islands: where the cutter is fed level over holes and
+/// windows, with the clearances that rapids keep to all that stands around it, it goes straight across in a
+/// rapid, if that saves time with the machine's acceleration too [Tripathi2005]. O(n log n) in edges and moves.
+Toolpath withRapidsOverVoids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
+                             const Machine& machine, const Tolerances& tol);
+
 /// Checks the moves themselves, independently of how they were made.
 PathProof prove(const Toolpath& path, const ClearingTask& task, double tool_radius_mm, const Tolerances& tol);
 

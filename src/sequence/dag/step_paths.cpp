@@ -166,12 +166,13 @@ SequenceStep milledBy(const DagTask& task, const Candidate* m, const Candidate& 
     const Feature& feature = task.ground.feature();
     const Tolerances& tol = task.ground.tolerances();
     SequenceStep step = stepOf(task, stretch, n);
-    step.path = quickestPath(task, n, stretch, step.area);
+    const ClearingTask clearing = clearingTask(task, n, stretch, step.area, task.options.pattern, nullptr);
+    step.path = withRapidsOverVoids(quickestPath(task, n, stretch, step.area), clearing, n.tool->radius_mm(),
+                                    task.machine, tol);
     if (step.path.engagement_rad > 0) step.speed_rpm = adaptiveSpeedRpm(n.cutting);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
-    step.proof = prove(step.path, clearingTask(task, n, stretch, step.area, task.options.pattern, nullptr),
-                       n.tool->radius_mm(), tol);
+    step.proof = prove(step.path, clearing, n.tool->radius_mm(), tol);
     if (step.proof.least_clearance_mm < -tol.gouge_mm) {
         throw Error(ErrorCode::Internal, feature.id,
                     fmt::format("the path of tool {} would cut {:.4f} mm into what must stay", n.tool->id,

@@ -72,6 +72,25 @@ TEST_P(RandomPockets, AreFinishedByASmallerTool) {
     expectEveryPatternSound(restTask(target, obstruction, larger, r, kTol), r, 0.8 * r);
 }
 
+TEST_P(RandomPockets, AreClearedWithRapidsOverTheirWindows) {
+    SCOPED_TRACE("seed " + std::to_string(GetParam()));
+    std::mt19937 random(2000 + GetParam());
+    const Region pocket = randomTarget(random, kTol);
+    const auto widest = ClearanceDiagram(pocket, kTol).largestInscribedDisc();
+    ASSERT_TRUE(widest);
+    const Region window = makeCircle(snapToGrid(widest->centre), 0.9 * widest->radius_mm);
+    const Region target = subtract(pocket, window, kTol);
+    const double r = widest->radius_mm * std::uniform_real_distribution<double>(0.1, 0.3)(random);
+    ClearingTask task = fullTask(target, randomObstruction(random, pocket, kTol), r, kTol);
+    // Lines to and fro cross what rings go round.
+    task.pattern = Pattern::Zigzag;
+    const Toolpath fed = soundPath(task, r, r);
+    const Toolpath path = withRapidsOverVoids(fed, task, r, kMachine, kTol);
+    expectSound(path, task, r, {0.2, 0.3});
+    EXPECT_LE(path.totals.motion_time_s, fed.totals.motion_time_s);
+    EXPECT_TRUE(prove(path, task, r, kTol).rapids_clear);
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPockets, testing::Range(1U, 61U));
 
 /// Regions whose offsets once came out wrong: near-tangent arcs, crescents, closed necks.
