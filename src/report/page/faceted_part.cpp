@@ -10,7 +10,7 @@ namespace {
 
 /// How far facets may be off the part as a share of its diagonal, and how far they turn [rad].
 constexpr double kChordShare = 4e-4;
-constexpr double kFacetAngle = 0.2;
+constexpr double kFacetAngle = 0.3;
 
 }  // namespace
 
@@ -19,8 +19,9 @@ const TopoDS_Shape& FacetedPart::solid() const {
     guardOcct(ErrorCode::GeometryKernel, "facets of " + part_.name, [&] {
         TopoDS_Shape copy = solidIn(part_, Eigen::Isometry3d::Identity());
         const double size_mm = part_.bbox_mm.diagonal().norm();
+        // Every face on its own: the facets are the same in any order.
         const BRepMesh_IncrementalMesh mesh(copy, coarser_ * kChordShare * size_mm, false,
-                                            coarser_ * kFacetAngle);
+                                            coarser_ * kFacetAngle, true);
         solid_ = copy;
     });
     return solid_;
