@@ -25,10 +25,12 @@ constexpr int kDirections = 12;
 /// ... and at these many clearances' distance, from inside and from outside.
 constexpr std::array<double, 2> kInsideSteps{1.05, 2.1};
 constexpr std::array<double, 2> kSideSteps{1.05, 1.6};
-/// A cut, and how high the tool was there at most.
+/// A way that was cut, and how high the tool was there at most, the deepest time: depths of cut are like each
+/// other.
 struct CutEdge {
     Edge edge;
     double top_z_mm;
+    int id;
 };
 
 /// Heights and distances that rapids keep.
@@ -63,11 +65,12 @@ class Ground {
 
     void add(const Edge& edge, const Vec3& from, const Vec3& to) {
         const double top_z_mm = std::max(from.z(), to.z());
-        if (!cuts_.empty() && cuts_.back().top_z_mm == top_z_mm && cuts_.back().edge.to() == edge.from &&
-            goesOn(cuts_.back().edge.from, cuts_.back().edge.segment, edge.segment)) {
-            cuts_.back().edge = makeEdge(cuts_.back().edge.from, edge.segment);
+        if (last_ && last_->top_z_mm == top_z_mm && last_->edge.to() == edge.from &&
+            goesOn(last_->edge.from, last_->edge.segment, edge.segment)) {
+            last_->edge = makeEdge(last_->edge.from, edge.segment);
         } else {
-            cuts_.push_back({edge, top_z_mm});
+            enter();
+            last_ = CutEdge{edge, top_z_mm, 0};
         }
         const auto same = [&](double height) { return std::abs(height - top_z_mm) < kSameHeightMm; };
         if (from.z() == to.z() && std::none_of(heights_.begin(), heights_.end(), same))
@@ -76,6 +79,7 @@ class Ground {
 
     /// Takes the cuts near a place together, for the questions about it that follow.
     void lookAt(const Vec2& place, double reach_mm) {
+        enter();
         const Box2 box = grown(Box2(place, place), reach_mm + 3 * radius_mm_);
         near_.clear();
         for (const CutEdge& cut : cuts_)
@@ -141,28 +145,42 @@ class Ground {
         return !stands.boundary().anyNearer(way, distance_mm) && !stands.contains(way.to());
     }
 
+    /// Nothing will lengthen the last cut any more.
+    void enter() {
+        if (!last_) return;
+        const Edge& edge = last_->edge;
+        const Arc arc = edge.segment.arc.value_or(Arc{Vec2::Zero(), 0, true});
+        const auto [known, is_new] =
+            ids_.try_emplace({edge.from.x(), edge.from.y(), edge.to().x(), edge.to().y(), arc.centre.x(),
+                              arc.centre.y(), arc.ccw ? 1.0 : -1.0},
+                             static_cast<int>(cuts_.size()));
+        last_->id = known->second;
+        if (is_new)
+            cuts_.push_back(*last_);
+        else
+            cuts_[known->second].top_z_mm = std::min(cuts_[known->second].top_z_mm, last_->top_z_mm);
+        last_.reset();
+    }
+
     /// Is the straight way clear of what has not been cut down to that height? Most depths of cut are like
     /// each other, and so are their questions: answers are kept.
     bool isSweptClear(double z_mm, const Vec2& a, const Vec2& b, double keep_mm,
                       const std::vector<CutEdge>& cuts) const {
         const Box2 box = grown(makeLine(a, b).box, 2 * radius_mm_ + keep_mm);
-        std::vector<double> question{a.x(), a.y(), b.x(), b.y(), keep_mm};
-        toolpath::SweptGround ground = swept_;
-        for (const CutEdge& cut : cuts) {
-            if (cut.top_z_mm > z_mm || !cut.edge.box.intersects(box)) continue;
-            ground.add(cut.edge);
-            addTo(question, cut.edge);
-        }
+        Question question{{a.x(), a.y(), b.x(), b.y(), keep_mm}, {}};
+        for (const CutEdge& cut : cuts)
+            if (cut.top_z_mm <= z_mm && cut.edge.box.intersects(box)) question.second.push_back(cut.id);
         const auto [answer, is_new] = answers_.try_emplace(std::move(question), false);
-        if (is_new) answer->second = ground.isClearFor(radius_mm_ + keep_mm, a, b);
+        if (!is_new) return answer->second;
+        toolpath::SweptGround ground = swept_;
+        for (const int id : answer->first.second)
+            ground.add(cuts_[id].edge);
+        answer->second = ground.isClearFor(radius_mm_ + keep_mm, a, b);
         return answer->second;
     }
 
-    static void addTo(std::vector<double>& question, const Edge& edge) {
-        const Arc arc = edge.segment.arc.value_or(Arc{Vec2::Zero(), 0, true});
-        question.insert(question.end(), {edge.from.x(), edge.from.y(), edge.to().x(), edge.to().y(),
-                                         arc.centre.x(), arc.centre.y(), arc.ccw ? 1.0 : -1.0});
-    }
+    /// A way, what is kept beside it, and the cuts around it.
+    using Question = std::pair<std::array<double, 5>, std::vector<int>>;
 
     const ClearingTask& task_;
     double radius_mm_;
@@ -173,11 +191,13 @@ class Ground {
     std::optional<IndexedRegion> above_;  ///< what stands over the top, where it is known
     std::vector<Holder> holder_;
     toolpath::SweptGround swept_;
-    double top_mm_;  ///< rapids over the target stay over this
-    std::vector<CutEdge> cuts_;
+    double top_mm_;                ///< rapids over the target stay over this
+    std::optional<CutEdge> last_;  ///< the latest, while the next may go on in its line or circle
+    std::vector<CutEdge> cuts_;    ///< by their ids: each line or arc once
+    std::map<std::array<double, 7>, int> ids_;
     std::vector<CutEdge> near_;    ///< those near the place that is looked at
     std::vector<double> heights_;  ///< of the level cuts, each once
-    mutable std::map<std::vector<double>, bool> answers_;
+    mutable std::map<Question, bool> answers_;
 };
 
 /// Where a rapid down ends; from there the tool is fed across, and then down.
