@@ -1,8 +1,11 @@
 #include "report/sheets/scene_raster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -109,6 +112,10 @@ class FirstSeen {
     }
 
     SeenCell cell() const { return pending_ ? cell_ : SeenCell{}; }
+    /// The plane that the cell's depth lies in; null where the cell shows nothing.
+    const SeenPatch* plane() const { return pending_ ? plane_ : nullptr; }
+    bool pending() const { return pending_; }
+    bool done() const { return done_; }
 
   private:
     void begin(const Inside& inside, double depth_mm, bool fixture, const Hit* from, const Hit* to) {
@@ -126,29 +133,48 @@ class FirstSeen {
         cell_.what = fixture ? Shown::Fixture : here ? Shown::CutHere : Shown::Stock;
         cell_.depth_mm = depth_mm;
         cell_.surface = surface->surface;
+        plane_ = from->patch;
     }
 
     bool leaving_;
     bool pending_ = false;
     bool done_ = false;
     SeenCell cell_;
+    const SeenPatch* plane_ = nullptr;
 };
 
-/// What both pictures show along one ray.
-/// \param from, to  its hits, from the viewer on
-std::pair<SeenCell, SeenCell> along(const Hit* from, const Hit* to) {
+/// What both pictures show along one ray, and how that was found.
+struct Ray {
+    std::array<SeenCell, 2> cells;  ///< arriving, leaving
+    std::array<const SeenPatch*, 2> planes{};
+    /// The patches it met in their order, and after those that lie together what was found so far. Depths run
+    /// evenly along a row: two rays with the same story have only rays with that story between them.
+    std::vector<std::pair<const SeenPatch*, int>> story;
+};
+
+/// \param hits  from the viewer on
+Ray castThrough(const std::vector<Hit>& hits) {
+    Ray ray;
     Inside inside;
     FirstSeen arriving(false);
     FirstSeen leaving(true);
-    while (from != to) {
+    const Hit* from = hits.data();
+    const Hit* const to = from + hits.size();
+    while (from != to && !(arriving.done() && leaving.done())) {
         const Hit* next = from;
-        while (next != to && from->depth_mm - next->depth_mm < kSameDepthMm)
-            inside.cross(*(next++)->patch);
+        while (next != to && from->depth_mm - next->depth_mm < kSameDepthMm) {
+            inside.cross(*next->patch);
+            ray.story.emplace_back((next++)->patch, 0);
+        }
         arriving.step(inside, from->depth_mm, from, next);
         leaving.step(inside, from->depth_mm, from, next);
+        ray.story.back().second =
+            1 + arriving.pending() + 2 * arriving.done() + 4 * leaving.pending() + 8 * leaving.done();
         from = next;
     }
-    return {arriving.cell(), leaving.cell()};
+    ray.cells = {arriving.cell(), leaving.cell()};
+    ray.planes = {arriving.plane(), leaving.plane()};
+    return ray;
 }
 
 /// The cells of a row whose middles a patch covers: first to end, none where they are equal.
@@ -171,43 +197,85 @@ std::vector<Span> spansOf(const std::vector<const SeenPatch*>& patches, double y
     return spans;
 }
 
-/// The hits of all rays of a row.
-class RowHits {
-  public:
-    RowHits(const std::vector<const SeenPatch*>& patches, int row, int columns) : ends_(columns + 1, 0) {
-        const double y = row + 0.5;
-        const std::vector<Span> spans = spansOf(patches, y, columns);
-        // Sorted by counting: a ray has few hits, a row has thousands.
-        for (const Span& span : spans)
-            for (int column = span.first; column < span.end; ++column)
-                ++ends_[column + 1];
-        for (int column = 0; column < columns; ++column)
-            ends_[column + 1] += ends_[column];
-        hits_.resize(ends_.back());
-        std::vector<std::size_t> next(ends_.begin(), ends_.end() - 1);
-        for (const Span& span : spans)
-            for (int column = span.first; column < span.end; ++column)
-                hits_[next[column]++] = {span.patch->depthAt(Vec2(column + 0.5, y)), span.patch};
-        for (int column = 0; column < columns; ++column)
-            sortFromViewer(hits_.begin() + ends_[column], hits_.begin() + ends_[column + 1]);
-    }
+/// By insertion, since a ray has few: what is equally deep keeps the order of its patches.
+void sortFromViewer(std::vector<Hit>& hits) {
+    for (auto at = hits.begin(); at != hits.end(); ++at)
+        std::rotate(std::upper_bound(hits.begin(), at, *at,
+                                     [](const Hit& a, const Hit& b) { return a.depth_mm > b.depth_mm; }),
+                    at, at + 1);
+}
 
-    const Hit* begin(int column) const { return hits_.data() + ends_[column]; }
-    const Hit* end(int column) const { return hits_.data() + ends_[column + 1]; }
+/// Casts the rays of a row: those at the ends of stretches that the same patches cover, and between them only
+/// where these two do not tell all.
+class RowCaster {
+  public:
+    RowCaster(const std::vector<const SeenPatch*>& patches, int row, StockImages& images)
+        : y_(row + 0.5),
+          columns_(images.arriving.columns),
+          row_{images.arriving.cells.data() + static_cast<std::size_t>(row) * columns_,
+               images.leaving.cells.data() + static_cast<std::size_t>(row) * columns_},
+          spans_(spansOf(patches, y_, columns_)) {}
+
+    void cast() {
+        std::vector<int> ends;
+        std::vector<std::size_t> by_first(spans_.size());
+        std::iota(by_first.begin(), by_first.end(), 0);
+        std::stable_sort(by_first.begin(), by_first.end(),
+                         [&](std::size_t a, std::size_t b) { return spans_[a].first < spans_[b].first; });
+        for (const Span& span : spans_)
+            ends.insert(ends.end(), {span.first, span.end});
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+        auto next = by_first.begin();
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+            std::erase_if(here_, [&](std::size_t span) { return spans_[span].end <= ends[i]; });
+            for (; next != by_first.end() && spans_[*next].first == ends[i]; ++next)
+                here_.push_back(*next);
+            std::sort(here_.begin(), here_.end());
+            castStretch(ends[i], ends[i + 1] - 1);
+        }
+    }
 
   private:
-    using Place = std::vector<Hit>::iterator;
-
-    /// By insertion: what is equally deep keeps the order of its patches.
-    static void sortFromViewer(Place from, Place to) {
-        for (Place at = from; at != to; ++at)
-            std::rotate(std::upper_bound(from, at, *at,
-                                         [](const Hit& a, const Hit& b) { return a.depth_mm > b.depth_mm; }),
-                        at, at + 1);
+    void castStretch(int first, int last) {
+        const Ray from = castAt(first);
+        if (first < last) fillBetween(first, from, last, castAt(last));
     }
 
-    std::vector<std::size_t> ends_;  ///< of a column's hits; one place later
-    std::vector<Hit> hits_;
+    void fillBetween(int first, const Ray& from, int last, const Ray& to) {
+        if (last - first <= 1) return;
+        if (from.story == to.story) {
+            for (int column = first + 1; column < last; ++column)
+                for (std::size_t image = 0; image < row_.size(); ++image) {
+                    SeenCell& cell = row_[image][column] = from.cells[image];
+                    if (from.planes[image] != nullptr)
+                        cell.depth_mm = from.planes[image]->depthAt(Vec2(column + 0.5, y_));
+                }
+            return;
+        }
+        const int middle = (first + last) / 2;
+        const Ray between = castAt(middle);
+        fillBetween(first, from, middle, between);
+        fillBetween(middle, between, last, to);
+    }
+
+    Ray castAt(int column) {
+        hits_.clear();
+        for (const std::size_t span : here_)
+            hits_.push_back({spans_[span].patch->depthAt(Vec2(column + 0.5, y_)), spans_[span].patch});
+        sortFromViewer(hits_);
+        Ray ray = castThrough(hits_);
+        for (std::size_t image = 0; image < row_.size(); ++image)
+            row_[image][column] = ray.cells[image];
+        return ray;
+    }
+
+    double y_;
+    int columns_;
+    std::array<SeenCell*, 2> row_;  ///< arriving, leaving
+    std::vector<Span> spans_;
+    std::vector<std::size_t> here_;  ///< spans over the stretch, ascending
+    std::vector<Hit> hits_;          ///< of the ray, from the viewer on
 };
 
 }  // namespace
@@ -253,13 +321,7 @@ StockImages stockImages(const std::vector<Body>& bodies, const Sight& sight) {
         image->cells.resize(static_cast<std::size_t>(image->columns) * image->rows);
         image->normals = normals;
     }
-    tbb::parallel_for(0, sight.rows(), [&](int row) {
-        const RowHits hits(by_row[row], row, sight.columns());
-        const std::size_t first = static_cast<std::size_t>(row) * sight.columns();
-        for (int column = 0; column < sight.columns(); ++column)
-            std::tie(images.arriving.cells[first + column], images.leaving.cells[first + column]) =
-                along(hits.begin(column), hits.end(column));
-    });
+    tbb::parallel_for(0, sight.rows(), [&](int row) { RowCaster(by_row[row], row, images).cast(); });
     return images;
 }
 

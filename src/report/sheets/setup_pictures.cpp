@@ -153,12 +153,15 @@ Element arrow(const char* css_class, const Vec2& from, const Vec2& to) {
 /// The stock's own look: shades and lines.
 void drawImage(Element& svg, const Image& image, const Sight& sight) {
     const Vec3 left = sight.turned(-Vec3::UnitX());
+    std::vector<bool> faces_left;  // by surface
+    for (const Vec3& normal : image.normals)
+        faces_left.push_back(normal.dot(left) > kFacesLeft);
     const auto area = [&](const char* css_class, auto is_in) {
         return path(css_class, areaOf(image, cellsWhere(image, is_in)));
     };
     svg.add(area("left",
                  [&](const SeenCell& cell) {
-                     return cell.what != Shown::Nothing && image.normalOf(cell).dot(left) > kFacesLeft;
+                     return cell.what != Shown::Nothing && faces_left[static_cast<std::size_t>(cell.surface)];
                  }),
             area("jaw", [](const SeenCell& cell) { return cell.what == Shown::Fixture; }),
             area("here", [](const SeenCell& cell) { return cell.what == Shown::CutHere; }));

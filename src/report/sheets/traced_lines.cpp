@@ -185,10 +185,8 @@ class Neighbours {
 
     /// \param columns, rows  from `a` to `b`
     Stroke between(const SeenCell& a, const SeenCell& b, int columns, int rows) const {
-        // Most neighbours are pieces of one level plane, or of nothing.
-        if (a.what == b.what && a.depth_mm == b.depth_mm && image_.normalOf(a) == image_.normalOf(b) &&
-            (a.what == Shown::Nothing || image_.normalOf(a).z() == 1))
-            return Stroke::None;
+        // Most neighbours are pieces of one plane, or of nothing.
+        if (a.what == b.what && a.surface == b.surface) return Stroke::None;
         const bool fixture_a = a.what == Shown::Fixture;
         const bool fixture_b = b.what == Shown::Fixture;
         if (a.what == Shown::Nothing || b.what == Shown::Nothing)
@@ -245,18 +243,22 @@ Strokes strokesOf(const Image& image, double cell_mm) {
 std::string areaOf(const Image& image, const CellMask& mask) {
     STEPMILL_CHECK(mask.size() == image.cells.size(), "a mask has all cells of its image");
     Sides sides(image);
-    const auto in = [&](int column, int row) {
-        return column >= 0 && row >= 0 && column < image.columns && row < image.rows &&
-               mask[static_cast<std::size_t>(row) * image.columns + column] != 0;
+    const std::vector<std::uint8_t> outside(static_cast<std::size_t>(image.columns), 0);
+    const auto rowOf = [&](int row) {
+        const bool within = row >= 0 && row < image.rows;
+        return within ? mask.data() + static_cast<std::size_t>(row) * image.columns : outside.data();
     };
     for (int row = 0; row <= image.rows; ++row) {
+        const std::uint8_t* const above = rowOf(row - 1);
+        const std::uint8_t* const here = rowOf(row);
         bool before = false;
-        for (int column = 0; column <= image.columns; ++column) {
-            const bool here = in(column, row);
-            if (before != here) sides.addDown({column, row});
-            if (in(column, row - 1) != here) sides.addRight({column, row});
-            before = here;
+        for (int column = 0; column < image.columns; ++column) {
+            const bool in = here[column] != 0;
+            if (before != in) sides.addDown({column, row});
+            if ((above[column] != 0) != in) sides.addRight({column, row});
+            before = in;
         }
+        if (before) sides.addDown({image.columns, row});
     }
     return pathOf(sides.loops(), 0);
 }
