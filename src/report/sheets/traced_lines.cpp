@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,25 @@ constexpr double kStepCells = 1.6;
 constexpr double kStraightCells = 0.95;
 /// Shorter lines are crumbs of the raster [cells].
 constexpr std::size_t kLeastCells = 4;
+
+/// Most of a picture is plain: it is gone over by so many bytes at once.
+constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+std::uint64_t wordAt(const std::uint8_t* at) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, at, kWord);
+    return word;
+}
+
+bool isZero(const std::uint8_t* at) {
+    return wordAt(at) == 0;
+}
+
+/// Are the next cells of two rows like each other, and like the one before them?
+bool areAlike(const std::uint8_t* above, const std::uint8_t* here, bool before) {
+    constexpr std::uint64_t kEveryByte = 0x0101010101010101;
+    return wordAt(above) == wordAt(here) && wordAt(here) == (before ? kEveryByte : 0);
+}
 
 /// A corner of cells: column and row.
 using Corner = std::array<int, 2>;
@@ -86,8 +107,12 @@ class Sides {
     /// Column by column, each from above, those alone where sides meet.
     template <typename Visit>
     void forEachCorner(Visit visit) {
-        for (std::size_t i = 0; i < ways_.size(); ++i)
-            if (ways_[i] != 0) visit(Corner{static_cast<int>(i / rows_), static_cast<int>(i % rows_)});
+        for (std::size_t i = 0; i < ways_.size(); ++i) {
+            while (i + kWord <= ways_.size() && isZero(&ways_[i]))
+                i += kWord;
+            if (i < ways_.size() && ways_[i] != 0)
+                visit(Corner{static_cast<int>(i / rows_), static_cast<int>(i % rows_)});
+        }
     }
 
     /// Takes a side away.
@@ -253,6 +278,10 @@ std::string areaOf(const Image& image, const CellMask& mask) {
         const std::uint8_t* const here = rowOf(row);
         bool before = false;
         for (int column = 0; column < image.columns; ++column) {
+            while (column + static_cast<int>(kWord) <= image.columns &&
+                   areAlike(above + column, here + column, before))
+                column += kWord;
+            if (column == image.columns) break;
             const bool in = here[column] != 0;
             if (before != in) sides.addDown({column, row});
             if ((above[column] != 0) != in) sides.addRight({column, row});
