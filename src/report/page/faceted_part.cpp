@@ -10,7 +10,7 @@ namespace {
 
 /// How far facets may be off the part as a share of its diagonal, and how far they turn [rad].
 constexpr double kChordShare = 4e-4;
-constexpr double kFacetAngle = 0.3;
+constexpr double kFacetAngle = 0.2;
 
 }  // namespace
 
