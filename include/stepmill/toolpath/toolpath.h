@@ -261,7 +261,7 @@ Toolpath withClearRapids(const Toolpath& path, const ClearingTask& task, double 
 
 /// The same path with rapids at depth over negative islands: where the cutter is fed level over holes and
 /// windows, with the clearances that rapids keep to all that stands around it, it goes straight across in a
-/// rapid, if that saves time with the machine's acceleration too [Tripathi2005]. O(n log n) in edges and moves.
+/// rapid, if that saves time with the machine's acceleration too [Tripathi2005]. O(n log n) in edges.
 Toolpath withRapidsOverVoids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
                              const Machine& machine, const Tolerances& tol);
 
