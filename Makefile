@@ -6,7 +6,7 @@ PREFIX ?= /usr/local
 STEPMILL = build/release/bin/stepmill
 # Under the sanitizers whole plans, simulated paths, laws over many cases and every fault of a disk take four fifths of the
 # time; PlanPart stands for the plans.
-WHOLE_PLANS = *JobFaults*:*PaperCase*:Fixtures.*:FinishingPlan*:PlanProven*:*CutTogether*:*RoughedSample*:CycleTimePlan.*:*AdaptiveCommonPocket*:*ByARaster*:Adaptive.IsTheSameEveryTime:Adaptive.NeverMakes*:StickOuts.*:ChangedGround*:Quote.*:*WhatStaysOfResiduals*:ClearanceCases.*:Region.ContainsIsRightBeside*:StockAfter.CountsAir*:PlanPart.IsTheSame*:PlanPart.TotalsAre*:PlanPart.CutsWhat*:Patience.Few*:Holding.Grip*:CuttingPlan.*:HolesProven.E*:HolesProven.W*:ThreadsProven.A*:ThreadsProven.C*:ThreadsProven.D*:ThreadsProven.E*:ThreadsProven.S*:ComparePlans.FindTheSame*:SurrogateReport.*:PlanJson.IsTheSame*:PlanJson.HasOne*:Sheets.AreASound*
+WHOLE_PLANS = *JobFaults*:*PaperCase*:Fixtures.*:FinishingPlan*:PlanProven*:*CutTogether*:*RoughedSample*:CycleTimePlan.*:*AdaptiveCommonPocket*:Adaptive.KeepsArcs:SweptRegion.HoldsExactly*:*ByARaster*:Adaptive.IsTheSameEveryTime:Adaptive.NeverMakes*:StickOuts.*:ChangedGround*:Quote.*:*WhatStaysOfResiduals*:ClearanceCases.*:Region.ContainsIsRightBeside*:StockAfter.CountsAir*:PlanPart.IsTheSame*:PlanPart.TotalsAre*:PlanPart.CutsWhat*:Patience.Few*:Holding.Grip*:CuttingPlan.*:HolesProven.E*:HolesProven.W*:ThreadsProven.A*:ThreadsProven.C*:ThreadsProven.D*:ThreadsProven.E*:ThreadsProven.S*:ComparePlans.FindTheSame*:SurrogateReport.*:PlanJson.IsTheSame*:PlanJson.HasOne*:Sheets.AreASound*
 SOURCES = $$(git ls-files '*.h' '*.cpp')
 
 all: build/release/tests.configured
