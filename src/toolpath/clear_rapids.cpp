@@ -15,6 +15,7 @@
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/emit.h"
+#include "toolpath/engagement/swept_ways.h"
 #include "toolpath/swept_ground.h"
 
 namespace stepmill {
@@ -148,12 +149,8 @@ class Ground {
     /// Nothing will lengthen the last cut any more.
     void enter() {
         if (!last_) return;
-        const Edge& edge = last_->edge;
-        const Arc arc = edge.segment.arc.value_or(Arc{Vec2::Zero(), 0, true});
         const auto [known, is_new] =
-            ids_.try_emplace({edge.from.x(), edge.from.y(), edge.to().x(), edge.to().y(), arc.centre.x(),
-                              arc.centre.y(), arc.ccw ? 1.0 : -1.0},
-                             static_cast<int>(cuts_.size()));
+            ids_.try_emplace(toolpath::keyOf(last_->edge).key, static_cast<int>(cuts_.size()));
         last_->id = known->second;
         if (is_new)
             cuts_.push_back(*last_);
@@ -194,7 +191,7 @@ class Ground {
     double top_mm_;                ///< rapids over the target stay over this
     std::optional<CutEdge> last_;  ///< the latest, while the next may go on in its line or circle
     std::vector<CutEdge> cuts_;    ///< by their ids: each line or arc once
-    std::map<std::array<double, 7>, int> ids_;
+    std::map<toolpath::EdgeKey, int> ids_;
     std::vector<CutEdge> near_;    ///< those near the place that is looked at
     std::vector<double> heights_;  ///< of the level cuts, each once
     mutable std::map<Question, bool> answers_;

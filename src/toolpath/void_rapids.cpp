@@ -28,10 +28,15 @@ struct Place {
     double share = 0;
 };
 
-/// Where the cutter meets nothing for a while.
+/// A piece of the path: where the cutter meets nothing for a while, and what is between.
 struct Run {
     Place begin;
     Place end;
+
+    /// Of a move within it, the shares between which it is the run's.
+    std::pair<double, double> sharesOf(std::size_t move) const {
+        return {move == begin.move ? begin.share : 0, move == end.move ? end.share : 1};
+    }
 };
 
 class VoidRapids {
@@ -118,19 +123,18 @@ class VoidRapids {
     std::vector<Run> straightAcross(const Run& run) const {
         if (isOverVoid(makeLine(at(run.begin), at(run.end)))) return {run};
         std::vector<Run> parts;
-        for (std::size_t i = run.begin.move; i <= run.end.move; ++i)
-            if (!path_.moves[i].arc)
-                parts.push_back({{i, i == run.begin.move ? run.begin.share : 0},
-                                 {i, i == run.end.move ? run.end.share : 1}});
+        for (std::size_t i = run.begin.move; i <= run.end.move; ++i) {
+            const auto [from, to] = run.sharesOf(i);
+            if (!path_.moves[i].arc) parts.push_back({{i, from}, {i, to}});
+        }
         return parts;
     }
 
     bool saves(const Run& run) const {
         double fed_s = 0;
         for (std::size_t i = run.begin.move; i <= run.end.move; ++i) {
-            const double begin = i == run.begin.move ? run.begin.share : 0;
-            const double end = i == run.end.move ? run.end.share : 1;
-            fed_s += (end - begin) * length(edgeOf(i)) / path_.feedOf(path_.moves[i]) * kSecondsPerMinute;
+            const auto [from, to] = run.sharesOf(i);
+            fed_s += (to - from) * length(edgeOf(i)) / path_.feedOf(path_.moves[i]) * kSecondsPerMinute;
         }
         const double across_mm = (at(run.end) - at(run.begin)).norm();
         return fed_s - across_mm / machine_.rapid_mm_per_min * kSecondsPerMinute >= kLeastSavingS;
@@ -140,20 +144,18 @@ class VoidRapids {
         std::vector<Move> moves;
         Place done;
         for (const Run& run : runs) {
-            addUpTo(run.begin, done, moves);
+            add({done, run.begin}, moves);
             const Vec2 to = at(run.end);
             moves.push_back({MoveKind::Rapid, Vec3(to.x(), to.y(), starts_[run.end.move].z()), std::nullopt});
             done = run.end;
         }
-        addUpTo({path_.moves.size(), 0}, done, moves);
+        add({done, {path_.moves.size(), 0}}, moves);
         return moves;
     }
 
-    /// The path from one place to the next.
-    void addUpTo(const Place& end, const Place& begin, std::vector<Move>& moves) const {
-        for (std::size_t i = begin.move; i < path_.moves.size() && i <= end.move; ++i) {
-            const double from = i == begin.move ? begin.share : 0;
-            const double to = i == end.move ? end.share : 1;
+    void add(const Run& piece, std::vector<Move>& moves) const {
+        for (std::size_t i = piece.begin.move; i < path_.moves.size() && i <= piece.end.move; ++i) {
+            const auto [from, to] = piece.sharesOf(i);
             if (from >= to) continue;
             Move part = path_.moves[i];
             if (to < 1) part.to.head<2>() = at({i, to});
@@ -171,6 +173,7 @@ class VoidRapids {
 
 Toolpath withRapidsOverVoids(const Toolpath& path, const ClearingTask& task, double tool_radius_mm,
                              const Machine& machine, const Tolerances& tol) {
+    if (path.moves.empty()) return path;
     const double keep_mm =
         std::max({toolpath::kApproachMm, machine.inside_clearance_mm, machine.side_clearance_mm});
     const Region stands = unite(std::vector<Region>{task.target, task.obstruction, task.skirt}, tol);
