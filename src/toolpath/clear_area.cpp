@@ -101,6 +101,7 @@ Toolpath inDepths(const ClearingTask& task, const RingFamily& rings, const ToolA
                           path.ramp_feed_mm_per_min,
                           path.step_down_mm + kDescentStartMm,
                           path.step_down_mm <= tool.max_plunge_mm + kGridMm,
+                          ratedRemovalMm3PerMin(cutting),
                           dips(task) ? 1 : path.depths};
     const Standing standing(task, tool.radius_mm(), tol);
     const DepthTask depth{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};

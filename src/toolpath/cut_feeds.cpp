@@ -8,6 +8,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/edge.h"
+#include "toolpath/emit.h"
 #include "toolpath/engagement/feed_pieces.h"
 
 namespace stepmill {
@@ -136,6 +137,10 @@ class PathFeeds {
         const double length_mm = std::hypot(length(edge), move.to.z() - from.z());
         if (move.kind != MoveKind::Plunge && !isGlide(move))
             move.feed_mm_per_min = feedOf(move, cut.widest_mm, cut.depth_mm);
+        if (move.kind == MoveKind::Ramp && from.z() > move.to.z())
+            move.feed_mm_per_min =
+                std::min(move.feed_mm_per_min, toolpath::sinkingFeed(path_.plunge_feed_mm_per_min, length_mm,
+                                                                     from.z() - move.to.z()));
         const double time_s = length_mm / path_.feedOf(move) * kSecondsPerMinute;
         time_s_ += time_s;
         length_mm_ += length_mm;

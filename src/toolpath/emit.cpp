@@ -27,7 +27,14 @@ int timesAlong(double length_mm, const DepthHeights& heights) {
     return std::max(1, static_cast<int>(std::ceil(needed / length_mm - 1e-9)));
 }
 
+/// Heights in programs, of a move's both ends, may differ from the path's by so much [mm].
+constexpr double kPostedHeightsMm = 3e-4;
+
 }  // namespace
+
+double sinkingFeed(double plunge_feed_mm_per_min, double length_mm, double drop_mm) {
+    return plunge_feed_mm_per_min * length_mm / (drop_mm + kPostedHeightsMm);
+}
 
 void MoveWriter::writeDepth(const std::vector<ScriptStep>& script, Over first_over,
                             const DepthHeights& heights) {
@@ -85,6 +92,7 @@ void MoveWriter::write(const RampAlong& step) {
     const double turn_mm = step.closed ? length(step.curve) : 2 * lead_mm;
     const double whole_mm = (step.closed ? lead_mm : 0) + step.turns * turn_mm;
     double gone_mm = 0;
+    const std::size_t first = path_.moves.size();
     const auto down = [&](const Path& path, double length_mm) {
         gone_mm += length_mm;
         along(path, MoveKind::Ramp, from_z + (heights_.floor_mm - from_z) * (gone_mm / whole_mm));
@@ -99,7 +107,21 @@ void MoveWriter::write(const RampAlong& step) {
         }
     }
     at_.z() = path_.moves.back().to.z() = heights_.floor_mm;
+    if (step.feed_mm_per_min > 0) feedHelix(first, step.feed_mm_per_min);
     if (step.level) along(step.curve, levelKind(), heights_.floor_mm);
+}
+
+void MoveWriter::feedHelix(std::size_t first, double feed_mm_per_min) {
+    Vec3 from = first > 0 ? path_.moves[first - 1].to : path_.start;
+    for (std::size_t i = first; i < path_.moves.size(); ++i) {
+        Move& move = path_.moves[i];
+        const double drop_mm = from.z() - move.to.z();
+        const double flat_mm = length(Vec2(from.head<2>()), {Vec2(move.to.head<2>()), move.arc});
+        move.feed_mm_per_min =
+            std::min(feed_mm_per_min,
+                     sinkingFeed(path_.plunge_feed_mm_per_min, std::hypot(flat_mm, drop_mm), drop_mm));
+        from = move.to;
+    }
 }
 
 void MoveWriter::write(const Link& step) {

@@ -52,6 +52,8 @@ class MoveWriter {
     void descendTo(const Vec2& at, Over over);
     bool staysDown(const Vec2& at) const;
     double crossingZ(Over over) const;
+    /// Feeds the moves from the first on, which go down.
+    void feedHelix(std::size_t first, double feed_mm_per_min);
     void along(const Path& path, MoveKind kind, double to_z_mm);
     /// The level leg after a ramp cuts the full width of the slope.
     MoveKind levelKind() const { return path_.slot_feed_mm_per_min > 0 ? MoveKind::Slot : MoveKind::Feed; }
@@ -62,5 +64,9 @@ class MoveWriter {
     DepthHeights heights_{};
     Vec3 at_ = Vec3::Zero();
 };
+
+/// The highest feed at which a move of that length sinks no faster than the plunge feed; programs round its
+/// heights.
+double sinkingFeed(double plunge_feed_mm_per_min, double length_mm, double drop_mm);
 
 }  // namespace stepmill::toolpath

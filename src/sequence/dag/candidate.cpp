@@ -115,7 +115,8 @@ void putSpotsFirst(std::vector<Candidate>& tools) {
     std::stable_partition(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.spots; });
 }
 
-/// Most that a mill removes in a minute [mm3], along the level or the best slope it may take.
+/// Most that a mill removes in a minute [mm3], along the level or the best slope it may take: any, where it
+/// may plunge.
 double mostRemoved(const ToolAssembly& tool, const CuttingData& data, double front_mm2) {
     const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
     const double feed = data.feed_mm_per_min;
@@ -127,8 +128,8 @@ double mostRemoved(const ToolAssembly& tool, const CuttingData& data, double fro
     // It rises up to the slope at which the sinking holds the feed back, or at which the way is best, and
     // falls from there on.
     const double best_rad = std::min(std::asin(sink / feed), std::atan2(disc_mm2, front_mm2));
-    const double most = along(std::min(best_rad, toolpath::rampAngle(data)));
-    return tool.max_plunge_mm > 0 ? std::max(most, disc_mm2 * sink) : most;
+    if (tool.max_plunge_mm > 0) return std::max(along(best_rad), disc_mm2 * sink);
+    return along(std::min(best_rad, toolpath::rampAngle(data)));
 }
 
 }  // namespace

@@ -46,8 +46,8 @@ EdgeCost machineCost(double seconds, const Machine& machine);
 /// Upper bound of the material one tool can remove per second [costs.md, 'The lower bound'].
 ///
 /// Along a way that falls by t a cutter sweeps d a cos t + (pi d^2 / 4) sin t per length, d wide and a deep,
-/// at the feed of that slope (rampFeed). It goes down no steeper than it ramps, or straight, where it may
-/// plunge. A drill only descends.
+/// at the feed of that slope (rampFeed). It goes down no steeper than it ramps, but where it may plunge. A
+/// drill only descends.
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
 
 /// Least seconds that `to` takes along the walls that it is the first to touch. 0 where that is not known:

@@ -92,13 +92,19 @@ RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {
     if (!closed) {
         const Path lead = descent_mm / 2 < whole ? firstPart(curve, descent_mm / 2) : curve;
         const int turns = static_cast<int>(std::ceil(descent_mm / 2 / length(lead) - kRounding));
-        return {lead, curve, false, std::max(1, turns), true, Over::Retract};
+        return {lead, curve, false, std::max(1, turns)};
     }
     const int turns = static_cast<int>(std::floor(descent_mm / whole));
     const double rest = descent_mm - turns * whole;
     if (rest < kLeastRampLeadShare * descent_mm)
-        return {Path{curve.start, {}}, curve, true, turns, true, Over::Retract};
-    return {reversed(firstPart(reversed(curve), rest)), curve, true, turns, true, Over::Retract};
+        return {Path{curve.start, {}}, curve, true, turns};
+    return {reversed(firstPart(reversed(curve), rest)), curve, true, turns};
+}
+
+double helixFeed(const DepthTask& task, double turn_mm, double pitch_mm) {
+    const LinkRates& rates = task.rates;
+    return std::min({rates.ramp_feed_mm_per_min, rates.rated_mm3_per_min / (2 * task.radius_mm * pitch_mm),
+                     rates.plunge_feed_mm_per_min * std::hypot(turn_mm, pitch_mm) / pitch_mm});
 }
 
 void setOver(ScriptStep& step, Over over) {

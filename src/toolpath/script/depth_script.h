@@ -48,6 +48,7 @@ struct RampAlong {
     int turns = 0;
     bool level = true;  ///< the curve is gone along once more at depth: a pass, or a helix no pass covers
     Over over = Over::Retract;
+    double feed_mm_per_min = 0;  ///< on the way down; 0: that of ramps
 };
 /// At depth along a straight line.
 struct Link {
@@ -103,6 +104,7 @@ struct LinkRates {
     double ramp_feed_mm_per_min;
     double plunge_mm;   ///< from where a descent begins through one depth of cut
     bool may_plunge;    ///< the tool may go straight down through one depth of cut
+    double rated_mm3_per_min;  ///< no helix that is steeper than ramps removes more
     int rings_at_once;  ///< depths of cut that a first ring may be cut down through in one go
 };
 
@@ -127,6 +129,10 @@ Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& fr
 
 /// Down along a curve of that many mm of ramp, so that it ends at the curve's start.
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm);
+
+/// Feed of a helix that takes so much a turn, in full width: within the rated removal, no more than ramps',
+/// and sinking no faster than the plunge feed.
+double helixFeed(const DepthTask& task, double turn_mm, double pitch_mm);
 
 void setOver(ScriptStep& step, Over over);
 

@@ -141,12 +141,28 @@ bool Descender::mayRampAlong(const Pass& pass) const {
     return pass.reversible && entry_.isAsWide(Path{path.start, {path.segments.front()}});
 }
 
-/// Of a first ring that is cut down to the floor at once, the slope is taken away once.
+/// Of a first ring that is cut down to the floor at once, the slope is taken away once. One that is shorter
+/// than its ramp is a helix, no steeper than a depth of cut a turn, and level at its end.
 double Descender::minutesAlong(const Pass& pass) const {
     const LinkRates& rates = task_.rates;
-    const bool at_once = pass.closed && !entry_.isOpen() && progress_.descents().empty() &&
-                         length(pass.path) > rates.descent_mm;
-    return rates.descent_mm / rates.ramp_feed_mm_per_min / (at_once ? rates.rings_at_once : 1);
+    const double ramp_min = rates.descent_mm / rates.ramp_feed_mm_per_min;
+    const bool at_once = pass.closed && !entry_.isOpen() && progress_.descents().empty();
+    if (!at_once) return ramp_min;
+    const double turn_mm = length(pass.path);
+    if (turn_mm > rates.descent_mm) return ramp_min / rates.rings_at_once;
+    const double pitch_mm = rates.plunge_mm * (rates.may_plunge ? 1 : turn_mm / rates.descent_mm);
+    const double level_mm = turn_mm * (1 - 1.0 / rates.rings_at_once);
+    const double level_feed = std::min(
+        rates.feed_mm_per_min, rates.rated_mm3_per_min / (widthAfterPlunge(pass.path) * rates.plunge_mm));
+    const double down_min = rates.plunge_mm / pitch_mm * turn_mm / helixFeed(task_, turn_mm, pitch_mm);
+    return std::max(0.0, down_min - level_mm / level_feed);
+}
+
+/// How wide a ring cuts that begins where the cutter has gone straight down: the ring between what it swept
+/// there and what it sweeps here, along its length.
+double Descender::widthAfterPlunge(const Path& ring) const {
+    const double ring_radius_mm = boundingBox(ring).sizes().maxCoeff() / 2;
+    return std::min(task_.radius_mm + ring_radius_mm / 2, 2 * task_.radius_mm);
 }
 
 double Descender::minutesByEntry() const {

@@ -55,12 +55,16 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
                                               RegionPatterns& weighed) const {
     std::optional<RegionCut> best;
     const Pattern wanted = task_.clearing.pattern;
+    bool lone_ring = false;
     for (std::size_t i = 0; i < component.variants.size(); ++i) {
         const RingFamily::Variant& variant = component.variants[i];
         // The first is made whatever is asked for: a region may not have the pattern.
         if (i > 0 && wanted != Pattern::Best && variant.pattern != wanted) continue;
+        // Lines in ground that one ring clears are cut in addition to it.
+        if (i > 0 && wanted == Pattern::Best && lone_ring) break;
         const std::vector<Pass> passes = passes_.make(component, variant);
         if (passes.empty()) continue;
+        lone_ring = i == 0 && passes.size() == 1 && passes.front().closed;
         if (best && wanted == Pattern::Best) {
             const double least = leastTime(passes);
             if (least >= best->time.time_s) {
@@ -199,10 +203,14 @@ void RegionCutter::writeDownAlong(const Path& ring, MoveWriter& writer) const {
             depths.push_back(heights(i - 1, i));
         return writer.writeRing(ring, task_.rates.descent_mm, depths);
     }
-    // A turn at the ramp angle goes no deeper than one depth of cut.
+    // A turn goes no deeper than one depth of cut.
     const double depth_mm = task_.clearing.top_z_mm - task_.clearing.floor_z_mm + kDescentStartMm;
-    const double slope = std::min(std::tan(ramp_angle_rad_), frame_.step_down_mm / turn_mm);
-    writer.writeDepth({rampAlong(ring, true, depth_mm / slope)}, Over::Retract, heights(0, frame_.depths));
+    const double ramp_slope = std::tan(ramp_angle_rad_);
+    const double deepest = frame_.step_down_mm / turn_mm;
+    const double slope = task_.rates.may_plunge ? deepest : std::min(ramp_slope, deepest);
+    RampAlong down = rampAlong(ring, true, depth_mm / slope);
+    if (slope > ramp_slope) down.feed_mm_per_min = helixFeed(task_, turn_mm, slope * turn_mm);
+    writer.writeDepth({down}, Over::Retract, heights(0, frame_.depths));
 }
 
 }  // namespace stepmill::toolpath

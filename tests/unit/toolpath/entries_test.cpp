@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "stepmill/core/units.h"
 #include "support/clearing_tasks.h"
 #include "support/sound_path.h"
 #include "support/tolerances.h"
@@ -22,12 +23,12 @@ ClearingTask deepHole() {
     return task;
 }
 
-Toolpath inHole(double max_plunge_mm) {
+Toolpath inHole(double max_plunge_mm, double plunge_feed = 155) {
     ToolAssembly tool = flatEndMill(4);
     tool.max_plunge_mm = max_plunge_mm;
     CuttingData cutting = cuttingData(1.2, 1.6);
     cutting.feed_mm_per_min = 520;
-    cutting.plunge_feed_mm_per_min = 155;
+    cutting.plunge_feed_mm_per_min = plunge_feed;
     cutting.ramp_angle_deg = 2;
     return clearArea(deepHole(), tool, cutting, kMachine, kTol);
 }
@@ -64,6 +65,37 @@ TEST(WayDown, IsAHelixWhereTheToolMayNotPlunge) {
         EXPECT_EQ(deepestPlunge(helix), 0);
         EXPECT_GT(helix.totals.time_s(), 60);
     }
+}
+
+// 5 degrees are 0.5 mm a turn of that ring, the plunge feed allows 0.7: less than a depth of cut.
+TEST(WayDown, IsASteepHelixWhereThatIsQuickerThanPlunges) {
+    const double plunge_feed = 60;
+    const Toolpath path = inHole(2, plunge_feed);
+    expectSound(path, deepHole(), 2);
+    EXPECT_EQ(deepestPlunge(path), 0);
+    EXPECT_LT(path.totals.time_s(), inHole(0, plunge_feed).totals.time_s() / 2);
+    const double turn_mm = 2 * kPi;  // of the ring that a cutter of 4 mm goes along in a hole of 6
+    double steepest = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Ramp) {
+            const double flat_mm = length(Vec2(from.head<2>()), {Vec2(move.to.head<2>()), move.arc});
+            const double slope = (from.z() - move.to.z()) / flat_mm;
+            steepest = std::max(steepest, slope);
+            EXPECT_LE(slope * turn_mm, path.step_down_mm + 1e-3);  // arcs are on the grid
+            EXPECT_LE(path.feedOf(move) * slope / std::hypot(1, slope), plunge_feed);
+            EXPECT_LE(path.feedOf(move) * slope * turn_mm * 4, 1.2 * 1.6 * 520 * 1.001);  // rated removal
+        }
+        from = move.to;
+    }
+    EXPECT_GT(steepest * turn_mm, 0.6);
+}
+
+TEST(Patterns, OfGroundThatOneRingClearsAreThatRing) {
+    const Toolpath path = inHole(2);
+    ASSERT_EQ(path.regions.size(), 1U);
+    EXPECT_EQ(path.regions.front().weighed.size(), 1U);
+    EXPECT_EQ(path.regions.front().weighed.front().pattern, Pattern::ContourInsideOut);
 }
 
 TEST(WayDown, TakesDepthsOfCutThatItMayPlungeWhereThereIsNoOther) {
