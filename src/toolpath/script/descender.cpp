@@ -141,20 +141,19 @@ bool Descender::mayRampAlong(const Pass& pass) const {
     return pass.reversible && entry_.isAsWide(Path{path.start, {path.segments.front()}});
 }
 
-/// Of a first ring that is cut down to the floor at once, the slope is taken away once. One that is shorter
-/// than its ramp is a helix, no steeper than a depth of cut a turn, and level at its end.
+/// Of a first ring that is cut down to the floor at once, the slope is taken away once. Along one that is
+/// shorter than its ramp a cutter that may plunge goes a depth of cut down in a turn, and level at the end.
 double Descender::minutesAlong(const Pass& pass) const {
     const LinkRates& rates = task_.rates;
     const double ramp_min = rates.descent_mm / rates.ramp_feed_mm_per_min;
     const bool at_once = pass.closed && !entry_.isOpen() && progress_.descents().empty();
-    if (!at_once) return ramp_min;
     const double turn_mm = length(pass.path);
-    if (turn_mm > rates.descent_mm) return ramp_min / rates.rings_at_once;
-    const double pitch_mm = rates.plunge_mm * (rates.may_plunge ? 1 : turn_mm / rates.descent_mm);
+    if (at_once && turn_mm > rates.descent_mm) return ramp_min / rates.rings_at_once;
+    if (!at_once || !rates.may_plunge) return ramp_min;
     const double level_mm = turn_mm * (1 - 1.0 / rates.rings_at_once);
     const double level_feed = std::min(
         rates.feed_mm_per_min, rates.rated_mm3_per_min / (widthAfterPlunge(pass.path) * rates.plunge_mm));
-    const double down_min = rates.plunge_mm / pitch_mm * turn_mm / helixFeed(task_, turn_mm, pitch_mm);
+    const double down_min = turn_mm / helixFeed(task_, turn_mm, rates.plunge_mm);
     return std::max(0.0, down_min - level_mm / level_feed);
 }
 
