@@ -210,6 +210,10 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Too
             usable.push_back(std::move(*candidate));
     }
     if (isHole(feature.feature_class)) {
+        // In a hole wider by less than a sliver a mill has no way that sweeps anything.
+        std::erase_if(usable, [&](const Candidate& tool) {
+            return tool.mills() && holeRadiusMm(feature) - tool.tool->radius_mm() < tol.sliver_mm;
+        });
         keepOnePreDrill(feature, tol, usable);
         putSpotsFirst(usable);
     }
@@ -237,16 +241,17 @@ std::vector<bool> endTools(const Feature& feature, const std::vector<Candidate>&
         if (tool.mills()) best = std::max(best, tool.coverable_mm2);
     }
     const bool milled_whole = best >= feature.area_mm2 - sameArea(feature, tol);
-    // A hole that ends in a point is drilled if a drill fits: no mill makes the point.
-    const bool pointed = feature.point_mm > 0 &&
+    // A hole that a drill makes is drilled, though a mill that is called anyway may save its tool change: it
+    // is rounder, and end mills last. No mill makes a point.
+    const bool drilled = (feature.through || feature.point_mm > 0) &&
                          std::any_of(tools.begin(), tools.end(),
                                      [](const Candidate& tool) { return tool.drill() && !tool.predrills; });
     std::vector<bool> ends;
     for (const Candidate& tool : tools) {
         // A drill's point leaves a cone on a flat floor, so there it ends only what no cutter can finish.
-        const bool drill_ends = !tool.predrills && (feature.through || pointed || !milled_whole);
+        const bool drill_ends = !tool.predrills && (drilled || !milled_whole);
         const bool mill_ends =
-            tool.mills() && !pointed && tool.coverable_mm2 >= best - sameArea(feature, tol);
+            tool.mills() && !drilled && tool.coverable_mm2 >= best - sameArea(feature, tol);
         ends.push_back(tool.drill() ? drill_ends : mill_ends);
     }
     return ends;
