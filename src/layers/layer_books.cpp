@@ -9,6 +9,13 @@
 
 namespace stepmill::layers {
 
+double CutLayer::inCones_mm3() const {
+    double sum = 0;
+    for (const auto& [face, volume_mm3] : in_cones_mm3)
+        sum += volume_mm3;
+    return sum;
+}
+
 double hiddenVolume(const CutLayer& cut) {
     if (cut.layer.vertical_walls) return 0;
     return std::max(0.0, area(cut.layer.part) * cut.layer.height_mm() - cut.part_volume_mm3);
@@ -45,14 +52,17 @@ void shareHiddenVolume(std::vector<CutLayer>& cuts, const std::vector<FaceTrace>
         };
         for (const auto& [face, share] : cut.leaning)
             space += spaceOf(share);
+        const double beside_mm3 = std::max(0.0, hidden - cut.inCones_mm3());
         std::map<SlopeCause, HiddenVolume> by_cause;
         for (const auto& [face, share] : cut.leaning) {
+            const auto cone = cut.in_cones_mm3.find(face);
+            const double cone_mm3 = cone != cut.in_cones_mm3.end() ? cone->second : 0;
             const double volume = spaceOf(share);
-            if (volume <= 0) continue;
+            if (volume <= 0 && cone_mm3 <= 0) continue;
             const SlopeCause cause = traces[face].cause.value_or(SlopeCause::FreeForm);
             HiddenVolume& entry = by_cause[cause];
             entry.cause = cause;
-            entry.volume_mm3 += hidden * volume / space;
+            entry.volume_mm3 += cone_mm3 + (volume > 0 ? beside_mm3 * volume / space : 0);
             entry.faces.push_back(face);
         }
         // No leaning face to blame: a section that was mended with too large a region.

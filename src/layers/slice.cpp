@@ -14,6 +14,7 @@
 #include "layers/stock/raw_stock.h"
 #include "layers/stock/stock_air.h"
 #include "stepmill/core/error.h"
+#include "stepmill/layers/hole_cone.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/part/face_graph.h"
 #include "stepmill/part/part_shape.h"
@@ -134,8 +135,34 @@ bool takeStock(const StockSlabs& slabs, CutLayer& cut) {
     return true;
 }
 
-CutLayer cutLayer(const Solids& solids, const StockSlabs& stock_slabs, double top_mm, double bottom_mm,
-                  const SliceOptions& options, const Tolerances& tol) {
+/// What all slabs are cut from.
+struct Cutting {
+    const Solids& solids;
+    const StockSlabs& stock_slabs;
+    const std::vector<FaceTrace>& traces;
+    const std::vector<HoleCone>& cones;
+    const SliceOptions& options;
+    const Tolerances& tol;
+};
+
+/// A hole goes up through its cone as wide as below: the cone is for one stroke of a countersink, not for the
+/// steps of a mill, which would stand over the hole.
+void closeCones(const Cutting& from, CutLayer& cut) {
+    Layer& layer = cut.layer;
+    for (const HoleCone& cone : from.cones) {
+        const double merge_mm = 2 * from.options.level_merge_mm;
+        if (cone.bottom_z_mm > layer.top_z_mm - merge_mm || cone.top_z_mm < layer.bottom_z_mm + merge_mm)
+            continue;
+        const double mm2 = area(layer.part);
+        const Region ring = subtract(makeCircle(cone.centre, snapToGrid(cone.radius_mm)),
+                                     makeCircle(cone.centre, snapToGrid(cone.foot_radius_mm)), from.tol);
+        layer.part = unite(layer.part, intersect(ring, layer.stock, from.tol), from.tol);
+        cut.in_cones_mm3[cone.faces.front()] += std::max(0.0, area(layer.part) - mm2) * layer.height_mm();
+    }
+}
+
+CutLayer cutLayer(const Cutting& from, double top_mm, double bottom_mm) {
+    const auto& [solids, stock_slabs, traces, cones, options, tol] = from;
     CutLayer cut;
     cut.layer.top_z_mm = top_mm;
     cut.layer.bottom_z_mm = bottom_mm;
@@ -149,42 +176,38 @@ CutLayer cutLayer(const Solids& solids, const StockSlabs& stock_slabs, double to
     std::move(part.remarks.begin(), part.remarks.end(), std::back_inserter(cut.remarks));
     // Hulls of facets may reach out of the stock; the part does not.
     if (part.mended_by_mm > 0) cut.layer.part = intersect(cut.layer.part, cut.layer.stock, tol);
+    closeCones(from, cut);
     return cut;
 }
 
 /// Volume that leaning walls hide and that thinner slabs would show: not what lies below overhangs and in
-/// holes across the axis, where no tool from above comes at any height.
-double gainableVolume(const CutLayer& cut, const std::vector<FaceTrace>& traces) {
+/// holes across the axis, where no tool from above comes at any height, nor in cones of holes.
+double gainableVolume(const CutLayer& cut, const std::vector<FaceTrace>& traces,
+                      const std::vector<HoleCone>& cones) {
     double space = 0;
     double gainable = 0;
     for (const auto& [face, share] : cut.leaning) {
         const double volume = share.space(cut.layer.top_z_mm, cut.layer.bottom_z_mm);
         const auto cause = traces[face].cause;
         space += volume;
-        if (cause != SlopeCause::Overhang && cause != SlopeCause::AcrossAxis) gainable += volume;
+        const bool in_cone = std::any_of(cones.begin(), cones.end(), [face = face](const HoleCone& cone) {
+            return std::find(cone.faces.begin(), cone.faces.end(), face) != cone.faces.end();
+        });
+        if (cause != SlopeCause::Overhang && cause != SlopeCause::AcrossAxis && !in_cone) gainable += volume;
     }
-    return space > 0 ? layers::hiddenVolume(cut) * gainable / space : 0;
+    return space > 0 ? (layers::hiddenVolume(cut) - cut.inCones_mm3()) * gainable / space : 0;
 }
-
-/// What all slabs are cut from.
-struct Cutting {
-    const Solids& solids;
-    const StockSlabs& stock_slabs;
-    const std::vector<FaceTrace>& traces;
-    const SliceOptions& options;
-    const Tolerances& tol;
-};
 
 /// One slab between levels, halved while leaning walls hide too much of what is to be removed.
 void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vector<CutLayer>& out) {
-    CutLayer cut = cutLayer(from.solids, from.stock_slabs, top_mm, bottom_mm, from.options, from.tol);
+    CutLayer cut = cutLayer(from, top_mm, bottom_mm);
     const double height = top_mm - bottom_mm;
     const double removable = area(cut.layer.stock) * height - cut.part_volume_mm3;
     const double allowed = std::max({from.options.largest_hidden_share * removable,
                                      from.tol.area_mm2 * height, from.solids.worthless_mm3});
     const bool thin = height / 2 < from.options.thinnest_slab_mm;
     const bool stock_leans = cut.layer.stock_air_mm3 > allowed;
-    if (thin || (gainableVolume(cut, from.traces) <= allowed && !stock_leans)) {
+    if (thin || (gainableVolume(cut, from.traces, from.cones) <= allowed && !stock_leans)) {
         if (cut.shared_air_mm3 <= 0)
             settleAir(from.solids, from.tol, cut);
         else
@@ -305,7 +328,8 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     guardOcct(ErrorCode::GeometryKernel, "faces of the part",
               [&] { stack.traces = layers::traceFaces(solids.part, faceEdges(setup.part, tol), tol); });
     const StockSlabs stock_slabs = cutStockSlabs(solids, levels, options, tol);
-    std::vector<CutLayer> cuts = cutAll({solids, stock_slabs, stack.traces, options, tol}, levels);
+    const std::vector<HoleCone> cones = holeCones(stack.traces);
+    std::vector<CutLayer> cuts = cutAll({solids, stock_slabs, stack.traces, cones, options, tol}, levels);
     layers::closeBooks(cuts, setup, tol, stack.remarks);
     layers::castShadows(cuts, tol);
     if (options.join_slabs) cuts = layers::mergeSlabs(std::move(cuts), solids.worthless_mm3, options, tol);

@@ -18,7 +18,11 @@ struct CutLayer {
     double shared_air_mm3 = 0;         ///< of `stock_air_mm3`: where the stock is that of a thicker slab
     double part_volume_mm3 = 0;        ///< of the solid itself
     std::map<int, FaceShare> leaning;  ///< what leans in the slab, by face
+    /// What the part region holds of cones of holes beyond the part at any height of the slab, by face [mm3].
+    std::map<int, double> in_cones_mm3;
     std::vector<std::string> remarks;
+
+    double inCones_mm3() const;
 };
 
 /// Volume of the slab's part region that is no material [mm3].

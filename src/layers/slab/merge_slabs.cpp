@@ -92,6 +92,8 @@ void join(CutLayer& upper, CutLayer&& lower, const Tolerances& tol) {
     upper.part_volume_mm3 += lower.part_volume_mm3;
     for (const auto& [face, share] : lower.leaning)
         upper.leaning[face].add(share);
+    for (const auto& [face, volume_mm3] : lower.in_cones_mm3)
+        upper.in_cones_mm3[face] += volume_mm3;
     std::move(lower.remarks.begin(), lower.remarks.end(), std::back_inserter(upper.remarks));
 }
 
