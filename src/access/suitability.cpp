@@ -41,6 +41,8 @@ std::optional<Exclusion> unsuitable(const FeatureGround& ground, const ToolAssem
     if (tool.isTap())
         return Exclusion{ExclusionReason::WrongType, "a tap cuts threads into holes that are made"};
     if (tool.isSpot()) return Exclusion{ExclusionReason::WrongType, "a spot drill starts holes for drills"};
+    if (tool.isCountersink())
+        return Exclusion{ExclusionReason::WrongType, "a countersink goes into the cones of holes"};
     if (tool.isSizer())
         return Exclusion{
             ExclusionReason::WrongType,

@@ -19,7 +19,7 @@ CutterForm::CutterForm(const ToolAssembly& tool)
       tip_mm_(full_mm_ - std::min(tool.corner_radius_mm, full_mm_)),
       corner_mm_(full_mm_ - tip_mm_),
       height_mm_(corner_mm_) {
-    if (tool.type != ToolType::Chamfer) return;
+    if (!tool.hasFlanks()) return;
     tip_mm_ = tool.tip_diameter_mm / 2;
     corner_mm_ = 0;
     height_mm_ = (full_mm_ - tip_mm_) / std::tan(halfAngleRad(tool));

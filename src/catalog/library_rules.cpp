@@ -221,16 +221,19 @@ class ToolRules {
                "no more than the flute length, " + lengthText(flutes), tool_["max_plunge"]);
     }
 
-    /// A chamfer mill is a cone from its tip to its diameter, as high as its flutes at most.
+    /// A chamfer mill or countersink is a cone from its tip to its diameter, as high as its flutes at most.
     void checkCone() {
-        const bool cone = tool_["type"] == "chamfer";
+        const std::string type = tool_["type"];
+        const bool cone = type == "chamfer" || type == "countersink";
         for (const char* field : {"tip_diameter", "included_angle_deg"}) {
             if (cone && !tool_.contains(field))
                 findings_.push_back(
                     {pointer_,
-                     fmt::format("expected the field \"{}\" of a chamfer mill, found none", field)});
+                     fmt::format("expected the field \"{}\" of a {}, found none", field,
+                                 type == "chamfer" ? "chamfer mill" : type)});
             if (!cone && tool_.contains(field))
-                findings_.push_back({childPointer(pointer_, field), "expected on a chamfer mill alone"});
+                findings_.push_back(
+                    {childPointer(pointer_, field), "expected on a chamfer mill or countersink alone"});
         }
         if (!cone || !tool_.contains("tip_diameter") || !tool_.contains("included_angle_deg")) return;
         const double tip = tool_["tip_diameter"];

@@ -13,6 +13,7 @@ constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"},     {Tool
                                              {ToolType::Bull, "bull"},     {ToolType::Drill, "drill"},
                                              {ToolType::Face, "face"},     {ToolType::Chamfer, "chamfer"},
                                              {ToolType::Tap, "tap"},       {ToolType::Spot, "spot"},
+                                             {ToolType::Countersink, "countersink"},
                                              {ToolType::Reamer, "reamer"}, {ToolType::Boring, "boring"}};
 constexpr EnumWord<Coolant> kCoolants[] = {
     {Coolant::Off, "off"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}};

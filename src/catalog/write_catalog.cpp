@@ -60,7 +60,7 @@ class ToolWriter {
 
     void putForm(Json& made, const ToolAssembly& tool) const {
         if (tool.type != ToolType::Ball) putLength(made, "corner_radius", tool.corner_radius_mm);
-        if (tool.type == ToolType::Chamfer) {
+        if (tool.hasFlanks()) {
             made["tip_diameter"] = length(tool.tip_diameter_mm);
             made["included_angle_deg"] = shortNumber(tool.included_angle_deg);
         }

@@ -19,12 +19,14 @@ constexpr EnumWord<ToolType> kShapes[] = {{ToolType::Flat, "endmill"},  {ToolTyp
                                           {ToolType::Bull, "bullnose"}, {ToolType::Drill, "drill"},
                                           {ToolType::Face, "endmill"},  {ToolType::Chamfer, "v-bit"},
                                           {ToolType::Tap, "tap"},       {ToolType::Spot, "drill"},
-                                          {ToolType::Reamer, "reamer"}, {ToolType::Boring, "reamer"}};
+                                          {ToolType::Reamer, "reamer"}, {ToolType::Boring, "reamer"},
+                                          {ToolType::Countersink, "v-bit"}};
 constexpr EnumWord<ToolType> kShapeTypes[] = {{ToolType::Flat, "Endmill"},  {ToolType::Ball, "Ballend"},
                                               {ToolType::Bull, "Bullnose"}, {ToolType::Drill, "Drill"},
                                               {ToolType::Face, "Endmill"},  {ToolType::Chamfer, "VBit"},
                                               {ToolType::Tap, "Tap"},       {ToolType::Spot, "Drill"},
-                                              {ToolType::Reamer, "Reamer"}, {ToolType::Boring, "Reamer"}};
+                                              {ToolType::Reamer, "Reamer"}, {ToolType::Boring, "Reamer"},
+                                              {ToolType::Countersink, "VBit"}};
 
 /// A name that every file system takes.
 std::string fileName(const ToolAssembly& tool) {
@@ -66,7 +68,7 @@ class BitWriter {
         if (tool.type == ToolType::Bull) json["CornerRadius"] = length(tool.corner_radius_mm);
         if (tool.isDrill() || tool.isSpot()) json["TipAngle"] = angle(tool.point_angle_deg);
         if (tool.isTap() && tool.thread) json["Pitch"] = length(tool.thread->pitch_mm);
-        if (tool.type == ToolType::Chamfer) {
+        if (tool.hasFlanks()) {
             json["TipDiameter"] = length(tool.tip_diameter_mm);
             json["CuttingEdgeAngle"] = angle(tool.included_angle_deg);
         }

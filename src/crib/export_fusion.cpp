@@ -69,6 +69,8 @@ class FusionWriter {
                   {"SFDM", length(tool.shank.diameter_mm)}};
         if (tool.isDrill() || tool.isSpot())
             json["SIG"] = tool.point_angle_deg;
+        else if (tool.isCountersink())
+            json["SIG"] = tool.included_angle_deg;
         else if (!tool.isForHoles())
             json["TA"] = tool.type == ToolType::Chamfer ? tool.included_angle_deg / 2 : 0;
         json["TP"] = tool.isTap() && tool.thread ? length(tool.thread->pitch_mm) : 0;

@@ -79,7 +79,7 @@ class FreeCadBit {
         }
         if ((tool.isDrill() || tool.isSpot()) && parameters.has("TipAngle"))
             tool.point_angle_deg = angle(parameters, "TipAngle");
-        if (tool.type == ToolType::Chamfer) {
+        if (tool.hasFlanks()) {
             tool.tip_diameter_mm = length(parameters, "TipDiameter");
             tool.included_angle_deg = angle(parameters, "CuttingEdgeAngle");
         }

@@ -96,6 +96,9 @@ class FusionTool {
         if (tool.type == ToolType::Chamfer) {
             tool.tip_diameter_mm = mm(geometry, "tip-diameter");
             tool.included_angle_deg = 2 * taper_deg;
+        } else if (tool.isCountersink()) {
+            tool.tip_diameter_mm = mm(geometry, "tip-diameter");
+            tool.included_angle_deg = geometry.number("SIG");
         } else if (!tool.isForHoles() && tool.type != ToolType::Face && std::abs(taper_deg) > kUprightDeg) {
             foreign_.unfit =
                 fmt::format("its flanks lean by {:.6g} degrees; cutters here are upright", taper_deg);

@@ -112,6 +112,9 @@ class HsmTool {
         if (tool.type == ToolType::Chamfer) {
             tool.tip_diameter_mm = mm(body, "tip-diameter");
             tool.included_angle_deg = 2 * taper_deg;
+        } else if (tool.isCountersink()) {
+            tool.tip_diameter_mm = mm(body, "tip-diameter");
+            tool.included_angle_deg = taper_deg;
         } else if (!tool.isForHoles() && tool.type != ToolType::Face && taper_deg > kUprightHsmDeg) {
             foreign_.unfit =
                 fmt::format("its flanks lean by {:.6g} degrees; cutters here are upright", taper_deg);

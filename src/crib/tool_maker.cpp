@@ -139,8 +139,9 @@ void finishTool(ForeignTool& foreign, double pitch_mm, const std::string& file,
     if (tool.isTap()) finishTap(foreign, pitch_mm);
     if (tool.type == ToolType::Bull && tool.corner_radius_mm == 0)
         foreign.unfit = "the corner radius of a bull nose is not told";
-    if (tool.type == ToolType::Chamfer && tool.included_angle_deg == 0)
-        foreign.unfit = "the angle of a chamfer mill is not told";
+    if (tool.hasFlanks() && tool.included_angle_deg == 0)
+        foreign.unfit = fmt::format("the angle of a {} is not told",
+                                    tool.isCountersink() ? "countersink" : "chamfer mill");
     if (tool.max_plunge_mm == 0) tool.max_plunge_mm = usualPlungeMm(tool);
 }
 

@@ -15,10 +15,11 @@ constexpr EnumWord<ToolType> kHsmWords[] = {
     {ToolType::Bull, "bull nose end mill"}, {ToolType::Drill, "drill"},
     {ToolType::Face, "face mill"},          {ToolType::Chamfer, "chamfer mill"},
     {ToolType::Tap, "tap right hand"},      {ToolType::Spot, "spot drill"},
-    {ToolType::Reamer, "reamer"},           {ToolType::Boring, "boring bar"}};
+    {ToolType::Reamer, "reamer"},           {ToolType::Boring, "boring bar"},
+    {ToolType::Countersink, "counter sink"}};
 
 /// Types that other programs have and Stepmill does not. They come first: a "centre drill" is no drill.
-constexpr std::array kUnfit = {" center drill ", " centre drill ",   " counter sink ",    " countersink ",
+constexpr std::array kUnfit = {" center drill ", " centre drill ",
                                " counter bore ", " counterbore ",    " thread mill ",     " threadmill ",
                                " dovetail ",     " lollipop ",       " slot mill ",       " slitting ",
                                " slittingsaw ",  " tapered ",        " taperedballnose ", " radius mill ",
@@ -28,6 +29,7 @@ constexpr std::array kUnfit = {" center drill ", " centre drill ",   " counter s
 
 /// The special before the plain.
 constexpr EnumWord<ToolType> kWords[] = {
+    {ToolType::Countersink, " counter sink "}, {ToolType::Countersink, " countersink "},
     {ToolType::Chamfer, " chamfer "}, {ToolType::Chamfer, " v bit "},   {ToolType::Chamfer, " vbit "},
     {ToolType::Ball, " ball "},       {ToolType::Ball, " ballend "},    {ToolType::Ball, " ballnose "},
     {ToolType::Bull, " bull "},       {ToolType::Bull, " bullnose "},   {ToolType::Bull, " torus "},

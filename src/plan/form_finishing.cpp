@@ -47,7 +47,7 @@ class FormChooser {
     const StandingStairs& all() const { return all_; }
 
     FormSteps choose() {
-        FormSteps begun = chamfers();
+        FormSteps begun = cheapest({withChamfers(countersinks()), withChamfers({})});
         const StandingStairs& left = begun.empty() ? all_ : begun.back().left;
         const FormSteps first = promising(steps(left, begun));
         std::vector<FormSteps> ways{begun};
@@ -65,9 +65,23 @@ class FormChooser {
     }
 
   private:
-    /// Each chamfer mill, one after the other.
-    FormSteps chamfers() {
+    /// Each countersink, the narrowest first.
+    FormSteps countersinks() {
+        std::vector<const ToolAssembly*> tools = work_.cutters();
+        std::erase_if(tools, [](const ToolAssembly* tool) { return !tool->isCountersink(); });
+        std::stable_sort(tools.begin(), tools.end(), [](const ToolAssembly* a, const ToolAssembly* b) {
+            return a->diameter_mm < b->diameter_mm;
+        });
         FormSteps steps;
+        for (const ToolAssembly* tool : tools)
+            for (FormStep& step : work_.sinks(*tool, steps.empty() ? all_ : steps.back().left))
+                steps.push_back(std::move(step));
+        if (takenOf(steps) < kLeastGainMm3) steps.clear();
+        return steps;
+    }
+
+    /// And then each chamfer mill, one after the other.
+    FormSteps withChamfers(FormSteps steps) {
         for (const ToolAssembly* tool : work_.cutters()) {
             if (tool->type != ToolType::Chamfer) continue;
             FormStep step = work_.step(*tool, steps.empty() ? all_ : steps.back().left);
@@ -82,7 +96,7 @@ class FormChooser {
         for (const ToolAssembly* tool : work_.cutters()) {
             const bool used = std::any_of(before.begin(), before.end(),
                                           [&](const FormStep& step) { return step.tool == tool; });
-            if (used || tool->type == ToolType::Chamfer) continue;
+            if (used || tool->hasFlanks()) continue;
             FormStep step = work_.step(*tool, stairs);
             if (step.taken_mm3 >= least_mm3_) found.push_back(std::move(step));
         }

@@ -242,7 +242,9 @@ std::optional<FormSite> siteOf(const FormSources& sources, const SiteWalls& wall
 
 std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
                                  const Tolerances& tol) {
-    return siteOf(sources, LeaningWalls(sources, tol), skin_mm, widest_mm, tol);
+    std::optional<FormSite> site = siteOf(sources, LeaningWalls(sources, tol), skin_mm, widest_mm, tol);
+    if (site) site->cones = holeCones(sources.layers.traces);
+    return site;
 }
 
 }  // namespace stepmill

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stepmill/feature/form_ground.h"
+#include "stepmill/layers/hole_cone.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/setup/setup.h"
 
@@ -23,6 +24,7 @@ struct FormSite {
     /// Of each band that must stand the leans of its faces that look up, as sines from upright, ascending.
     std::vector<std::vector<double>> leans;
     std::vector<double> feet_mm;  ///< where layers with stairs end below, ascending
+    std::vector<HoleCone> cones;  ///< of holes, as far as the walls are the part's own
 };
 
 /// The stairs that flat layers leave in a setup, with what must stand beside them, cut so fine that a band's

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plan/form_levels.h"
+#include "plan/hole_sinks.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/unsure_offset.h"
 #include "stepmill/sequence/machine_limits.h"
@@ -50,6 +51,8 @@ Operation formOperation(FormStep& step, const FormGround& ground, const FormShop
     operation.z_floor_mm = std::min(operation.z_top_mm, lowestMm(operation));
     operation.speed_rpm = cutting.speed_rpm;
     operation.coolant = cutting.coolant;
+    operation.holes = step.holes;
+    if (step.holes > 0) operation.dwell_s = cutting.dwell_s;
     operation.ramp_angle_deg = toolpath::rampAngleDeg(cutting);
     operation.proof.least_clearance_mm = shop.tol.guard_mm;
     return operation;
@@ -82,24 +85,52 @@ std::optional<toolpath::FormLevel> FormWork::levelAt(const FormCentres& centres,
     return std::nullopt;
 }
 
+const FormCentres& FormWork::centresOf(const ToolAssembly& tool) {
+    std::unique_ptr<FormCentres>& centres = centres_[tool.id];
+    if (!centres) centres = std::make_unique<FormCentres>(bands_, tool);
+    return *centres;
+}
+
+Toolpath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const {
+    const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
+    return toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
+                              cutting, shop_.machine, shop_.tol);
+}
+
+std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingStairs& stairs) {
+    const CutterForm form(tool);
+    const double dwell_s = tool.cuttingFor(shop_.material)->dwell_s;
+    std::vector<FormStep> steps;
+    for (const toolpath::FormLevel& level : sinkLevels(site_, tool, centresOf(tool), shop_.tol)) {
+        shop_.deadline.check(site_.ground.id);
+        const StandingStairs& before = steps.empty() ? stairs : steps.back().left;
+        FormStep step{&tool, pathOf(tool, {level}), 0, 0, before, static_cast<int>(level.passes.size())};
+        step.left.cut({level.tip_z_mm, level.passes}, form);
+        step.taken_mm3 = before.volumeMm3() - step.left.volumeMm3();
+        if (step.taken_mm3 <= 0) continue;
+        step.time_s = step.path.totals.motion_time_s + step.holes * dwell_s +
+                      (steps.empty() ? shop_.machine.tool_change_s : 0);
+        steps.push_back(std::move(step));
+    }
+    return steps;
+}
+
 FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
     const CutterForm form(tool);
-    std::unique_ptr<FormCentres>& centres = centres_[tool.id];
-    if (!centres) centres = std::make_unique<FormCentres>(bands_, tool);
+    const FormCentres& centres = centresOf(tool);
     FormStep step{&tool, {}, 0, 0, stairs};
     std::vector<toolpath::FormLevel> levels;
     for (const double z_mm : formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm)) {
         shop_.deadline.check(site_.ground.id);
-        std::optional<toolpath::FormLevel> level = levelAt(*centres, step.left, form, cutting, z_mm);
+        std::optional<toolpath::FormLevel> level = levelAt(centres, step.left, form, cutting, z_mm);
         if (!level) continue;
         step.left.cut({z_mm, level->passes}, form);
         levels.push_back(std::move(*level));
     }
     std::stable_sort(levels.begin(), levels.end(),
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
-    step.path = toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
-                                   cutting, shop_.machine, shop_.tol);
+    step.path = pathOf(tool, levels);
     step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();
     step.time_s = step.path.totals.motion_time_s + shop_.machine.tool_change_s;
     return step;

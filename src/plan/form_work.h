@@ -20,6 +20,7 @@ struct FormStep {
     double taken_mm3 = 0;
     double time_s = 0;    ///< with its tool change
     StandingStairs left;  ///< after it
+    int holes = 0;        ///< into so many it goes straight down; 0: it goes along walls
 };
 
 /// Tries cutters on one form ground. Free centres are made once for each cutter and height.
@@ -30,10 +31,15 @@ class FormWork {
 
     /// The cutter's passes over those stairs.
     FormStep step(const ToolAssembly& tool, const StandingStairs& stairs);
+    /// What a countersink does, a step for each height that its tip goes down to.
+    /// \pre tool.isCountersink()
+    std::vector<FormStep> sinks(const ToolAssembly& tool, const StandingStairs& stairs);
     /// Cutters that may come: with cutting data, flutes and a form.
     std::vector<const ToolAssembly*> cutters() const;
 
   private:
+    const FormCentres& centresOf(const ToolAssembly& tool);
+    Toolpath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const;
     std::optional<toolpath::FormLevel> levelAt(const FormCentres& centres, const StandingStairs& stairs,
                                                const CutterForm& form, const CuttingData& cutting,
                                                double z_mm) const;

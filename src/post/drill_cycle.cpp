@@ -73,7 +73,8 @@ std::optional<std::size_t> firstDown(const std::vector<FedMove>& moves) {
 }  // namespace
 
 std::optional<FoundCycle> findCycle(const JobOperation& operation) {
-    if (!isForHoles(operation.role) || operation.thread) return std::nullopt;
+    const bool sinks = isForHoles(operation.role) || operation.pattern == kCountersinkPattern;
+    if (!sinks || operation.thread) return std::nullopt;
     const std::optional<std::size_t> down = firstDown(operation.moves);
     if (!down) return std::nullopt;
     FoundCycle found;

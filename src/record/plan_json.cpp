@@ -187,7 +187,7 @@ Json toolJson(const ToolAssembly& tool) {
               {"stick_out_range_mm", std::move(range)},
               {"shank", cylinderJson(tool.shank)},
               {"holder", listOf(tool.holder, cylinderJson)}};
-    if (tool.type == ToolType::Chamfer) {
+    if (tool.hasFlanks()) {
         json["tip_diameter_mm"] = number(tool.tip_diameter_mm);
         json["included_angle_deg"] = number(tool.included_angle_deg);
     }

@@ -248,10 +248,10 @@ void checkTool(const Json& tool, const std::string& pointer) {
     if (!fits)
         failAt(pointer + "/corner_radius_mm",
                fmt::format("{} mm is no corner of a {} cutter of {} mm", corner_mm, type, 2 * radius_mm));
-    if ((type == "chamfer") != tool.contains("included_angle_deg") ||
-        (type == "chamfer") != tool.contains("tip_diameter_mm"))
-        failAt(pointer, "expected tip and angle of a chamfer mill, and of nothing else");
-    if (type == "chamfer" && tool["tip_diameter_mm"].get<double>() >= 2 * radius_mm)
+    const bool cone = type == "chamfer" || type == "countersink";
+    if (cone != tool.contains("included_angle_deg") || cone != tool.contains("tip_diameter_mm"))
+        failAt(pointer, "expected tip and angle of a chamfer mill or countersink, and of nothing else");
+    if (cone && tool["tip_diameter_mm"].get<double>() >= 2 * radius_mm)
         failAt(pointer + "/tip_diameter_mm", "expected less than the diameter");
     double below_mm = tool["stick_out_mm"];
     for (std::size_t i = 0; i < tool["holder"].size(); ++i) {
@@ -312,7 +312,7 @@ void checkOperation(const Json& operation, const std::map<std::string, Json>& to
     checkFit(operation, pointer);
     const bool form = operation["role"] == "form";
     const std::string type = tool->second["type"];
-    if (form && type != "ball" && type != "bull" && type != "chamfer")
+    if (form && type != "ball" && type != "bull" && type != "chamfer" && type != "countersink")
         failAt(pointer + "/role", fmt::format("'form' is no work of a {}", type));
     if (form != isFormGround(operation["feature"], operation["setup"]))
         failAt(pointer + "/role", "expected 'form' on a form ground and there alone");

@@ -139,7 +139,9 @@ Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     Toolpath path = pathFrame(heights, static_cast<int>(cut.size()), tool.radius_mm(), cutting, machine);
     // Levels without stairs fall out: between others it is farther than any cut is deep.
     if (cutting.step_down_mm > 0) path.step_down_mm = std::min(path.step_down_mm, cutting.step_down_mm);
-    path.pattern = tool.type == ToolType::Chamfer ? "chamfer pass" : "z-levels";
+    path.pattern = tool.isCountersink()               ? kCountersinkPattern
+                   : tool.type == ToolType::Chamfer ? "chamfer pass"
+                                                    : "z-levels";
     FormPathWriter writer(task, tool.radius_mm(), machine, tol, path);
     for (const FormLevel* level : cut)
         writer.write(*level);

@@ -68,7 +68,7 @@ std::vector<Region> inPlaces(const Region& region, const std::vector<Region>& pl
 /// What a disc sweeps along one way, for several radii. Safe to share between threads.
 class SweptWay {
   public:
-    SweptWay(const Path& way, const Tolerances& tol) : edges_(edgesOf(way)), tol_(tol) {
+    SweptWay(const Path& way, const Tolerances& tol) : edges_(edgesOf(way)), at_(way.start), tol_(tol) {
         box_ = boundingBox(way);
         box_.extend(way.start);
         if (way.closed()) around_.emplace(Region{{signedArea(way) > 0 ? way : reversed(way)}}, tol);
@@ -77,6 +77,7 @@ class SweptWay {
     /// False where the disc cuts nothing of the region.
     bool takeFrom(Region& region, double radius_mm) const {
         if (region.empty() || !grown(box_, radius_mm).intersects(boundingBox(region))) return false;
+        if (edges_.empty()) return takeDisc(region, radius_mm);
         const EdgeIndex edges(region);
         std::size_t count = 0;
         const std::vector<Path> near = stretchesNear(WalkInside(region, edges), radius_mm, count);
@@ -87,6 +88,15 @@ class SweptWay {
     }
 
   private:
+    /// Of a way without length.
+    bool takeDisc(Region& region, double radius_mm) const {
+        const Region disc = makeCircle(snapToGrid(at_), snapToGrid(radius_mm));
+        Region left = subtract(region, disc, tol_);
+        const bool cuts = area(left) < area(region);
+        if (cuts) region = std::move(left);
+        return cuts;
+    }
+
     /// The stretches of the way on which the disc cuts, and how many edges they have.
     std::vector<Path> stretchesNear(WalkInside walk, double radius_mm, std::size_t& count) const {
         std::vector<Path> near;
@@ -116,6 +126,7 @@ class SweptWay {
     }
 
     std::vector<Edge> edges_;
+    Vec2 at_;  ///< where it begins
     const Tolerances& tol_;
     Box2 box_;
     std::optional<ClearanceDiagram> around_;  ///< of the ground that a closed way encloses
@@ -205,8 +216,12 @@ std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& mov
     std::map<double, std::vector<Path>, std::greater<>> by_height;
     std::optional<WayBuilder> way;
     Vec3 from = start;
+    bool came_down = false;  // and has not moved since
     for (const Move& move : moves) {
         const bool level = move.kind != MoveKind::Rapid && std::abs(from.z() - move.to.z()) < kSameHeightMm;
+        if (came_down && !level) by_height[from.z()].push_back({Vec2(from.head<2>()), {}});
+        came_down = move.kind != MoveKind::Rapid && move.to.z() < from.z() - kSameHeightMm &&
+                    move.to.head<2>() == from.head<2>();
         if (!level && way) {
             way->end();
             way.reset();

@@ -62,8 +62,9 @@ void checkPecks(const ReadOperation& operation, const RecordedOperation& planned
     }
 }
 
-/// Stays at the bottom add up to those of all holes: the reader knows their height, not their place.
-void checkDwell(const ReadOperation& operation, const RecordedOperation& planned, double tip_z_mm,
+}  // namespace
+
+void proveDwells(const ReadOperation& operation, const RecordedOperation& planned, double tip_z_mm,
                 std::size_t holes, const Findings& findings) {
     std::size_t stays = 0;
     double shortest_s = std::numeric_limits<double>::infinity();
@@ -79,8 +80,6 @@ void checkDwell(const ReadOperation& operation, const RecordedOperation& planned
                                  planned.dwell_s));
 }
 
-}  // namespace
-
 void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,
                    const FeatureState& state, const Findings& findings) {
     if (!planned.tool.isForHoles() || planned.tool.isTap()) return;
@@ -91,7 +90,7 @@ void proveDrilling(const ReadOperation& operation, const RecordedOperation& plan
     for (const Vec2& axis : axes)
         checkDepth(operation, axis, tip_z_mm, findings);
     checkPecks(operation, planned, state.feature.top_z_mm, tip_z_mm, findings);
-    checkDwell(operation, planned, tip_z_mm, axes.size(), findings);
+    proveDwells(operation, planned, tip_z_mm, axes.size(), findings);
 }
 
 }  // namespace stepmill::verify

@@ -40,6 +40,11 @@ class TravelProver {
     std::array<bool, 3> told_{};
 };
 
+/// It stays at the bottom of every hole, the tip at that height, as long as planned. The stays of all holes
+/// add up: the reader knows their height, not their place.
+void proveDwells(const ReadOperation& operation, const RecordedOperation& planned, double tip_z_mm,
+                 std::size_t holes, const Findings& findings);
+
 /// A tool for holes but a tap goes in every hole as deep as planned, in pecks no deeper than planned, and
 /// stays at the bottom as long as planned.
 void proveDrilling(const ReadOperation& operation, const RecordedOperation& planned,

@@ -96,6 +96,9 @@ class SetupProver {
         StandingStairs& stairs = stairs_.try_emplace(ground.id, ground, tol_).first->second;
         verify::proveFormMoves(operation, planned, ground, tol_, findings);
         verify::proveFormCut(operation, planned, tol_, stairs, findings);
+        if (planned.holes > 0)
+            verify::proveDwells(operation, planned, planned.z_floor_mm,
+                                static_cast<std::size_t>(planned.holes), findings);
         done_.insert(operation.id);
     }
 

@@ -23,12 +23,11 @@ class CutterForm {
     double height_mm_;
 };
 
-/// Sine of the lean from upright of the face that a chamfer mill's flank makes: 0.707 for 90 degrees between
-/// flanks.
-/// \pre tool.type == ToolType::Chamfer
+/// Sine of the lean from upright of the face that a cone's flank makes: 0.707 for 90 degrees between flanks.
+/// \pre tool.hasFlanks()
 double flankLean(const ToolAssembly& tool);
 
-/// A chamfer mill makes the faces whose lean is its flank's to this.
+/// Chamfer mills and countersinks make the faces whose lean is their flank's to this.
 inline constexpr double kSameLean = 0.02;
 
 }  // namespace stepmill

@@ -9,7 +9,7 @@
 
 namespace stepmill {
 
-enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer, Tap, Spot, Reamer, Boring };
+enum class ToolType { Flat, Ball, Bull, Drill, Face, Chamfer, Tap, Spot, Reamer, Boring, Countersink };
 
 /// A cylinder of shank or holder over the cutter: anything as wide as `diameter_mm` between two heights
 /// over the tool tip.
@@ -82,8 +82,8 @@ struct ToolAssembly {
     ToolType type = ToolType::Flat;
     double diameter_mm = 0;
     double corner_radius_mm = 0;    ///< diameter / 2 for a ball, 0 for a flat end mill
-    double tip_diameter_mm = 0;     ///< of a chamfer mill: where its cone ends below
-    double included_angle_deg = 0;  ///< of a chamfer mill: between its flanks, 90 for chamfers of 45 degrees
+    double tip_diameter_mm = 0;     ///< of a cone (hasFlanks()): where it ends below
+    double included_angle_deg = 0;  ///< of a cone: between its flanks, 90 for chamfers of 45 degrees
     double point_angle_deg = 118;   ///< of a drill or a spot drill: between the flanks of its point
     bool self_centring = false;     ///< of a drill: it starts true where nothing was spotted
     std::optional<Thread> thread;   ///< of a tap: what it cuts, right-hand
@@ -112,12 +112,13 @@ struct ToolAssembly {
     bool isSpot() const { return type == ToolType::Spot; }
     /// Does it bring a bore that is nearly as wide to its fit?
     bool isSizer() const { return type == ToolType::Reamer || type == ToolType::Boring; }
+    bool isCountersink() const { return type == ToolType::Countersink; }
     /// Does it go straight down into holes, and nowhere else?
-    bool isForHoles() const { return isDrill() || isTap() || isSpot() || isSizer(); }
+    bool isForHoles() const { return isDrill() || isTap() || isSpot() || isSizer() || isCountersink(); }
+    /// Is it a cone, with an angle between its flanks and a tip?
+    bool hasFlanks() const { return type == ToolType::Chamfer || isCountersink(); }
     /// Does it cut forms that flat layers leave: walls that lean, fillets, chamfers?
-    bool isForm() const {
-        return type == ToolType::Ball || type == ToolType::Bull || type == ToolType::Chamfer;
-    }
+    bool isForm() const { return type == ToolType::Ball || type == ToolType::Bull || hasFlanks(); }
     /// Cutting data for a material, or nothing when the library has none for it.
     const CuttingData* cuttingFor(const std::string& material_name) const;
 };

@@ -31,7 +31,7 @@ struct OperationData {
     double speed_rpm = 0;
     Coolant coolant = Coolant::Flood;
     double dwell_s = 0;  ///< at the bottom of each drilled hole; counted in totals, not in the path
-    int holes = 0;       ///< that an operation with a tool for holes works on; else 0
+    int holes = 0;       ///< that an operation with a tool for holes works on, a countersink too; else 0
     std::optional<ThreadCut> thread;  ///< of a tapping operation
     std::optional<Fit> fit;           ///< of a reaming or boring operation: what the bore gets
     double ramp_angle_deg = 0;        ///< steepest descent through material that is no plunge; 0: not told

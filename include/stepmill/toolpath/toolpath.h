@@ -220,6 +220,8 @@ inline constexpr double kOneGoDiameters = 3;
 inline constexpr double kChipBreakDiameters = 5;
 /// The pattern of holes whose chips are broken.
 inline constexpr const char* kChipBreakPattern = "drill, chips broken";
+/// The pattern of a countersink that goes straight down into cones.
+inline constexpr const char* kCountersinkPattern = "countersink";
 /// How far the drill is lifted to break a chip: a hundredth of an inch, as G73 of controllers does [mm].
 inline constexpr double kChipBreakLiftMm = 0.254;
 

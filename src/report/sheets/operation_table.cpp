@@ -14,7 +14,8 @@ namespace {
 
 std::string featureWords(const PlannedSetup& setup, const Operation& operation) {
     if (operation.breaks_mm3 > 0) return "edges";
-    if (operation.role == Role::Form) return "leaning walls";
+    if (operation.role == Role::Form)
+        return operation.holes > 0 ? fmt::format("{} holes", operation.holes) : "leaning walls";
     for (const PlannedFeature& planned : setup.features)
         if (planned.feature.id == operation.feature_id)
             return shortId(operation.feature_id) + " " + toString(planned.feature.feature_class);

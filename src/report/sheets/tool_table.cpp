@@ -48,7 +48,7 @@ double gaugeMm(const ToolAssembly& tool, const Machine& machine) {
 }
 
 std::string typeWords(const ToolAssembly& tool) {
-    if (tool.type == ToolType::Chamfer) return fmt::format("chamfer {:g}°", tool.included_angle_deg);
+    if (tool.hasFlanks()) return fmt::format("{} {:g}°", toString(tool.type), tool.included_angle_deg);
     return toString(tool.type);
 }
 

@@ -26,7 +26,7 @@ std::string cutterPath(const ToolAssembly& tool, const std::function<std::string
     const double r = tool.radius_mm();
     const double top = tool.flute_length_mm;
     const bool has_point = tool.isDrill() || tool.isSpot();
-    const bool is_cone = has_point || tool.type == ToolType::Chamfer;
+    const bool is_cone = has_point || tool.hasFlanks();
     double tip_r = r - tool.corner_radius_mm;
     double corner_z = tool.corner_radius_mm;
     if (is_cone) {

@@ -27,8 +27,8 @@ std::string typeWords(const ToolAssembly& tool) {
         return fmt::format("{}, point {:g} degrees", tool.isSpot() ? "spot drill" : "drill",
                            tool.point_angle_deg);
     if (tool.isSizer()) return fmt::format("{}, lead {:g} mm", toString(tool.type), tool.lead_mm);
-    if (tool.type == ToolType::Chamfer)
-        return fmt::format("chamfer, {:g} degrees, tip {:g} mm", tool.included_angle_deg,
+    if (tool.hasFlanks())
+        return fmt::format("{}, {:g} degrees, tip {:g} mm", toString(tool.type), tool.included_angle_deg,
                            tool.tip_diameter_mm);
     if (tool.isTap() && tool.thread) return "tap " + tool.thread->name;
     return toString(tool.type);

@@ -57,6 +57,17 @@ TEST(ReadHoleTools, WhatSizesHasALead) {
     EXPECT_TRUE(read({{"type", "reamer"}, {"diameter", 8}}).isSizer());
 }
 
+TEST(ReadHoleTools, ACountersinkIsAConeThatNeedsNoStepOver) {
+    const ToolAssembly sink = read(
+        {{"type", "countersink"}, {"diameter", 16}, {"tip_diameter", 3.2}, {"included_angle_deg", 82}});
+    EXPECT_TRUE(sink.isCountersink() && sink.isForHoles() && sink.isForm() && sink.hasFlanks());
+    EXPECT_EQ(sink.tip_diameter_mm, 3.2);
+    EXPECT_EQ(sink.included_angle_deg, 82);
+    EXPECT_NE(refusal({{"type", "countersink"}, {"diameter", 16}, {"included_angle_deg", 90}})
+                  .find("expected the field \"tip_diameter\" of a countersink"),
+              std::string::npos);
+}
+
 TEST(ReadHoleTools, FieldsOfOthersAreRefused) {
     EXPECT_EQ(refusal({{"type", "drill"}, {"diameter", 8}, {"point_angle_deg", 80}}),
               "tools.json#/tools/0/point_angle_deg: expected 90 degrees or more of a drill, found 80");

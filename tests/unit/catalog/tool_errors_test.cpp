@@ -85,7 +85,7 @@ TEST(ToolErrors, TellTheAllowedWords) {
     EXPECT_EQ(messageWith("/format", 2), "tools.json#/format: expected 1, found 2");
     EXPECT_EQ(messageWith("/tools/1/type", "broach"),
               "tools.json#/tools/1/type: expected one of \"flat\", \"ball\", \"bull\", \"drill\", \"face\", "
-              "\"chamfer\", \"tap\", \"spot\", \"reamer\", \"boring\", found \"broach\"");
+              "\"chamfer\", \"tap\", \"spot\", \"reamer\", \"boring\", \"countersink\", found \"broach\"");
 }
 
 TEST(ToolErrors, TellWhatAChamferMillMustSay) {
@@ -105,7 +105,7 @@ TEST(ToolErrors, TellWhatAChamferMillMustSay) {
     EXPECT_EQ(read.type, ToolType::Chamfer);
     EXPECT_EQ(read.included_angle_deg, 90);
     mill["type"] = "flat";
-    EXPECT_NE(message().find("expected on a chamfer mill alone"), std::string::npos) << message();
+    EXPECT_NE(message().find("expected on a chamfer mill or countersink alone"), std::string::npos) << message();
 }
 
 TEST(ToolErrors, TellALibraryWithoutTools) {

@@ -58,9 +58,14 @@ TEST(Hsm, GivesAToolWithHolderAndCuttingData) {
 TEST(Hsm, ReadsAnglesOfDrillsWholeAndOfChamferMillsHalf) {
     const ForeignLibrary library = hsm(hsmLibrary(
         "<tool type=\"drill\" unit=\"millimeters\"><body diameter=\"2.5\" taper-angle=\"118\"/></tool>"
-        "<tool type=\"chamfer mill\" unit=\"millimeters\"><body diameter=\"6\" taper-angle=\"45\"/></tool>"));
+        "<tool type=\"chamfer mill\" unit=\"millimeters\"><body diameter=\"6\" taper-angle=\"45\"/></tool>"
+        "<tool type=\"counter sink\" unit=\"millimeters\"><body diameter=\"16\" tip-diameter=\"3.2\" "
+        "taper-angle=\"90\"/></tool>"));
     EXPECT_DOUBLE_EQ(library.tools[0].tool.point_angle_deg, 118);
     EXPECT_DOUBLE_EQ(library.tools[1].tool.included_angle_deg, 90);
+    EXPECT_TRUE(library.tools[2].tool.isCountersink());
+    EXPECT_DOUBLE_EQ(library.tools[2].tool.included_angle_deg, 90);
+    EXPECT_DOUBLE_EQ(library.tools[2].tool.tip_diameter_mm, 3.2);
 }
 
 TEST(Hsm, ReadsUtf16) {
