@@ -159,9 +159,9 @@ void addShopOptions(CLI::App& command, PlanOptions& options) {
         .add_option(
             "--hold", options.hold,
             "how setups are held that --fixtures does not name: vise, soft-jaws, screws (through its own "
-            "holes), plate (sacrificial), skin (a plate, and 0.3 mm at the bottom stay); auto: the first "
-            "that will do")
-        ->check(CLI::IsMember({"auto", "vise", "soft-jaws", "screws", "plate", "skin"}))
+            "holes), plate (sacrificial), skin (a plate, and 0.3 mm at the bottom stay), tabs (in "
+            "a frame that stays; one setup); auto: the first that will do")
+        ->check(CLI::IsMember({"auto", "vise", "soft-jaws", "screws", "plate", "skin", "tabs"}))
         ->capture_default_str();
     command.add_option(
         "--holes", options.holes_file,

@@ -120,6 +120,14 @@ StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
     return stock;
 }
 
+/// What a setup leaves for good: the frame, and the tabs that tie the part to it.
+void holdByTabs(Stage& stage) {
+    for (Unplanned& entry : stage.found.unplanned)
+        if (entry.reason == Reason::LeftForLater) entry.reason = {Reason::Holding, {}};
+    const std::size_t tabs = components(stage.reserve.back().region).size();
+    stage.clamping.text += fmt::format("; {} tabs at the bottom tie the part to a frame", tabs);
+}
+
 }  // namespace
 
 double fixtureGrowthMm(const FixtureFile& shop, const ToolLibrary& library) {
@@ -141,6 +149,7 @@ Clamping clampingOf(const Stage& stage, const FixtureFile& shop, const HoldReque
 
 void holdStage(Stage& stage, const FixtureFile& shop, const HoldRequest& asked, const Tolerances& tol) {
     stage.clamping = clampingOf(stage, shop, asked, tol);
+    if (asked.kind == HoldKind::Tabs && !stage.reserve.empty()) holdByTabs(stage);
     std::vector<Fixture>& fixtures = stage.setup.fixtures;
     fixtures = stage.clamping.kind == HoldKind::Given ? givenFixtures(stage, shop, asked.growth_mm, tol)
                                                       : stage.clamping.fixtures;

@@ -11,6 +11,7 @@
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/stick_outs.h"
+#include "plan/tab_reserve.h"
 #include "stepmill/core/error.h"
 #include "stepmill/plan/plan.h"
 #include "stepmill/plan/usable_library.h"
@@ -164,6 +165,20 @@ Plan finished(CutSetups cut, const Part& part, const Stock& stock, const UsableL
     return plan;
 }
 
+/// Where tabs are asked for, what they and their frame keep from the setup; else nothing.
+Assignment heldByTabs(const std::vector<Setup>& setups, const ToolLibrary& library,
+                      const PlanRequest& request, const Tolerances& tol) {
+    if (request.hold != HoldKind::Tabs) return {};
+    if (setups.size() > 1)
+        throw Error(ErrorCode::Usage, "--hold tabs",
+                    fmt::format("a frame lets one setup at its part, found {}: say which (--setup +z)",
+                                setups.size()));
+    Assignment assignment;
+    assignment.reserves.push_back(
+        tabbedFrame(setups.front(), request.slicing, library, request.sequence.material, tol));
+    return assignment;
+}
+
 }  // namespace
 
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
@@ -187,7 +202,8 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const HoldRequest hold{request.hold, request.break_edges_mm, fixtureGrowthMm(request.fixtures, library)};
     const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
     const Stock& stock = setups.front().stock;
-    Assignment assignment = request.assignment.value_or(Assignment{});
+    Assignment assignment =
+        request.assignment ? *request.assignment : heldByTabs(setups, usable.library, request, tol);
     CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);
     Plan plan = finished(std::move(cut), part, stock, usable, shop, progress);
     plan.assignment = std::move(assignment);

@@ -56,6 +56,7 @@ WayToHold heldBy(HoldKind kind, const StockToHold& stock, const HoldWish& wish, 
         case HoldKind::Plate:
         case HoldKind::Skin:
             return onPlate(stock, wish, tol);
+        case HoldKind::Tabs:
         case HoldKind::None:
         case HoldKind::Given:
             break;
@@ -85,7 +86,7 @@ Clamping firstOf(const std::vector<HoldKind>& kinds, const StockToHold& stock, c
 constexpr EnumWord<HoldKind> kHolds[] = {{HoldKind::None, "none"},     {HoldKind::Given, "given"},
                                          {HoldKind::Vise, "vise"},     {HoldKind::SoftJaws, "soft-jaws"},
                                          {HoldKind::Screws, "screws"}, {HoldKind::Plate, "plate"},
-                                         {HoldKind::Skin, "skin"}};
+                                         {HoldKind::Skin, "skin"},     {HoldKind::Tabs, "tabs"}};
 
 }  // namespace
 
@@ -108,12 +109,14 @@ std::optional<HoldKind> holdKindFrom(std::string_view word) {
     return kind == HoldKind::None || kind == HoldKind::Given ? std::nullopt : kind;
 }
 
-Clamping suggestClamping(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
+Clamping suggestClamping(const StockToHold& stock, const HoldWish& asked, const Tolerances& tol) {
     if (stock.arriving.empty() || stock.arriving.back().region.empty()) {
         Clamping none;
         none.text = "no vise: the stock is empty at its bottom";
         return none;
     }
+    HoldWish wish = asked;
+    if (wish.kind == HoldKind::Tabs) wish.kind.reset();  // they ask nothing of what holds the frame
     const std::vector<HoldKind> kinds =
         wish.kind ? std::vector{*wish.kind}
                   : std::vector{HoldKind::Vise, HoldKind::SoftJaws, HoldKind::Screws, HoldKind::Plate};

@@ -21,9 +21,10 @@ enum class HoldKind {
     SoftJaws,  ///< two jaws of the vise that are bored to the stock's outline
     Screws,    ///< through its own holes into a plate
     Plate,     ///< a sacrificial plate under all of it, by tape or glue
-    Skin       ///< the same, and a skin at the bottom that ties all together stays
+    Skin,      ///< the same, and a skin at the bottom that ties all together stays
+    Tabs       ///< asked for alone: tabs tie the part to a frame, which another kind holds
 };
-/// "none", "given", "vise", "soft-jaws", "screws", "plate", "skin".
+/// "none", "given", "vise", "soft-jaws", "screws", "plate", "skin", "tabs".
 std::string toString(HoldKind kind);
 /// The reverse, of the kinds one can ask for: all but "none" and "given"; nothing for another word.
 std::optional<HoldKind> holdKindFrom(std::string_view word);

@@ -158,7 +158,13 @@ std::string fixtureWords(const Measures& in, const Plan& plan, const Setup& setu
     return words;
 }
 
-std::string clampingWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
+std::string tabWords(const Plan& plan, const PlannedSetup& planned) {
+    if (plan.request.hold != HoldKind::Tabs || planned.reserve.empty()) return {};
+    return fmt::format(" {} tabs at the bottom tie the part to a frame that stays: part them afterwards.",
+                       components(planned.reserve.back().region).size());
+}
+
+std::string holdWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
     switch (planned.clamping.kind) {
         case HoldKind::Given:
             return fixtureWords(in, plan, planned.setup);
@@ -171,10 +177,15 @@ std::string clampingWords(const Measures& in, const Plan& plan, const PlannedSet
         case HoldKind::Plate:
         case HoldKind::Skin:
             return plateWords(in, plan, planned) + heldWords(in, plan, planned);
+        case HoldKind::Tabs:
         case HoldKind::None:
             break;
     }
     return planned.clamping.text + ". To be held otherwise: ______________________________";
+}
+
+std::string clampingWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
+    return holdWords(in, plan, planned) + tabWords(plan, planned);
 }
 
 }  // namespace
