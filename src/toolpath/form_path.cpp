@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "stepmill/access/collision.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/edge_index.h"
 #include "stepmill/planar/path_parts.h"
 #include "stepmill/toolpath/form_passes.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -26,12 +29,40 @@ double wayTo(const Path& pass, const Vec2& from) {
     return pass.closed() ? nearestOn(pass, from).distance_mm : (pass.start - from).norm();
 }
 
+/// What may stand, from below, each with all above it.
+class StandingSections {
+  public:
+    explicit StandingSections(const std::vector<Obstacle>& obstacles) : obstacles_(obstacles) {
+        edges_.reserve(obstacles.size());
+        for (const Obstacle& obstacle : obstacles)
+            edges_.emplace_back(obstacle.section);
+    }
+
+    /// Over what stands no farther from the way than that; -infinity where nothing does.
+    double clearOver(const Edge& way, double distance_mm) const {
+        for (std::size_t i = obstacles_.size(); i-- > 0;)
+            if (isNear(i, way, distance_mm)) return obstacles_[i].top_z_mm;
+        return -std::numeric_limits<double>::infinity();
+    }
+
+  private:
+    bool isNear(std::size_t i, const Edge& way, double distance_mm) const {
+        if (edges_[i].empty()) return false;
+        return edges_[i].anyNearer(way, distance_mm) || contains(obstacles_[i].section, way.segment.to);
+    }
+
+    const std::vector<Obstacle>& obstacles_;
+    std::vector<EdgeIndex> edges_;
+};
+
 class FormPathWriter {
   public:
-    FormPathWriter(const FormTask& task, double radius_mm, const Machine& machine, const Tolerances& tol,
-                   Toolpath& path)
+    FormPathWriter(const FormTask& task, const ToolAssembly& tool, const Machine& machine,
+                   const Tolerances& tol, Toolpath& path)
         : task_(task),
-          radius_mm_(radius_mm),
+          radius_mm_(tool.radius_mm()),
+          cylinders_(access::cylindersOf(tool)),
+          standing_(task.ground.obstacles),
           beside_mm_(std::max(tol.guard_mm, machine.inside_clearance_mm)),
           over_top_mm_(std::max(kApproachMm, machine.top_clearance_mm)),
           tol_(tol),
@@ -79,13 +110,27 @@ class FormPathWriter {
             return comeDown(to, level.tip_z_mm);
         }
         if (!isWay(to)) {
-            add(MoveKind::Rapid, {at_.x(), at_.y(), task_.retract_z_mm});
-            add(MoveKind::Rapid, {to.x(), to.y(), task_.retract_z_mm});
+            const double over_mm = std::max({crossingZ(to), at_.z(), level.tip_z_mm});
+            if (over_mm > at_.z()) add(MoveKind::Rapid, {at_.x(), at_.y(), over_mm});
+            add(MoveKind::Rapid, {to.x(), to.y(), over_mm});
             return comeDown(to, level.tip_z_mm);
         }
         if (to != at_.head<2>()) add(MoveKind::Feed, {to.x(), to.y(), at_.z()});
         if (at_.z() > level.tip_z_mm) add(MoveKind::Plunge, {to.x(), to.y(), level.tip_z_mm});
     }
+
+    /// How high the tip goes straight to another place: cutter, shank and holder keep off all that may stand.
+    double crossingZ(const Vec2& to) const {
+        if (task_.plain_ways) return task_.retract_z_mm;
+        const Edge way = makeLine(at_.head<2>(), to);
+        double clear_mm = standing_.clearOver(way, radius_mm_ + beside_mm_);
+        for (const HolderCylinder& cylinder : cylinders_)
+            clear_mm = std::max(clear_mm, standing_.clearOver(way, cylinder.diameter_mm / 2 + beside_mm_) -
+                                              cylinder.bottom_mm);
+        return std::min(clear_mm + overMm(clear_mm), task_.retract_z_mm);
+    }
+
+    double overMm(double clear_mm) const { return isRawTop(clear_mm) ? over_top_mm_ : kApproachMm; }
 
     /// Is the straight way at the height where the tool is short and free?
     bool isWay(const Vec2& to) const {
@@ -104,8 +149,7 @@ class FormPathWriter {
             if (distanceToRegion(obstacle.section, at) <= radius_mm_ + beside_mm_) break;
             clear_mm = obstacle.bottom_z_mm;
         }
-        const double over_mm = isRawTop(clear_mm) ? over_top_mm_ : kApproachMm;
-        const double rapid_to_mm = std::max(clear_mm, z_mm) + over_mm;
+        const double rapid_to_mm = std::max(clear_mm, z_mm) + overMm(clear_mm);
         if (rapid_to_mm < at_.z()) add(MoveKind::Rapid, {at.x(), at.y(), rapid_to_mm});
         add(MoveKind::Plunge, {at.x(), at.y(), z_mm});
     }
@@ -117,7 +161,9 @@ class FormPathWriter {
 
     const FormTask& task_;
     double radius_mm_;
-    double beside_mm_;    ///< rapids down keep this off what stands
+    std::vector<HolderCylinder> cylinders_;
+    StandingSections standing_;
+    double beside_mm_;    ///< rapids keep this off what stands
     double over_top_mm_;  ///< they end so far over a raw top
     const Tolerances& tol_;
     Toolpath& path_;
@@ -142,7 +188,7 @@ Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     path.pattern = tool.isCountersink()               ? kCountersinkPattern
                    : tool.type == ToolType::Chamfer ? "chamfer pass"
                                                     : "z-levels";
-    FormPathWriter writer(task, tool.radius_mm(), machine, tol, path);
+    FormPathWriter writer(task, tool, machine, tol, path);
     for (const FormLevel* level : cut)
         writer.write(*level);
     writer.end();

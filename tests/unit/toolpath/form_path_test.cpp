@@ -1,0 +1,71 @@
+// Ways of form cutters between their passes.
+
+#include <gtest/gtest.h>
+
+#include "stepmill/planar/boolean.h"
+#include "stepmill/toolpath/form_passes.h"
+#include "support/clearing_tasks.h"
+#include "support/tolerances.h"
+#include "support/tool_makers.h"
+#include "toolpath/emit.h"
+
+namespace stepmill {
+namespace {
+
+using test::kMachine;
+using test::kTol;
+
+constexpr double kRetractMm = 5;
+constexpr double kTipMm = -18;
+
+/// A trough of 100 x 20 mm between walls up to z = 0, with a rib across its middle.
+FormGround trough(double rib_top_mm) {
+    const Region room = makeRectangle({0, 0}, {100, 20});
+    const Region walls = subtract(makeRectangle({-20, -20}, {120, 40}), room, kTol);
+    const Region with_rib = unite(walls, makeRectangle({48, 0}, {52, 20}), kTol);
+    FormGround ground;
+    ground.window = room;
+    ground.stairs = {{-20, -10, room}};
+    ground.must_stand = {{-20, rib_top_mm, with_rib}, {rib_top_mm, 0, walls}};
+    ground.obstacles = ground.must_stand;
+    return ground;
+}
+
+/// One pass on either side of the rib.
+Toolpath passesIn(const FormGround& ground, const ToolAssembly& tool, bool plain_ways = false) {
+    toolpath::FormLevel level{kTipMm, {}, {}};
+    level.free_centres.loops = {makeRectangle({6, 6}, {42, 14}).loops.front(),
+                                makeRectangle({58, 6}, {94, 14}).loops.front()};
+    for (const Loop& loop : level.free_centres.loops)
+        level.passes.push_back(loop);
+    return toolpath::formPath({ground, kRetractMm, plain_ways}, {level}, tool, test::cuttingData(1, 1),
+                              kMachine, kTol);
+}
+
+double crossingZ(const Toolpath& path) {
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Rapid && std::abs(move.to.x() - from.x()) > 5) return move.to.z();
+        from = move.to;
+    }
+    ADD_FAILURE() << "no rapid across";
+    return 0;
+}
+
+ToolAssembly ball(double stick_out_mm, double holder_mm) {
+    return test::inHolder(test::ballMill(10), stick_out_mm, holder_mm);
+}
+
+TEST(FormPath, CrossesWhatStandsAndNoHigher) {
+    EXPECT_DOUBLE_EQ(crossingZ(passesIn(trough(-12), ball(30, 12))), -12 + toolpath::kApproachMm);
+    EXPECT_DOUBLE_EQ(crossingZ(passesIn(trough(-12), ball(30, 12), true)), kRetractMm);
+}
+
+TEST(FormPath, KeepsTheHolderOffWhatStandsBeside) {
+    // Wider than the trough, it stays over the walls' top.
+    EXPECT_DOUBLE_EQ(crossingZ(passesIn(trough(-12), ball(30, 40))), -12 + toolpath::kApproachMm);
+    EXPECT_DOUBLE_EQ(crossingZ(passesIn(trough(-12), ball(10, 40))), -10 + toolpath::kApproachMm);
+}
+
+}  // namespace
+}  // namespace stepmill
