@@ -12,6 +12,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/indexed_region.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "toolpath/engagement/rim.h"
 #include "toolpath/engagement/swept_ways.h"
 #include "toolpath/engagement/trail.h"
@@ -131,6 +132,8 @@ struct CutFollower::Impl {
         cut.depth_mm = depthOf(edge, from.z(), move.to.z());
         if (high_mm - low_mm > kSameCutHeightMm) {
             cut.widest_mm = 2 * radius_mm;
+            if (edge.segment.arc)
+                cut.depth_mm *= toolpath::helixWidth(edge.segment.arc->radius_mm, radius_mm) / cut.widest_mm;
             slopes.add(edge, radius_mm, high_mm);
             return cut;
         }

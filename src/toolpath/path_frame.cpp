@@ -64,6 +64,12 @@ Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const
     return path;
 }
 
+double helixWidth(double circle_radius_mm, double radius_mm) {
+    const double narrow_mm = std::min(circle_radius_mm, radius_mm);
+    const double out_mm = narrow_mm + radius_mm;
+    return out_mm * out_mm / (2 * narrow_mm);
+}
+
 bool isRawTop(double z_mm) {
     return z_mm > -kSameTopMm;
 }

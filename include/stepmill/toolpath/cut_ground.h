@@ -57,7 +57,9 @@ struct MoveCut {
     /// Of a level move, where that is measured: the most of the front rim that stands in material, but for
     /// grazes [rad].
     double engaged_rad = 0;
-    double depth_mm = 0;  ///< at most so deep; 0 for rapids and for moves straight up or down
+    /// At most so deep; 0 for rapids and for moves straight up or down. Of a helix as deep as makes the width
+    /// what it takes a length (toolpath::helixWidth).
+    double depth_mm = 0;
 };
 
 /// Follows one operation over the ground and says of each move how wide and how deep it cuts.

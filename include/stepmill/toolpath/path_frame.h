@@ -22,6 +22,10 @@ int depthsFor(double depth_mm, double step_down_mm);
 Toolpath pathFrame(const ClearingTask& task, int depths, double radius_mm, const CuttingData& cutting,
                    const Machine& machine);
 
+/// What a turn of a helix takes a length and pitch [mm]: as wide as the cutter or, on a circle narrower than
+/// that, more, since the cutter's rim goes farther than its middle.
+double helixWidth(double circle_radius_mm, double radius_mm);
+
 /// Rapids that come down to a hole stop so far over its top [mm].
 inline constexpr double kOverHoleMm = 1.0;
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/units.h"
+#include "stepmill/toolpath/path_frame.h"
 #include "toolpath/script/block_partition.h"
 #include "toolpath/script/depth_progress.h"
 #include "toolpath/script/descender.h"
@@ -96,14 +98,14 @@ RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {
     }
     const int turns = static_cast<int>(std::floor(descent_mm / whole));
     const double rest = descent_mm - turns * whole;
-    if (rest < kLeastRampLeadShare * descent_mm)
-        return {Path{curve.start, {}}, curve, true, turns};
+    if (rest < kLeastRampLeadShare * descent_mm) return {Path{curve.start, {}}, curve, true, turns};
     return {reversed(firstPart(reversed(curve), rest)), curve, true, turns};
 }
 
 double helixFeed(const DepthTask& task, double turn_mm, double pitch_mm) {
     const LinkRates& rates = task.rates;
-    return std::min({rates.ramp_feed_mm_per_min, rates.rated_mm3_per_min / (2 * task.radius_mm * pitch_mm),
+    const double wide_mm = helixWidth(turn_mm / (2 * kPi), task.radius_mm);
+    return std::min({rates.ramp_feed_mm_per_min, rates.rated_mm3_per_min / (wide_mm * pitch_mm),
                      rates.plunge_feed_mm_per_min * std::hypot(turn_mm, pitch_mm) / pitch_mm});
 }
 

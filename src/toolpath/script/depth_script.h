@@ -102,10 +102,10 @@ struct LinkRates {
     double approach_mm;       ///< the last of the way down is fed
     double deep_approach_mm;  ///< the same over ground clear down to the feature's floor, the depths' mean
     double ramp_feed_mm_per_min;
-    double plunge_mm;   ///< from where a descent begins through one depth of cut
-    bool may_plunge;    ///< the tool may go straight down through one depth of cut
+    double plunge_mm;          ///< from where a descent begins through one depth of cut
+    bool may_plunge;           ///< the tool may go straight down through one depth of cut
     double rated_mm3_per_min;  ///< no helix that is steeper than ramps removes more
-    int rings_at_once;  ///< depths of cut that a first ring may be cut down through in one go
+    int rings_at_once;         ///< depths of cut that a first ring may be cut down through in one go
 };
 
 /// The data that all depths of one task share.
@@ -130,7 +130,7 @@ Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& fr
 /// Down along a curve of that many mm of ramp, so that it ends at the curve's start.
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm);
 
-/// Feed of a helix that takes so much a turn, in full width: within the rated removal, no more than ramps',
+/// Feed of a helix that goes so deep a turn of that length: within the rated removal, no more than ramps',
 /// and sinking no faster than the plunge feed.
 double helixFeed(const DepthTask& task, double turn_mm, double pitch_mm);
 

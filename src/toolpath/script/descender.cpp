@@ -1,8 +1,10 @@
 #include "toolpath/script/descender.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "stepmill/core/error.h"
+#include "toolpath/emit.h"
 #include "toolpath/patterns/ring_family.h"
 
 namespace stepmill::toolpath {
@@ -93,7 +95,12 @@ std::vector<Descender::PricedWay> Descender::waysDown(const Joint& joint, const 
     // Beside a finished wall a plunge would show.
     const bool at_wall = pass.closed && pass.level == 0;
     if (rates.may_plunge && !at_wall) ways.push_back({WayDown::PlungeOntoPass, plunge_min});
-    if (rates.may_plunge && !entry_.isOpen()) ways.push_back({WayDown::PlungeAtEntry, plunge_min + link_min});
+    if (rates.may_plunge && !entry_.isOpen()) {
+        // From there it cuts its whole width.
+        const double slot_feed =
+            std::min(rates.feed_mm_per_min, rates.rated_mm3_per_min / (2 * task_.radius_mm * depthOfCut()));
+        ways.push_back({WayDown::PlungeAtEntry, plunge_min + from_entry.distance_mm / slot_feed});
+    }
     ways.push_back({WayDown::ByEntry, minutesByEntry() + link_min});
     std::stable_sort(ways.begin(), ways.end(),
                      [](const PricedWay& a, const PricedWay& b) { return a.minutes < b.minutes; });
@@ -152,9 +159,13 @@ double Descender::minutesAlong(const Pass& pass) const {
     if (!at_once || !rates.may_plunge) return ramp_min;
     const double level_mm = turn_mm * (1 - 1.0 / rates.rings_at_once);
     const double level_feed = std::min(
-        rates.feed_mm_per_min, rates.rated_mm3_per_min / (widthAfterPlunge(pass.path) * rates.plunge_mm));
-    const double down_min = turn_mm / helixFeed(task_, turn_mm, rates.plunge_mm);
+        rates.feed_mm_per_min, rates.rated_mm3_per_min / (widthAfterPlunge(pass.path) * depthOfCut()));
+    const double down_min = std::hypot(turn_mm, depthOfCut()) / helixFeed(task_, turn_mm, depthOfCut());
     return std::max(0.0, down_min - level_mm / level_feed);
+}
+
+double Descender::depthOfCut() const {
+    return task_.rates.plunge_mm - kDescentStartMm;
 }
 
 /// How wide a ring cuts that begins where the cutter has gone straight down: the ring between what it swept

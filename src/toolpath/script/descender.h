@@ -40,6 +40,7 @@ class Descender {
     void goOnFromEntry(const Joint& joint, const Joint& from_entry);
     bool mayRampAlong(const Pass& pass) const;
     double minutesAlong(const Pass& pass) const;
+    double depthOfCut() const;
     double widthAfterPlunge(const Path& ring) const;
     double minutesByEntry() const;
     void rampInto(const Joint& joint);

@@ -109,10 +109,12 @@ TEST(CutFollower, CutsThePitchOfAHelix) {
     for (int i = 1; i <= 8; ++i)
         moves.push_back({MoveKind::Ramp, Vec3(i % 2 == 1 ? 47 : 53, 30, -0.4 * i), circle, false});
     const Followed cut = follow(wideGround(), {53, 30, 0}, moves);
-    EXPECT_DOUBLE_EQ(cut.depth[0], 0.4);
-    EXPECT_DOUBLE_EQ(cut.depth[1], 0.8);
+    // The cutter of 5 mm radius takes a disc of 8 mm, not a ring as wide as itself.
+    const double more = 8.0 * 8 / (2 * 3) / 10;
+    EXPECT_DOUBLE_EQ(cut.depth[0], 0.4 * more);
+    EXPECT_DOUBLE_EQ(cut.depth[1], 0.8 * more);
     for (std::size_t i = 2; i < cut.depth.size(); ++i)
-        EXPECT_NEAR(cut.depth[i], 0.8, 1e-12) << i;
+        EXPECT_NEAR(cut.depth[i], 0.8 * more, 1e-12) << i;
 }
 
 /// A thin rib across the way is met as wide in a move that rounding has made a step longer or shorter: steps
