@@ -228,9 +228,8 @@ class ToolRules {
         for (const char* field : {"tip_diameter", "included_angle_deg"}) {
             if (cone && !tool_.contains(field))
                 findings_.push_back(
-                    {pointer_,
-                     fmt::format("expected the field \"{}\" of a {}, found none", field,
-                                 type == "chamfer" ? "chamfer mill" : type)});
+                    {pointer_, fmt::format("expected the field \"{}\" of a {}, found none", field,
+                                           type == "chamfer" ? "chamfer mill" : type)});
             if (!cone && tool_.contains(field))
                 findings_.push_back(
                     {childPointer(pointer_, field), "expected on a chamfer mill or countersink alone"});

@@ -9,12 +9,11 @@
 namespace stepmill {
 namespace {
 
-constexpr EnumWord<ToolType> kToolTypes[] = {{ToolType::Flat, "flat"},     {ToolType::Ball, "ball"},
-                                             {ToolType::Bull, "bull"},     {ToolType::Drill, "drill"},
-                                             {ToolType::Face, "face"},     {ToolType::Chamfer, "chamfer"},
-                                             {ToolType::Tap, "tap"},       {ToolType::Spot, "spot"},
-                                             {ToolType::Countersink, "countersink"},
-                                             {ToolType::Reamer, "reamer"}, {ToolType::Boring, "boring"}};
+constexpr EnumWord<ToolType> kToolTypes[] = {
+    {ToolType::Flat, "flat"},     {ToolType::Ball, "ball"},    {ToolType::Bull, "bull"},
+    {ToolType::Drill, "drill"},   {ToolType::Face, "face"},    {ToolType::Chamfer, "chamfer"},
+    {ToolType::Tap, "tap"},       {ToolType::Spot, "spot"},    {ToolType::Countersink, "countersink"},
+    {ToolType::Reamer, "reamer"}, {ToolType::Boring, "boring"}};
 constexpr EnumWord<Coolant> kCoolants[] = {
     {Coolant::Off, "off"}, {Coolant::Mist, "mist"}, {Coolant::Flood, "flood"}};
 constexpr EnumWord<CutterMaterial> kCutterMaterials[] = {{CutterMaterial::Carbide, "carbide"},

@@ -15,18 +15,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Shape files of FreeCAD and the types they are of. A face mill is the flat cutter that it mostly is there.
-constexpr EnumWord<ToolType> kShapes[] = {{ToolType::Flat, "endmill"},  {ToolType::Ball, "ballend"},
-                                          {ToolType::Bull, "bullnose"}, {ToolType::Drill, "drill"},
-                                          {ToolType::Face, "endmill"},  {ToolType::Chamfer, "v-bit"},
-                                          {ToolType::Tap, "tap"},       {ToolType::Spot, "drill"},
-                                          {ToolType::Reamer, "reamer"}, {ToolType::Boring, "reamer"},
-                                          {ToolType::Countersink, "v-bit"}};
-constexpr EnumWord<ToolType> kShapeTypes[] = {{ToolType::Flat, "Endmill"},  {ToolType::Ball, "Ballend"},
-                                              {ToolType::Bull, "Bullnose"}, {ToolType::Drill, "Drill"},
-                                              {ToolType::Face, "Endmill"},  {ToolType::Chamfer, "VBit"},
-                                              {ToolType::Tap, "Tap"},       {ToolType::Spot, "Drill"},
-                                              {ToolType::Reamer, "Reamer"}, {ToolType::Boring, "Reamer"},
-                                              {ToolType::Countersink, "VBit"}};
+constexpr EnumWord<ToolType> kShapes[] = {
+    {ToolType::Flat, "endmill"},  {ToolType::Ball, "ballend"},     {ToolType::Bull, "bullnose"},
+    {ToolType::Drill, "drill"},   {ToolType::Face, "endmill"},     {ToolType::Chamfer, "v-bit"},
+    {ToolType::Tap, "tap"},       {ToolType::Spot, "drill"},       {ToolType::Reamer, "reamer"},
+    {ToolType::Boring, "reamer"}, {ToolType::Countersink, "v-bit"}};
+constexpr EnumWord<ToolType> kShapeTypes[] = {
+    {ToolType::Flat, "Endmill"},  {ToolType::Ball, "Ballend"},    {ToolType::Bull, "Bullnose"},
+    {ToolType::Drill, "Drill"},   {ToolType::Face, "Endmill"},    {ToolType::Chamfer, "VBit"},
+    {ToolType::Tap, "Tap"},       {ToolType::Spot, "Drill"},      {ToolType::Reamer, "Reamer"},
+    {ToolType::Boring, "Reamer"}, {ToolType::Countersink, "VBit"}};
 
 /// A name that every file system takes.
 std::string fileName(const ToolAssembly& tool) {

@@ -19,25 +19,41 @@ constexpr EnumWord<ToolType> kHsmWords[] = {
     {ToolType::Countersink, "counter sink"}};
 
 /// Types that other programs have and Stepmill does not. They come first: a "centre drill" is no drill.
-constexpr std::array kUnfit = {" center drill ", " centre drill ",
-                               " counter bore ", " counterbore ",    " thread mill ",     " threadmill ",
-                               " dovetail ",     " lollipop ",       " slot mill ",       " slitting ",
-                               " slittingsaw ",  " tapered ",        " taperedballnose ", " radius mill ",
-                               " form mill ",    " circle segment ", " turning ",         " probe ",
-                               " holder ",       " laser ",          " waterjet ",        " plasma ",
-                               " left hand ",    " engraver ",       " engraving ",       " saw "};
+constexpr std::array kUnfit = {" center drill ",    " centre drill ", " counter bore ", " counterbore ",
+                               " thread mill ",     " threadmill ",   " dovetail ",     " lollipop ",
+                               " slot mill ",       " slitting ",     " slittingsaw ",  " tapered ",
+                               " taperedballnose ", " radius mill ",  " form mill ",    " circle segment ",
+                               " turning ",         " probe ",        " holder ",       " laser ",
+                               " waterjet ",        " plasma ",       " left hand ",    " engraver ",
+                               " engraving ",       " saw "};
 
 /// The special before the plain.
-constexpr EnumWord<ToolType> kWords[] = {
-    {ToolType::Countersink, " counter sink "}, {ToolType::Countersink, " countersink "},
-    {ToolType::Chamfer, " chamfer "}, {ToolType::Chamfer, " v bit "},   {ToolType::Chamfer, " vbit "},
-    {ToolType::Ball, " ball "},       {ToolType::Ball, " ballend "},    {ToolType::Ball, " ballnose "},
-    {ToolType::Bull, " bull "},       {ToolType::Bull, " bullnose "},   {ToolType::Bull, " torus "},
-    {ToolType::Face, " face "},       {ToolType::Face, " facemill "},   {ToolType::Face, " shell mill "},
-    {ToolType::Tap, " tap "},         {ToolType::Reamer, " reamer "},   {ToolType::Boring, " boring "},
-    {ToolType::Spot, " spot drill "}, {ToolType::Spot, " spotdrill "},  {ToolType::Spot, " spotting drill "},
-    {ToolType::Drill, " drill "},     {ToolType::Flat, " flat "},       {ToolType::Flat, " end mill "},
-    {ToolType::Flat, " endmill "},    {ToolType::Flat, " slot drill "}, {ToolType::Spot, " spot "}};
+constexpr EnumWord<ToolType> kWords[] = {{ToolType::Countersink, " counter sink "},
+                                         {ToolType::Countersink, " countersink "},
+                                         {ToolType::Chamfer, " chamfer "},
+                                         {ToolType::Chamfer, " v bit "},
+                                         {ToolType::Chamfer, " vbit "},
+                                         {ToolType::Ball, " ball "},
+                                         {ToolType::Ball, " ballend "},
+                                         {ToolType::Ball, " ballnose "},
+                                         {ToolType::Bull, " bull "},
+                                         {ToolType::Bull, " bullnose "},
+                                         {ToolType::Bull, " torus "},
+                                         {ToolType::Face, " face "},
+                                         {ToolType::Face, " facemill "},
+                                         {ToolType::Face, " shell mill "},
+                                         {ToolType::Tap, " tap "},
+                                         {ToolType::Reamer, " reamer "},
+                                         {ToolType::Boring, " boring "},
+                                         {ToolType::Spot, " spot drill "},
+                                         {ToolType::Spot, " spotdrill "},
+                                         {ToolType::Spot, " spotting drill "},
+                                         {ToolType::Drill, " drill "},
+                                         {ToolType::Flat, " flat "},
+                                         {ToolType::Flat, " end mill "},
+                                         {ToolType::Flat, " endmill "},
+                                         {ToolType::Flat, " slot drill "},
+                                         {ToolType::Spot, " spot "}};
 
 }  // namespace
 

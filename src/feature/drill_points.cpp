@@ -5,12 +5,11 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/feature/hole_group.h"
+#include "stepmill/layers/hole_cone.h"
 
 namespace stepmill::feature {
 namespace {
 
-/// Wider cones are cut, not drilled [mm].
-constexpr double kWidestPointMm = 26;
 /// Point angles of drills [deg].
 constexpr double kLeastPointDeg = 80;
 constexpr double kMostPointDeg = 160;
@@ -20,7 +19,7 @@ constexpr double kSameMm = 5e-3;
 bool isDrillPoint(const FaceTrace& trace) {
     if (trace.cause != SlopeCause::DrillPoint || !trace.axis_point) return false;
     const double depth_mm = trace.top_z_mm - trace.bottom_z_mm;
-    if (depth_mm <= 0 || 2 * trace.radius_mm > kWidestPointMm) return false;
+    if (depth_mm <= 0 || 2 * trace.radius_mm > kWidestHoleConeMm) return false;
     const double angle_deg = radToDeg(2 * std::atan2(trace.radius_mm, depth_mm));
     return angle_deg >= kLeastPointDeg && angle_deg <= kMostPointDeg;
 }

@@ -74,9 +74,8 @@ class FormChooser {
         });
         FormSteps steps;
         for (const ToolAssembly* tool : tools)
-            for (FormStep& step : work_.sinks(*tool, steps.empty() ? all_ : steps.back().left))
+            for (FormStep& step : work_.sinks(*tool, steps.empty() ? all_ : steps.back().left, kLeastGainMm3))
                 steps.push_back(std::move(step));
-        if (takenOf(steps) < kLeastGainMm3) steps.clear();
         return steps;
     }
 

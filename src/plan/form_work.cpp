@@ -97,7 +97,8 @@ Toolpath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::
                               cutting, shop_.machine, shop_.tol);
 }
 
-std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingStairs& stairs) {
+std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingStairs& stairs,
+                                      double least_mm3) {
     const CutterForm form(tool);
     const double dwell_s = tool.cuttingFor(shop_.material)->dwell_s;
     std::vector<FormStep> steps;
@@ -107,7 +108,7 @@ std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingSt
         FormStep step{&tool, pathOf(tool, {level}), 0, 0, before, static_cast<int>(level.passes.size())};
         step.left.cut({level.tip_z_mm, level.passes}, form);
         step.taken_mm3 = before.volumeMm3() - step.left.volumeMm3();
-        if (step.taken_mm3 <= 0) continue;
+        if (step.taken_mm3 < least_mm3) continue;
         step.time_s = step.path.totals.motion_time_s + step.holes * dwell_s +
                       (steps.empty() ? shop_.machine.tool_change_s : 0);
         steps.push_back(std::move(step));

@@ -32,8 +32,9 @@ class FormWork {
     /// The cutter's passes over those stairs.
     FormStep step(const ToolAssembly& tool, const StandingStairs& stairs);
     /// What a countersink does, a step for each height that its tip goes down to.
+    /// \param least_mm3  steps that take less are left out
     /// \pre tool.isCountersink()
-    std::vector<FormStep> sinks(const ToolAssembly& tool, const StandingStairs& stairs);
+    std::vector<FormStep> sinks(const ToolAssembly& tool, const StandingStairs& stairs, double least_mm3);
     /// Cutters that may come: with cutting data, flutes and a form.
     std::vector<const ToolAssembly*> cutters() const;
 

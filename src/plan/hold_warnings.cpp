@@ -50,7 +50,8 @@ void warnOfHold(const PlannedSetup& setup, std::vector<Warning>& into) {
 
 /// Tape or glue that nobody asked for may be too weak for what is cut.
 void warnOfPlate(const PlannedSetup& setup, std::optional<HoldKind> asked, std::vector<Warning>& into) {
-    if (setup.clamping.kind != HoldKind::Plate || asked || setup.operations.empty()) return;
+    const bool asked_for = asked && *asked != HoldKind::Tabs;
+    if (setup.clamping.kind != HoldKind::Plate || asked_for || setup.operations.empty()) return;
     into.push_back(
         {"taped", setup.setup.id,
          "tape or glue alone holds it on a plate, which no force of cutting is weighed against: take "

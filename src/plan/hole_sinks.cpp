@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 
 #include "stepmill/catalog/cutter_form.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/unsure_offset.h"
 
 namespace stepmill {
 namespace {
@@ -35,16 +38,17 @@ bool fits(const HoleCone& cone, const ToolAssembly& tool) {
 /// radius at the band's top.
 double deepestTipMm(const FormSite& site, const HoleCone& cone, const ToolAssembly& tool,
                     const Tolerances& tol) {
-    const double slope = cone.slope();
+    const double tool_slope = flankLean(tool) / std::sqrt(1 - flankLean(tool) * flankLean(tool));
     const double tip_radius_mm = tool.tip_diameter_mm / 2;
     double tip_mm = -std::numeric_limits<double>::infinity();
     for (const Obstacle& band : site.ground.must_stand) {
-        if (band.bottom_z_mm >= cone.top_z_mm - kSameHeightMm || band.top_z_mm <= cone.bottom_z_mm + kSameHeightMm)
+        if (band.bottom_z_mm >= cone.top_z_mm - kSameHeightMm ||
+            band.top_z_mm <= cone.bottom_z_mm + kSameHeightMm)
             continue;
         const double foot_mm = std::max(band.bottom_z_mm, cone.bottom_z_mm);
-        const double room_mm =
-            cone.radius_mm - (cone.top_z_mm - foot_mm) * slope - tol.guard_mm - kRoomMm - tip_radius_mm;
-        tip_mm = std::max(tip_mm, std::min(band.top_z_mm, cone.top_z_mm) - room_mm / slope);
+        const double room_mm = cone.radius_mm - (cone.top_z_mm - foot_mm) * cone.slope() - tol.guard_mm -
+                               kRoomMm - tip_radius_mm;
+        tip_mm = std::max(tip_mm, std::min(band.top_z_mm, cone.top_z_mm) - room_mm / tool_slope);
     }
     return std::ceil(tip_mm / kTipStepMm) * kTipStepMm;
 }
@@ -52,8 +56,12 @@ double deepestTipMm(const FormSite& site, const HoleCone& cone, const ToolAssemb
 std::optional<double> freeTipMm(const FormSite& site, const HoleCone& cone, const ToolAssembly& tool,
                                 const FormCentres& centres, const Tolerances& tol) {
     double tip_mm = deepestTipMm(site, cone, tool, tol);
-    for (int i = 0; i < kHigherTries && tip_mm < cone.top_z_mm; ++i, tip_mm += kHigherMm)
-        if (contains(centres.at(tip_mm), cone.centre)) return tip_mm;
+    for (int i = 0; i < kHigherTries && tip_mm < cone.top_z_mm; ++i, tip_mm += kHigherMm) {
+        try {
+            if (contains(centres.at(tip_mm), cone.centre)) return tip_mm;
+        } catch (const UnsureOffset&) {
+        }
+    }
     return std::nullopt;
 }
 

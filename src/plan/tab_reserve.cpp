@@ -32,6 +32,8 @@ constexpr double kTabWidthMm = 6;
 /// Tabs are no farther apart along the outline [mm]; a piece of the part has no fewer than that many.
 constexpr double kTabSpacingMm = 120;
 constexpr int kLeastTabs = 3;
+/// Where the stock ends beside the part a tab has no frame to reach; fewer than that hold nothing.
+constexpr std::size_t kLeastFramedTabs = 2;
 /// A straight stretch is near where it is within this share of the spacing.
 constexpr double kNearShare = 0.3;
 /// A tab reaches so far into part and frame [mm].
@@ -89,18 +91,15 @@ TabPlace placeNear(const std::vector<PlacedEdge>& edges, double along_mm, double
     return on->placeAt(best_mm);
 }
 
-/// Evenly along the outer outlines of the part's pieces.
-std::vector<TabPlace> tabPlaces(const Region& part) {
+/// Evenly along an outline.
+std::vector<TabPlace> tabPlaces(const Loop& outline) {
+    const std::vector<PlacedEdge> edges = placedEdges(outline);
+    const double around_mm = edges.back().from_mm + edges.back().length_mm;
+    const int count = std::max(kLeastTabs, static_cast<int>(std::ceil(around_mm / kTabSpacingMm)));
     std::vector<TabPlace> places;
-    for (const Loop& loop : part.loops) {
-        if (signedArea(loop) <= 0) continue;
-        const std::vector<PlacedEdge> edges = placedEdges(loop);
-        const double around_mm = edges.back().from_mm + edges.back().length_mm;
-        const int count = std::max(kLeastTabs, static_cast<int>(std::ceil(around_mm / kTabSpacingMm)));
-        for (int i = 0; i < count; ++i) {
-            const double along_mm = (i + 0.5) * around_mm / count;
-            places.push_back(placeNear(edges, along_mm, kNearShare * around_mm / count));
-        }
+    for (int i = 0; i < count; ++i) {
+        const double along_mm = (i + 0.5) * around_mm / count;
+        places.push_back(placeNear(edges, along_mm, kNearShare * around_mm / count));
     }
     return places;
 }
@@ -112,7 +111,8 @@ const ToolAssembly* channelMill(const ToolLibrary& library, const std::string& m
     std::pair<bool, double> best_rank{false, 0};  // narrow, and how quick
     for (const ToolAssembly& tool : library.tools) {
         const CuttingData* cutting = tool.cuttingFor(material);
-        if (tool.type != ToolType::Flat || cutting == nullptr || access::freeReachMm(tool) < depth_mm) continue;
+        if (tool.type != ToolType::Flat || cutting == nullptr || access::freeReachMm(tool) < depth_mm)
+            continue;
         const std::pair rank{tool.diameter_mm <= kWideMillMm,
                              ratedRemovalMm3PerMin(*cutting) / tool.diameter_mm};
         if (rank <= best_rank) continue;
@@ -151,14 +151,14 @@ class FrameMaker {
     std::vector<Prism> make() const {
         Region frame = frameOf(subtract(stock_, offset(shadow_, channel_mm_, tol_), tol_));
         if (area(frame) <= tol_.area_mm2)
-            fail(fmt::format("the stock leaves no frame: expected {:.4g} mm or more of it beside the part "
-                             "(--stock-margin), for a channel of {:.4g} mm and {:g} mm that stay",
-                             channel_mm_ + kLeastFrameMm, channel_mm_, kLeastFrameMm));
+            fail(
+                fmt::format("the stock leaves no frame: expected {:.4g} mm or more of it beside the part "
+                            "(--stock-margin), for a channel of {:.4g} mm and {:g} mm that stay",
+                            channel_mm_ + kLeastFrameMm, channel_mm_, kLeastFrameMm));
         const double bottom_mm = layers_.stock_bottom_z_mm;
         const double high_mm =
             std::min(kTabHeightMm, (layers_.stock_top_z_mm - layers_.stock_bottom_z_mm) / 2);
         Region tabs = tabsTo(frame);
-        if (tabs.empty()) fail("no frame stands beside the part's outline");
         return {{std::move(frame), layers_.stock_top_z_mm, bottom_mm},
                 {std::move(tabs), bottom_mm + high_mm, bottom_mm}};
     }
@@ -172,14 +172,21 @@ class FrameMaker {
 
     /// With what the channel's mill leaves in the corners beside them: nobody would send a smaller one there.
     Region tabsTo(const Region& frame) const {
-        const Region channel = subtract(stock_, unite(foot_, frame, tol_), tol_);
+        const Region channel = subtract(stock_, unite(shadow_, frame, tol_), tol_);
         std::vector<Region> across;
-        for (const TabPlace& place : tabPlaces(foot_)) {
-            Region tab = tabAt(place, channel_mm_);
-            if (area(intersect(tab, frame, tol_)) > tol_.area_mm2)
-                across.push_back(intersect(tab, channel, tol_));
+        for (const Loop& outline : shadow_.loops) {
+            const std::size_t before = across.size();
+            for (const TabPlace& place : tabPlaces(outline)) {
+                Region tab = tabAt(place, channel_mm_);
+                if (area(intersect(tab, frame, tol_)) > tol_.area_mm2)
+                    across.push_back(intersect(tab, channel, tol_));
+            }
+            if (across.size() < before + kLeastFramedTabs)
+                fail(
+                    fmt::format("{} tabs reach the frame, expected {} or more: leave stock beside all of the "
+                                "part (--stock-margin)",
+                                across.size() - before, kLeastFramedTabs));
         }
-        if (across.empty()) return {};
         const Region tabs = unite(across, tol_);
         const Region centres = offset(subtract(channel, tabs, tol_), -mill_mm_ / 2, tol_);
         const Region left =
@@ -203,19 +210,18 @@ class FrameMaker {
         }
         const Layer& lowest = layers_.layers.back();
         if (lowest.part.empty() || lowest.bottom_z_mm > layers_.stock_bottom_z_mm + kOnBottomMm)
-            fail("expected a part that stands on the stock's bottom, where tabs tie it (no --stock-margin "
-                 "below it)");
+            fail(
+                "expected a part that stands on the stock's bottom, where tabs tie it (no --stock-margin "
+                "below it)");
         shadow_ = unite(parts, tol_);
         std::erase_if(shadow_.loops, [](const Loop& loop) { return signedArea(loop) < 0; });
         stock_ = unite(stocks, tol_);
-        foot_ = lowest.part;
     }
 
     const LayerStack& layers_;
     const Tolerances& tol_;
     Region shadow_;  ///< the part from above, windows and holes filled
     Region stock_;
-    Region foot_;  ///< the part where it stands on the stock's bottom
     double mill_mm_ = 0;  ///< diameter of the channel's mill
     double channel_mm_ = 0;
 };
@@ -223,7 +229,7 @@ class FrameMaker {
 }  // namespace
 
 CutPrisms tabbedFrame(const Setup& setup, const SliceOptions& slicing, const ToolLibrary& library,
-                        const std::string& material, const Tolerances& tol) {
+                      const std::string& material, const Tolerances& tol) {
     return {setup.part_to_setup, FrameMaker(slice(setup, tol, slicing), library, material, tol).make()};
 }
 

@@ -290,6 +290,10 @@ void checkHoleRole(const Json& operation, const Json& tool, const std::string& p
             failAt(pointer + "/role",
                    fmt::format("'{}' is no work of a {}", operation["role"].get<std::string>(),
                                tool["type"].get<std::string>()));
+    // A cone in any other role would be proven by another form than it has.
+    const bool cone = tool["type"] == "countersink" || tool["type"] == "chamfer";
+    if (cone && operation["role"] != "form")
+        failAt(pointer + "/role", fmt::format("expected 'form' of a {}", tool["type"].get<std::string>()));
 }
 
 /// What brings a bore to its fit says which.

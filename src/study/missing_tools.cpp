@@ -57,15 +57,18 @@ void MissingTools::lookAtChamfers(const LayerStack& layers) {
     for (const FaceTrace& face : layers.traces) {
         if (face.cause != SlopeCause::Chamfer || !chamfers_.insert(face.face).second) continue;
         const double lean = face.least_normal_z;
+        const bool cone = face.surface == SurfaceKind::Cone && face.hollow;
         const auto fits = [&](const ToolAssembly& tool) {
-            return tool.type == ToolType::Chamfer && std::abs(flankLean(tool) - lean) <= kSameLean;
+            const bool comes = tool.type == ToolType::Chamfer ||
+                               (tool.isCountersink() && cone && face.radius_mm <= tool.radius_mm());
+            return comes && std::abs(flankLean(tool) - lean) <= kSameLean;
         };
         if (hasTool(fits)) continue;
         const double included_deg = std::round(radToDeg(2 * std::asin(std::clamp(lean, 0.0, 1.0))));
         MissingTool& mill =
             named(fmt::format("chamfer mill, {:g} degrees", included_deg), "chamfers and countersinks");
         ++mill.faces;
-        if (face.surface == SurfaceKind::Cone && face.hollow) ++mill.holes;
+        if (cone) ++mill.holes;
     }
 }
 

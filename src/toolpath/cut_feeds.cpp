@@ -138,9 +138,9 @@ class PathFeeds {
         if (move.kind != MoveKind::Plunge && !isGlide(move))
             move.feed_mm_per_min = feedOf(move, cut.widest_mm, cut.depth_mm);
         if (move.kind == MoveKind::Ramp && from.z() > move.to.z())
-            move.feed_mm_per_min =
-                std::min(move.feed_mm_per_min, toolpath::sinkingFeed(path_.plunge_feed_mm_per_min, length_mm,
-                                                                     from.z() - move.to.z()));
+            move.feed_mm_per_min = std::min(
+                move.feed_mm_per_min,
+                toolpath::sinkingFeed(path_.plunge_feed_mm_per_min, length_mm, from.z() - move.to.z()));
         const double time_s = length_mm / path_.feedOf(move) * kSecondsPerMinute;
         time_s_ += time_s;
         length_mm_ += length_mm;

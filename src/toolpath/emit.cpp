@@ -117,9 +117,8 @@ void MoveWriter::feedHelix(std::size_t first, double feed_mm_per_min) {
         Move& move = path_.moves[i];
         const double drop_mm = from.z() - move.to.z();
         const double flat_mm = length(Vec2(from.head<2>()), {Vec2(move.to.head<2>()), move.arc});
-        move.feed_mm_per_min =
-            std::min(feed_mm_per_min,
-                     sinkingFeed(path_.plunge_feed_mm_per_min, std::hypot(flat_mm, drop_mm), drop_mm));
+        move.feed_mm_per_min = std::min(feed_mm_per_min, sinkingFeed(path_.plunge_feed_mm_per_min,
+                                                                     std::hypot(flat_mm, drop_mm), drop_mm));
         from = move.to;
     }
 }

@@ -15,7 +15,7 @@
 namespace stepmill::toolpath {
 namespace {
 
-/// Ways at depth are no longer than this many diameters; farther ones go over the retract height.
+/// Ways at depth are no longer than this many diameters; farther ones go over what stands between.
 constexpr double kLongestWayDiameters = 4;
 
 /// The pass as it is run when the tool comes from there: a closed one from its nearest point.
@@ -62,7 +62,9 @@ class FormPathWriter {
         : task_(task),
           radius_mm_(tool.radius_mm()),
           cylinders_(access::cylindersOf(tool)),
+          over_retract_(task.plain_ways || tool.isCountersink()),
           standing_(task.ground.obstacles),
+          window_(task.ground.window),
           beside_mm_(std::max(tol.guard_mm, machine.inside_clearance_mm)),
           over_top_mm_(std::max(kApproachMm, machine.top_clearance_mm)),
           tol_(tol),
@@ -121,15 +123,20 @@ class FormPathWriter {
 
     /// How high the tip goes straight to another place: cutter, shank and holder keep off all that may stand.
     double crossingZ(const Vec2& to) const {
-        if (task_.plain_ways) return task_.retract_z_mm;
         const Edge way = makeLine(at_.head<2>(), to);
-        double clear_mm = standing_.clearOver(way, radius_mm_ + beside_mm_);
+        // What stands beyond the window is known from the retract height on.
+        if (over_retract_ || window_.anyNearer(way, radius_mm_ + tol_.guard_mm)) return task_.retract_z_mm;
+        double tip_mm = overStanding(way, radius_mm_);
         for (const HolderCylinder& cylinder : cylinders_)
-            clear_mm = std::max(clear_mm, standing_.clearOver(way, cylinder.diameter_mm / 2 + beside_mm_) -
-                                              cylinder.bottom_mm);
-        return std::min(clear_mm + overMm(clear_mm), task_.retract_z_mm);
+            tip_mm = std::max(tip_mm, overStanding(way, cylinder.diameter_mm / 2) - cylinder.bottom_mm);
+        return std::min(tip_mm, task_.retract_z_mm);
     }
 
+    /// Where a cylinder that goes along with the tool keeps off all that may stand, and a little over it.
+    double overStanding(const Edge& way, double radius_mm) const {
+        const double clear_mm = standing_.clearOver(way, radius_mm + beside_mm_);
+        return clear_mm + overMm(clear_mm);
+    }
     double overMm(double clear_mm) const { return isRawTop(clear_mm) ? over_top_mm_ : kApproachMm; }
 
     /// Is the straight way at the height where the tool is short and free?
@@ -143,12 +150,7 @@ class FormPathWriter {
 
     /// Down in rapid as far as the whole width of the tool is clear of all that may stand, then at the feed.
     void comeDown(const Vec2& at, double z_mm) {
-        double clear_mm = task_.ground.obstacles.empty() ? z_mm : task_.ground.obstacles.back().top_z_mm;
-        for (std::size_t i = task_.ground.obstacles.size(); i-- > 0;) {
-            const Obstacle& obstacle = task_.ground.obstacles[i];
-            if (distanceToRegion(obstacle.section, at) <= radius_mm_ + beside_mm_) break;
-            clear_mm = obstacle.bottom_z_mm;
-        }
+        const double clear_mm = standing_.clearOver(makeLine(at, at), radius_mm_ + beside_mm_);
         const double rapid_to_mm = std::max(clear_mm, z_mm) + overMm(clear_mm);
         if (rapid_to_mm < at_.z()) add(MoveKind::Rapid, {at.x(), at.y(), rapid_to_mm});
         add(MoveKind::Plunge, {at.x(), at.y(), z_mm});
@@ -162,7 +164,9 @@ class FormPathWriter {
     const FormTask& task_;
     double radius_mm_;
     std::vector<HolderCylinder> cylinders_;
+    bool over_retract_;  ///< all ways across; the holes of a cycle are gone to at one height
     StandingSections standing_;
+    EdgeIndex window_;
     double beside_mm_;    ///< rapids keep this off what stands
     double over_top_mm_;  ///< they end so far over a raw top
     const Tolerances& tol_;
@@ -185,7 +189,7 @@ Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     Toolpath path = pathFrame(heights, static_cast<int>(cut.size()), tool.radius_mm(), cutting, machine);
     // Levels without stairs fall out: between others it is farther than any cut is deep.
     if (cutting.step_down_mm > 0) path.step_down_mm = std::min(path.step_down_mm, cutting.step_down_mm);
-    path.pattern = tool.isCountersink()               ? kCountersinkPattern
+    path.pattern = tool.isCountersink()             ? kCountersinkPattern
                    : tool.type == ToolType::Chamfer ? "chamfer pass"
                                                     : "z-levels";
     FormPathWriter writer(task, tool, machine, tol, path);

@@ -108,6 +108,8 @@ void compareRampAngle(const RecordedOperation& operation, const CuttingData& dat
 /// A hole that is not deep is drilled in one go.
 double largestStepDownMm(const RecordedOperation& operation, const CuttingData& data) {
     if (operation.tool.isSizer()) return 0;  // it goes as deep as the bore
+    // Told is how far its tip is under what leans highest; it cuts a cone's height.
+    if (operation.tool.isCountersink()) return 0;
     const bool one_go = operation.tool.isForHoles() && operation.depths == 1;
     return one_go ? std::max(data.step_down_mm, kOneGoDiameters * operation.tool.diameter_mm)
                   : data.step_down_mm;

@@ -65,7 +65,7 @@ void checkPecks(const ReadOperation& operation, const RecordedOperation& planned
 }  // namespace
 
 void proveDwells(const ReadOperation& operation, const RecordedOperation& planned, double tip_z_mm,
-                std::size_t holes, const Findings& findings) {
+                 std::size_t holes, const Findings& findings) {
     std::size_t stays = 0;
     double shortest_s = std::numeric_limits<double>::infinity();
     for (const ReadDwell& dwell : operation.dwells) {

@@ -28,8 +28,7 @@ inline CutterProfile profileOf(const ToolAssembly& tool) {
     const double radius = tool.diameter_mm / 2;
     if (tool.isDrill())
         return {radius, 0, 0, 1 / std::tan(tool.point_angle_deg / 360 * 3.14159265358979323846)};
-    if (!tool.hasFlanks())
-        return {radius, radius - tool.corner_radius_mm, tool.corner_radius_mm, 0};
+    if (!tool.hasFlanks()) return {radius, radius - tool.corner_radius_mm, tool.corner_radius_mm, 0};
     const double half_rad = tool.included_angle_deg / 360 * 3.14159265358979323846;
     return {radius, tool.tip_diameter_mm / 2, 0, 1 / std::tan(half_rad)};
 }

@@ -19,7 +19,7 @@ struct HoleCone {
     double slope() const { return (radius_mm - foot_radius_mm) / (top_z_mm - bottom_z_mm); }
 };
 
-/// Wider cones are walls that lean: mills cut them in layers [mm].
+/// Wider cones, points of drills too, are walls that lean: mills cut them in layers [mm].
 inline constexpr double kWidestHoleConeMm = 26;
 
 /// All cones that go all round, no wider than kWidestHoleConeMm, by least face.

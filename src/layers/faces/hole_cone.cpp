@@ -25,14 +25,19 @@ HoleCone coneOf(const FaceTrace& face) {
     const double lean = face.greatest_normal_z;
     const double slope = lean / std::sqrt(1 - lean * lean);
     const double high_mm = face.top_z_mm - face.bottom_z_mm;
-    return {snapToGrid(*face.axis_point), face.bottom_z_mm, face.top_z_mm,
-            face.radius_mm - high_mm * slope, face.radius_mm, lean,
+    return {snapToGrid(*face.axis_point),
+            face.bottom_z_mm,
+            face.top_z_mm,
+            face.radius_mm - high_mm * slope,
+            face.radius_mm,
+            lean,
             {face.face}};
 }
 
 bool isSame(const HoleCone& a, const HoleCone& b) {
-    return (a.centre - b.centre).norm() < kSameMm && std::abs(a.top_z_mm - b.top_z_mm) < kSameMm &&
-           std::abs(a.bottom_z_mm - b.bottom_z_mm) < kSameMm;
+    const auto near = [](double one_mm, double other_mm) { return std::abs(one_mm - other_mm) < kSameMm; };
+    return (a.centre - b.centre).norm() < kSameMm && near(a.top_z_mm, b.top_z_mm) &&
+           near(a.bottom_z_mm, b.bottom_z_mm) && near(a.radius_mm, b.radius_mm);
 }
 
 }  // namespace
@@ -43,8 +48,8 @@ std::vector<HoleCone> holeCones(const std::vector<FaceTrace>& traces) {
     for (const FaceTrace& face : traces) {
         if (!opensUpwards(face)) continue;
         HoleCone cone = coneOf(face);
-        const auto known = std::find_if(cones.begin(), cones.end(),
-                                        [&](const HoleCone& one) { return isSame(one, cone); });
+        const auto known =
+            std::find_if(cones.begin(), cones.end(), [&](const HoleCone& one) { return isSame(one, cone); });
         const double mm2 = area(face.region);
         if (known != cones.end()) {
             known->faces.push_back(face.face);
@@ -57,8 +62,8 @@ std::vector<HoleCone> holeCones(const std::vector<FaceTrace>& traces) {
     std::vector<HoleCone> whole;
     for (std::size_t i = 0; i < cones.size(); ++i) {
         const HoleCone& cone = cones[i];
-        const double ring_mm2 = kPi * (cone.radius_mm * cone.radius_mm -
-                                       cone.foot_radius_mm * cone.foot_radius_mm);
+        const double ring_mm2 =
+            kPi * (cone.radius_mm * cone.radius_mm - cone.foot_radius_mm * cone.foot_radius_mm);
         if (cone.foot_radius_mm > 0 && 2 * cone.radius_mm <= kWidestHoleConeMm &&
             covered_mm2[i] >= (1 - kAllRoundShare) * ring_mm2)
             whole.push_back(cone);

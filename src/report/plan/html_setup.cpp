@@ -37,7 +37,7 @@ std::string setupWords(const ReportSubject& subject, const PlannedSetup& setup) 
 
 Element setupFigure(const PlannedSetup& setup) {
     std::string words = "Features seen from the spindle, deeper ones on top.";
-    if (!setup.reserve.empty()) words += " Dashed: where stock stays for later setups.";
+    if (!setup.reserve.empty()) words += " Dashed: where stock stays, for later setups or to hold the part.";
     return Element("figure.wide", setupDrawing(setup), Element("figcaption", words));
 }
 

@@ -42,8 +42,8 @@ std::string formLines(const Plan& plan) {
             for (const ReasonVolume& taken : operation.takes)
                 taken_mm3 += taken.volume_mm3;
             const std::string off = operation.breaks_mm3 > 0 ? "edges"
-                                    : operation.holes > 0    ? fmt::format("cones of {} holes", operation.holes)
-                                                             : "leaning walls";
+                                    : operation.holes > 0 ? fmt::format("cones of {} holes", operation.holes)
+                                                          : "leaning walls";
             text += fmt::format("{}: {} takes {:.3f} cm3 off {} in {}, {} levels\n", operation.id,
                                 plainLine(operation.tool_id), taken_mm3 / 1000, off,
                                 clockTime(operation.path.totals.time_s()), operation.path.depths);

@@ -1,13 +1,13 @@
-// Random plates with countersunk holes: they are drilled, a countersink makes the cones in one stroke each, as
-// a cycle, and the programs leave no more of them than the skin that bands ask for.
+// Random plates with countersunk holes: they are drilled, a countersink makes the cones in one stroke each,
+// as a cycle, and the programs leave no more of them than the skin that bands ask for.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 
-#include <BRepPrimAPI_MakeCone.hxx>
 #include <fmt/format.h>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <nlohmann/json.hpp>
 
 #include "sample_parts.h"
@@ -51,9 +51,9 @@ SunkPlate sunkPlate(std::uint64_t seed) {
         const double slope = std::tan(degToRad(plate.angle_deg) / 2);
         const double high = (wide - bore) / 2 / slope;
         cuts.push_back(cylinder(x, y, bore, -1, thick + 1));
-        cuts.push_back(BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, y, thick - high), gp::DZ()), bore / 2, wide / 2,
-                                            high)
-                           .Shape());
+        cuts.push_back(
+            BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(x, y, thick - high), gp::DZ()), bore / 2, wide / 2, high)
+                .Shape());
         const double r = bore / 2;
         const double w = wide / 2;
         plate.cones_mm3 += kPi * high * ((w * w + w * r + r * r) / 3 - r * r);
@@ -92,8 +92,8 @@ class SunkPlates : public testing::TestWithParam<std::uint64_t> {
   protected:
     fs::path file(const std::string& name) const { return fs::path(folder_.path()) / name; }
     ProgramRun verify() const {
-        return runProgram({stepmillBinary(), "verify", file("job").string(), "--part", part_.string(), "--tools",
-                           file("tools.json").string()});
+        return runProgram({stepmillBinary(), "verify", file("job").string(), "--part", part_.string(),
+                           "--tools", file("tools.json").string()});
     }
 
     void plan(const SunkPlate& plate) {
@@ -101,8 +101,8 @@ class SunkPlates : public testing::TestWithParam<std::uint64_t> {
         std::ofstream(part_) << sampleStepText(plate.part);
         std::ofstream(file("tools.json")) << libraryWith(plate.angle_deg);
         const ProgramRun run =
-            runProgram({stepmillBinary(), "plan", part_.string(), "--tools", file("tools.json").string(), "-o",
-                        file("job").string(), "--setup", "+z", "--no-viewer"});
+            runProgram({stepmillBinary(), "plan", part_.string(), "--tools", file("tools.json").string(),
+                        "-o", file("job").string(), "--setup", "+z", "--no-viewer"});
         ASSERT_LE(run.exit_code, 1) << run.err;
         plan_ = Json::parse(readFile(file("job") / "plan.json"));
     }
@@ -119,7 +119,8 @@ TEST_P(SunkPlates, AreSunkInOneStrokeEach) {
     int holes = 0;
     double taken_mm3 = 0;
     for (const Json& operation : plan_["operations"]) {
-        EXPECT_TRUE(operation["role"] == "form" || operation["role"] == "drill" || operation["role"] == "spot");
+        EXPECT_TRUE(operation["role"] == "form" || operation["role"] == "drill" ||
+                    operation["role"] == "spot");
         if (operation["role"] != "form") continue;
         EXPECT_EQ(operation["pattern"], "countersink");
         EXPECT_EQ(operation["dwell_s"], 0.3);

@@ -58,8 +58,8 @@ TEST(ReadHoleTools, WhatSizesHasALead) {
 }
 
 TEST(ReadHoleTools, ACountersinkIsAConeThatNeedsNoStepOver) {
-    const ToolAssembly sink = read(
-        {{"type", "countersink"}, {"diameter", 16}, {"tip_diameter", 3.2}, {"included_angle_deg", 82}});
+    const ToolAssembly sink =
+        read({{"type", "countersink"}, {"diameter", 16}, {"tip_diameter", 3.2}, {"included_angle_deg", 82}});
     EXPECT_TRUE(sink.isCountersink() && sink.isForHoles() && sink.isForm() && sink.hasFlanks());
     EXPECT_EQ(sink.tip_diameter_mm, 3.2);
     EXPECT_EQ(sink.included_angle_deg, 82);

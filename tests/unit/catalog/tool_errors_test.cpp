@@ -105,7 +105,8 @@ TEST(ToolErrors, TellWhatAChamferMillMustSay) {
     EXPECT_EQ(read.type, ToolType::Chamfer);
     EXPECT_EQ(read.included_angle_deg, 90);
     mill["type"] = "flat";
-    EXPECT_NE(message().find("expected on a chamfer mill or countersink alone"), std::string::npos) << message();
+    EXPECT_NE(message().find("expected on a chamfer mill or countersink alone"), std::string::npos)
+        << message();
 }
 
 TEST(ToolErrors, TellALibraryWithoutTools) {
