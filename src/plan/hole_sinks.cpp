@@ -75,6 +75,7 @@ std::vector<toolpath::FormLevel> sinkLevels(const FormSite& site, const ToolAsse
             if (const auto tip_mm = freeTipMm(site, cone, tool, centres, tol))
                 places[*tip_mm].push_back({cone.centre, {}});
     std::vector<toolpath::FormLevel> levels;
+    levels.reserve(places.size());
     for (auto& [tip_mm, passes] : places)
         levels.push_back({tip_mm, centres.at(tip_mm), std::move(passes)});
     return levels;

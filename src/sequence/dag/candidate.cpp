@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stepmill/core/units.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/machine_limits.h"
