@@ -224,7 +224,7 @@ class ToolRules {
     /// A chamfer mill or countersink is a cone from its tip to its diameter, as high as its flutes at most.
     void checkCone() {
         const std::string type = tool_["type"];
-        const bool cone = type == "chamfer" || type == "countersink";
+        const bool cone = ofItsType().hasFlanks();
         for (const char* field : {"tip_diameter", "included_angle_deg"}) {
             if (cone && !tool_.contains(field))
                 findings_.push_back(
@@ -245,11 +245,11 @@ class ToolRules {
                "at least the height of the cone, " + lengthText(cone_height), tool_["flute_length"]);
     }
 
-    bool isForHoles() const {
-        const std::optional<ToolType> type = toolTypeFrom(tool_["type"].get<std::string>());
+    bool isForHoles() const { return ofItsType().isForHoles(); }
+    ToolAssembly ofItsType() const {
         ToolAssembly tool;
-        tool.type = type.value_or(ToolType::Flat);
-        return tool.isForHoles();
+        tool.type = toolTypeFrom(tool_["type"].get<std::string>()).value_or(ToolType::Flat);
+        return tool;
     }
     bool isRange() const { return tool_["stick_out"].is_object(); }
     /// Flutes and shank must be out of the holder at the shortest; the holder's heights are those of the

@@ -157,7 +157,9 @@ void closeCones(const Cutting& from, CutLayer& cut) {
         const Region ring = subtract(makeCircle(cone.centre, snapToGrid(cone.radius_mm)),
                                      makeCircle(cone.centre, snapToGrid(cone.foot_radius_mm)), from.tol);
         layer.part = unite(layer.part, intersect(ring, layer.stock, from.tol), from.tol);
-        cut.in_cones_mm3[cone.faces.front()] += std::max(0.0, area(layer.part) - mm2) * layer.height_mm();
+        const double volume_mm3 = std::max(0.0, area(layer.part) - mm2) * layer.height_mm();
+        for (const int face : cone.faces)
+            cut.in_cones_mm3[face] += volume_mm3 / static_cast<double>(cone.faces.size());
     }
 }
 
@@ -182,17 +184,14 @@ CutLayer cutLayer(const Cutting& from, double top_mm, double bottom_mm) {
 
 /// Volume that leaning walls hide and that thinner slabs would show: not what lies below overhangs and in
 /// holes across the axis, where no tool from above comes at any height, nor in cones of holes.
-double gainableVolume(const CutLayer& cut, const std::vector<FaceTrace>& traces,
-                      const std::vector<HoleCone>& cones) {
+double gainableVolume(const CutLayer& cut, const std::vector<FaceTrace>& traces) {
     double space = 0;
     double gainable = 0;
     for (const auto& [face, share] : cut.leaning) {
         const double volume = share.space(cut.layer.top_z_mm, cut.layer.bottom_z_mm);
         const auto cause = traces[face].cause;
         space += volume;
-        const bool in_cone = std::any_of(cones.begin(), cones.end(), [face = face](const HoleCone& cone) {
-            return std::find(cone.faces.begin(), cone.faces.end(), face) != cone.faces.end();
-        });
+        const bool in_cone = cut.in_cones_mm3.count(face) > 0;
         if (cause != SlopeCause::Overhang && cause != SlopeCause::AcrossAxis && !in_cone) gainable += volume;
     }
     return space > 0 ? (layers::hiddenVolume(cut) - cut.inCones_mm3()) * gainable / space : 0;
@@ -207,7 +206,7 @@ void cutAndHalve(const Cutting& from, double top_mm, double bottom_mm, std::vect
                                      from.tol.area_mm2 * height, from.solids.worthless_mm3});
     const bool thin = height / 2 < from.options.thinnest_slab_mm;
     const bool stock_leans = cut.layer.stock_air_mm3 > allowed;
-    if (thin || (gainableVolume(cut, from.traces, from.cones) <= allowed && !stock_leans)) {
+    if (thin || (gainableVolume(cut, from.traces) <= allowed && !stock_leans)) {
         if (cut.shared_air_mm3 <= 0)
             settleAir(from.solids, from.tol, cut);
         else

@@ -47,7 +47,11 @@ class FormChooser {
     const StandingStairs& all() const { return all_; }
 
     FormSteps choose() {
-        FormSteps begun = cheapest({withChamfers(countersinks()), withChamfers({})});
+        std::vector<FormSteps> beginnings;
+        if (FormSteps sunk = countersinks(); !sunk.empty())
+            beginnings.push_back(withChamfers(std::move(sunk)));
+        beginnings.push_back(withChamfers({}));
+        FormSteps begun = cheapest(beginnings);
         const StandingStairs& left = begun.empty() ? all_ : begun.back().left;
         const FormSteps first = promising(steps(left, begun));
         std::vector<FormSteps> ways{begun};

@@ -90,8 +90,7 @@ class SweptWay {
   private:
     /// Of a way without length.
     bool takeDisc(Region& region, double radius_mm) const {
-        const Region disc = makeCircle(snapToGrid(at_), snapToGrid(radius_mm));
-        Region left = subtract(region, disc, tol_);
+        Region left = subtract(region, toolpath::sweptRegion({{at_, {}}}, radius_mm, tol_), tol_);
         const bool cuts = area(left) < area(region);
         if (cuts) region = std::move(left);
         return cuts;
