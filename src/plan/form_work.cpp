@@ -91,7 +91,7 @@ const FormCentres& FormWork::centresOf(const ToolAssembly& tool) {
     return *centres;
 }
 
-Toolpath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const {
+toolpath::FormPath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
     return toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
                               cutting, shop_.machine, shop_.tol);
@@ -105,7 +105,7 @@ std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingSt
     for (const toolpath::FormLevel& level : sinkLevels(site_, tool, centresOf(tool), shop_.tol)) {
         shop_.deadline.check(site_.ground.id);
         const StandingStairs& before = steps.empty() ? stairs : steps.back().left;
-        FormStep step{&tool, pathOf(tool, {level}), 0, 0, before, static_cast<int>(level.passes.size())};
+        FormStep step{&tool, pathOf(tool, {level}).path, 0, 0, before, static_cast<int>(level.passes.size())};
         step.left.cut({level.tip_z_mm, level.passes}, form);
         step.taken_mm3 = before.volumeMm3() - step.left.volumeMm3();
         if (step.taken_mm3 < least_mm3) continue;
@@ -131,7 +131,10 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
     }
     std::stable_sort(levels.begin(), levels.end(),
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
-    step.path = pathOf(tool, levels);
+    toolpath::FormPath written = pathOf(tool, levels);
+    for (const LevelWays& ways : written.between)
+        step.left.cut(ways, form);
+    step.path = std::move(written.path);
     step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();
     step.time_s = step.path.totals.motion_time_s + shop_.machine.tool_change_s;
     return step;

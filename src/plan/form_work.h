@@ -40,7 +40,7 @@ class FormWork {
 
   private:
     const FormCentres& centresOf(const ToolAssembly& tool);
-    Toolpath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const;
+    toolpath::FormPath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const;
     std::optional<toolpath::FormLevel> levelAt(const FormCentres& centres, const StandingStairs& stairs,
                                                const CutterForm& form, const CuttingData& cutting,
                                                double z_mm) const;

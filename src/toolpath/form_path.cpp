@@ -58,7 +58,7 @@ class StandingSections {
 class FormPathWriter {
   public:
     FormPathWriter(const FormTask& task, const ToolAssembly& tool, const Machine& machine,
-                   const Tolerances& tol, Toolpath& path)
+                   const Tolerances& tol, FormPath& written)
         : task_(task),
           radius_mm_(tool.radius_mm()),
           cylinders_(access::cylindersOf(tool)),
@@ -68,7 +68,8 @@ class FormPathWriter {
           beside_mm_(std::max(tol.guard_mm, machine.inside_clearance_mm)),
           over_top_mm_(std::max(kApproachMm, machine.top_clearance_mm)),
           tol_(tol),
-          path_(path) {}
+          path_(written.path),
+          between_(written.between) {}
 
     void write(const FormLevel& level) {
         std::vector<const Path*> left;
@@ -117,7 +118,10 @@ class FormPathWriter {
             add(MoveKind::Rapid, {to.x(), to.y(), over_mm});
             return comeDown(to, level.tip_z_mm);
         }
-        if (to != at_.head<2>()) add(MoveKind::Feed, {to.x(), to.y(), at_.z()});
+        if (to != at_.head<2>()) {
+            between_.push_back({at_.z(), {{at_.head<2>(), {{to, std::nullopt}}}}});
+            add(MoveKind::Feed, {to.x(), to.y(), at_.z()});
+        }
         if (at_.z() > level.tip_z_mm) add(MoveKind::Plunge, {to.x(), to.y(), level.tip_z_mm});
     }
 
@@ -171,13 +175,14 @@ class FormPathWriter {
     double over_top_mm_;  ///< they end so far over a raw top
     const Tolerances& tol_;
     Toolpath& path_;
+    std::vector<LevelWays>& between_;
     const FormLevel* before_ = nullptr;  ///< whose free centres the tool is in
     Vec3 at_ = Vec3::Zero();
 };
 
 }  // namespace
 
-Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, const ToolAssembly& tool,
+FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels, const ToolAssembly& tool,
                   const CuttingData& cutting, const Machine& machine, const Tolerances& tol) {
     std::vector<const FormLevel*> cut;
     for (const FormLevel& level : levels)
@@ -186,18 +191,19 @@ Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     ClearingTask heights;
     heights.floor_z_mm = cut.back()->tip_z_mm;
     heights.top_z_mm = task.ground.stairs.back().top_z_mm;
-    Toolpath path = pathFrame(heights, static_cast<int>(cut.size()), tool.radius_mm(), cutting, machine);
+    FormPath written{pathFrame(heights, static_cast<int>(cut.size()), tool.radius_mm(), cutting, machine), {}};
+    Toolpath& path = written.path;
     // Levels without stairs fall out: between others it is farther than any cut is deep.
     if (cutting.step_down_mm > 0) path.step_down_mm = std::min(path.step_down_mm, cutting.step_down_mm);
     path.pattern = tool.isCountersink()             ? kCountersinkPattern
                    : tool.type == ToolType::Chamfer ? "chamfer pass"
                                                     : "z-levels";
-    FormPathWriter writer(task, tool, machine, tol, path);
+    FormPathWriter writer(task, tool, machine, tol, written);
     for (const FormLevel* level : cut)
         writer.write(*level);
     writer.end();
     path.totals = measure(path, machine);
-    return path;
+    return written;
 }
 
 }  // namespace stepmill::toolpath

@@ -28,10 +28,16 @@ struct FormTask {
     bool plain_ways = false;  ///< no way between passes but over the retract height
 };
 
+/// A form cutter's whole path, and the ways at depth between its passes, which may cut too.
+struct FormPath {
+    Toolpath path;
+    std::vector<LevelWays> between;
+};
+
 /// The passes of all levels, from above, as one path: rapids come down over what stands when form operations
 /// begin, ways at depth stay in the free centres, all else goes over the retract height. No moves without
 /// passes.
-Toolpath formPath(const FormTask& task, const std::vector<FormLevel>& levels, const ToolAssembly& tool,
+FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels, const ToolAssembly& tool,
                   const CuttingData& cutting, const Machine& machine, const Tolerances& tol);
 
 }  // namespace stepmill::toolpath

@@ -39,7 +39,8 @@ Toolpath passesIn(const FormGround& ground, const ToolAssembly& tool, bool plain
     for (const Loop& loop : level.free_centres.loops)
         level.passes.push_back(loop);
     return toolpath::formPath({ground, kRetractMm, plain_ways}, {level}, tool, test::cuttingData(1, 1),
-                              kMachine, kTol);
+                              kMachine, kTol)
+        .path;
 }
 
 double crossingZ(const Toolpath& path) {
