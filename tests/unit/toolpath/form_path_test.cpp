@@ -68,5 +68,20 @@ TEST(FormPath, KeepsTheHolderOffWhatStandsBeside) {
     EXPECT_DOUBLE_EQ(crossingZ(passesIn(trough(-12), ball(10, 40))), -10 + toolpath::kApproachMm);
 }
 
+TEST(FormPath, TellsOfWaysAtDepthBetweenPasses) {
+    toolpath::FormLevel level{kTipMm, makeRectangle({6, 6}, {42, 14}), {}};
+    const Path left{{8, 10}, {{{12, 10}, std::nullopt}}};
+    const Path right{{30, 10}, {{{34, 10}, std::nullopt}}};
+    level.passes = {left, right};
+    const FormGround ground = trough(-12);
+    const auto [path, between] = toolpath::formPath({ground, kRetractMm, false}, {level}, ball(30, 12),
+                                                    test::cuttingData(1, 1), kMachine, kTol);
+    ASSERT_EQ(between.size(), 1U);
+    EXPECT_EQ(between[0].tip_z_mm, kTipMm);
+    ASSERT_EQ(between[0].ways.size(), 1U);
+    EXPECT_EQ(between[0].ways[0].start, Vec2(12, 10));
+    EXPECT_EQ(between[0].ways[0].segments.back().to, Vec2(30, 10));
+}
+
 }  // namespace
 }  // namespace stepmill
