@@ -5,6 +5,7 @@
 
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"
+#include "support/sample_feature.h"
 #include "support/tolerances.h"
 
 namespace stepmill {
@@ -56,6 +57,45 @@ TEST_P(PaperCase, WithoutBossesTheToolsAreOthersAndTheTimeIsLess) {
     EXPECT_EQ(stepsOf(without), (Steps{{"t8", Role::Rough}, {"t4", Role::Rest}, {"t1", Role::Rest}}));
     EXPECT_LT(without.sequence.time_s, with.sequence.time_s);
     EXPECT_NEAR(with.feature.area_mm2, without.feature.area_mm2, 1e-6 * with.feature.area_mm2);
+}
+
+// Both tables print 0.683 min for the last tool after 0.2 in: what t1 finishes after t2 does not depend on
+// who came before [DSouza2006, eq. 8], nor on bosses that t2 and t1 both reach past.
+TEST_P(PaperCase, TheLastEdgeIsTheSameWithAndWithoutBosses) {
+    const auto lastEdge = [](const PlannedFeature& pocket) {
+        for (const DagEdge& edge : pocket.sequence.edges)
+            if (edge.from == "t2" && edge.to == "t1") return edge;
+        ADD_FAILURE() << "t2 > t1 was not weighed";
+        return DagEdge{};
+    };
+    const DagEdge with = lastEdge(planPocket("bossed_pocket", GetParam()));
+    const DagEdge without = lastEdge(planPocket("pocket_without_bosses", GetParam()));
+    EXPECT_GT(with.region_area_mm2, 0);
+    EXPECT_NEAR(with.region_area_mm2, without.region_area_mm2, 1e-6 * with.region_area_mm2);
+    EXPECT_NEAR(with.totals.cut_length_mm, without.totals.cut_length_mm, 1e-6 * with.totals.cut_length_mm);
+}
+
+// Table 4: 0.375, 0.2, 0.125 in. A pocket that asks for these: corridors too narrow for 0.4 in, with slots
+// too narrow for 0.25 and for 0.2 in.
+TEST_P(PaperCase, ThreeWidthsOfCorridorTakeTheToolsOfTable4) {
+    const Region corridors =
+        unite(std::vector<Region>{makeRectangle({0, 0}, {80, 9.9}), makeRectangle({0, 0}, {9.9, 60}),
+                                  makeRectangle({70.1, 0}, {80, 60})},
+              kTol);
+    const Region slots =
+        unite(std::vector<Region>{makeRectangle({20, 5}, {25.6, 40}), makeRectangle({35, 5}, {40.6, 40}),
+                                  makeRectangle({50, 5}, {53.4, 40})},
+              kTol);
+    const ToolLibrary library =
+        readToolLibrary(std::string(STEPMILL_SOURCE_DIR) + "/samples/dsouza2006_tools.json");
+    SequenceOptions options = test::inAluminium();
+    options.surrogates = GetParam();
+    const ToolSequence sequence = sequenceTools(test::makePocket(unite(corridors, slots, kTol), 6), library,
+                                                defaultMachine(), options, kTol);
+    Steps steps;
+    for (const SequenceStep& step : sequence.steps)
+        steps.emplace_back(step.tool_id, step.role);
+    EXPECT_EQ(steps, (Steps{{"t5", Role::Rough}, {"t2", Role::Rest}, {"t1", Role::Rest}}));
 }
 
 INSTANTIATE_TEST_SUITE_P(BothRules, PaperCase,

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
 #include "stepmill/core/error.h"
 
 namespace stepmill {
@@ -33,6 +36,36 @@ TEST(CheapestPath, TakesTheDetourThatPays) {
     const CheapestPath path = cheapestPath(2, edgesOf(costs), {false, true});
     EXPECT_EQ(path.tools, (std::vector<int>{0, 1}));
     EXPECT_EQ(path.cost, 40);
+}
+
+// [DSouza2006, Results]: eight tools make 255 sequences. Each is the cheapest where its edges alone cost
+// nothing, and all are weighed by 8 x 9 / 2 edges.
+TEST(CheapestPath, OfEightToolsIsAnyOf255SequencesOver36Edges) {
+    constexpr int kTools = 8;
+    std::set<std::vector<int>> found;
+    for (unsigned subset = 1; subset < (1U << kTools); ++subset) {
+        Costs free;
+        std::vector<int> sequence;
+        for (int k = 0; k < kTools; ++k) {
+            if ((subset >> k & 1U) == 0) continue;
+            free[{sequence.empty() ? kSource : sequence.back(), k}] = 0;
+            sequence.push_back(k);
+        }
+        std::vector<bool> ends(kTools, false);
+        ends[sequence.back()] = true;
+        int asked = 0;
+        const CheapestPath path = cheapestPath(
+            kTools,
+            [&](int m, int n) {
+                ++asked;
+                return free.count({m, n}) > 0 ? 0.0 : 1.0;
+            },
+            ends);
+        EXPECT_EQ(path.tools, sequence);
+        EXPECT_EQ(asked, 36);
+        found.insert(path.tools);
+    }
+    EXPECT_EQ(found.size(), 255U);
 }
 
 TEST(CheapestPath, MayEndBeforeTheLastTool) {
