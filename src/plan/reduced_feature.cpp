@@ -34,6 +34,17 @@ Region unionOf(const std::vector<Standing>& standing, const Tolerances& tol) {
     return regions.empty() ? Region{} : unite(regions, tol);
 }
 
+/// Parts the obstacle that goes on over what stands, so that what stands ends where it does.
+void partAt(double z_mm, std::vector<Obstacle>& obstacles) {
+    const auto over = std::find_if(obstacles.begin(), obstacles.end(), [&](const Obstacle& obstacle) {
+        return obstacle.bottom_z_mm + kSameHeightMm < z_mm && z_mm < obstacle.top_z_mm - kSameHeightMm;
+    });
+    if (over == obstacles.end()) return;
+    Obstacle lower = *over;
+    lower.top_z_mm = over->bottom_z_mm = z_mm;
+    obstacles.insert(over, std::move(lower));
+}
+
 /// Adds to every obstacle what stands at its height or above; above the last one a new one.
 void raiseObstacles(Feature& feature, std::vector<Standing> standing, const Tolerances& tol) {
     double top_z_mm = feature.obstacles.empty() ? feature.floor_z_mm : feature.obstacles.back().top_z_mm;
@@ -41,6 +52,8 @@ void raiseObstacles(Feature& feature, std::vector<Standing> standing, const Tole
     for (const Standing& one : standing)
         highest_mm = std::max(highest_mm, one.top_z_mm);
     if (highest_mm > top_z_mm) feature.obstacles.push_back({top_z_mm, highest_mm, {}});
+    for (const Standing& one : standing)
+        if (!one.region.empty()) partAt(one.top_z_mm, feature.obstacles);
     // From the top down, so that what stands over one height is united once for all obstacles below.
     std::sort(standing.begin(), standing.end(),
               [](const Standing& a, const Standing& b) { return a.top_z_mm > b.top_z_mm; });

@@ -63,6 +63,20 @@ TEST(Reduced, HoldersKeepClearOfMaterialBesideTheFeatureToo) {
     EXPECT_TRUE(contains(free.feature.obstacles[1].section, Vec2(5, 50)));
 }
 
+// An obstacle may go on far over what stands: a holder passes over that, not through it.
+TEST(Reduced, WhatStandsEndsWhereItDoes) {
+    const PlannedFeature parent = parentLeaving(makeRectangle(Vec2(0, 0), Vec2(10, 100)));
+    Feature feature = child();
+    feature.obstacles = {{-30, -20, feature.obstruction}, {-20, 15, feature.obstruction}};
+    const ReducedFeature free = reduced(feature, {asCut(parent)}, {asCut(parent)}, {}, kTol);
+    ASSERT_EQ(free.feature.obstacles.size(), 3U);
+    EXPECT_EQ(free.feature.obstacles[1].top_z_mm, 0);
+    EXPECT_TRUE(contains(free.feature.obstacles[1].section, Vec2(5, 50)));
+    EXPECT_EQ(free.feature.obstacles[2].bottom_z_mm, 0);
+    EXPECT_EQ(free.feature.obstacles[2].top_z_mm, 15);
+    EXPECT_FALSE(contains(free.feature.obstacles[2].section, Vec2(5, 50)));
+}
+
 TEST(Reduced, AFeatureAllBelowMaterialHasNothingToPlan) {
     const PlannedFeature parent = parentLeaving(makeRectangle(Vec2(0, 0), Vec2(100, 100)));
     const ReducedFeature free = reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol);
