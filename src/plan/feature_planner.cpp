@@ -431,7 +431,10 @@ class FeaturePlanner {
         options.deadline = shop_.request.patience.fewToolsOfOne();
         auto sequence = sequenceBefore(grown, fewTools(library, options.material), options);
         // Nothing is known of what the other tools could do.
-        if (sequence) sequence->lower_bound_s = sequence->cutting_bound_s = 0;
+        if (sequence) {
+            sequence->lower_bound_s = sequence->cutting_bound_s = 0;
+            sequence->least = {};
+        }
         return sequence;
     }
 

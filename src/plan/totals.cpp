@@ -1,36 +1,12 @@
 #include "plan/totals.h"
 
 #include <algorithm>
-#include <set>
 
+#include "plan/joint_bound.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
 namespace {
-
-std::set<std::string> endToolsOf(const ToolSequence& sequence) {
-    std::set<std::string> ends;
-    for (const DagEdge& edge : sequence.edges) {
-        if (edge.to.empty()) ends.insert(edge.from);
-    }
-    return ends;
-}
-
-/// Tools a setup cannot do without: features no two of which can be finished by the same tool.
-int unavoidableTools(const PlannedSetup& setup) {
-    std::set<std::string> taken;
-    int count = 0;
-    for (const PlannedFeature& planned : setup.features) {
-        if (planned.sequence.steps.empty()) continue;
-        const std::set<std::string> ends = endToolsOf(planned.sequence);
-        const bool apart = std::none_of(ends.begin(), ends.end(),
-                                        [&](const std::string& id) { return taken.count(id) > 0; });
-        if (!apart) continue;
-        taken.insert(ends.begin(), ends.end());
-        ++count;
-    }
-    return count;
-}
 
 /// No cut of the feature is fed higher than this times its cutting data's feed.
 double fastestPace(const PlannedSetup& setup, const std::string& feature_id) {
@@ -38,6 +14,20 @@ double fastestPace(const PlannedSetup& setup, const std::string& feature_id) {
     for (const Operation& operation : setup.operations)
         if (operation.feature_id == feature_id) pace = std::max(pace, operation.pace);
     return pace;
+}
+
+/// What the setup's features take at least.
+std::vector<LeastTimes> leastTimesOf(const PlannedSetup& setup) {
+    std::vector<LeastTimes> features;
+    for (const PlannedFeature& planned : setup.features) {
+        if (planned.sequence.steps.empty()) continue;
+        LeastTimes& least = features.emplace_back(planned.sequence.least);
+        const double pace = fastestPace(setup, planned.feature.id);
+        for (std::vector<double>& row : least.cutting_s)
+            for (double& cutting_s : row)
+                cutting_s /= pace;
+    }
+    return features;
 }
 
 /// \param in_spindle  the tool that the setup before ended with; becomes this one's last
@@ -68,21 +58,16 @@ void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& 
     totals.tool_change_s += change_s;
     totals.time_s += setup.time_s;
     totals.cost += setup.time_s / (60 * kSecondsPerMinute) * machine.hourly_rate;
-    for (const PlannedFeature& planned : setup.features) {
-        if (planned.sequence.steps.empty()) continue;
-        totals.lower_bound_s += planned.sequence.cutting_bound_s / fastestPace(setup, planned.feature.id);
-    }
 }
 
-/// Changes no plan does without: those of every setup, of which each setup's first may be the last tool of
-/// the setup before.
-int unavoidableChanges(const std::vector<PlannedSetup>& setups) {
-    int changes = 0;
+/// Of every setup, however tools are shared; the first tool of each may be in the spindle from the setup before.
+double leastOfAll(const std::vector<PlannedSetup>& setups, const Machine& machine) {
+    double least_s = 0;
     for (const PlannedSetup& setup : setups) {
-        const int own = unavoidableTools(setup);
-        changes += changes > 0 && own > 0 ? own - 1 : own;
+        const double own_s = leastTogetherS(leastTimesOf(setup), machine.tool_change_s);
+        least_s += least_s > 0 ? std::max(0.0, own_s - machine.tool_change_s) : own_s;
     }
-    return changes;
+    return least_s;
 }
 
 }  // namespace
@@ -92,7 +77,7 @@ TimedSetups withTimes(std::vector<PlannedSetup> setups, const ToolLibrary& libra
     std::string in_spindle;
     for (PlannedSetup& setup : setups)
         addSetup(library, machine, setup, in_spindle, totals);
-    totals.lower_bound_s += unavoidableChanges(setups) * machine.tool_change_s;
+    totals.lower_bound_s = leastOfAll(setups, machine);
     return {std::move(setups), totals};
 }
 

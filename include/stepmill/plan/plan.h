@@ -48,7 +48,7 @@ struct PlanTotals {
     double tool_change_s = 0;
     int tool_changes = 0;
     double cost = 0;
-    double lower_bound_s = 0;
+    double lower_bound_s = 0;  ///< no sequences of these tools over these features take less [costs.md]
 };
 
 /// Solids' volumes are sums over their faces; a difference below this is rounding, nothing to machine [mm3].

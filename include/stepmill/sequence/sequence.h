@@ -14,6 +14,7 @@
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
 #include "stepmill/sequence/advice/area_models.h"
+#include "stepmill/sequence/least_times.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {
@@ -166,7 +167,10 @@ struct ToolSequence {
     double motion_s = 0;         ///< `time_s` with the machine's acceleration where that is given
     double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]
     double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
-    int pruned_edges = 0;        ///< DAG edges whose lower bound ruled them out unevaluated
+    /// The same at the feeds that plans run with, for sums over features that share tools: where feeds follow
+    /// from what is cut, no move removes more than its tool is rated for, straight ways down apart.
+    LeastTimes least;
+    int pruned_edges = 0;  ///< DAG edges whose lower bound ruled them out unevaluated
     std::vector<Residual> residual;
     /// Why the steps leave less allowance than was asked for, in words; empty when they do not.
     std::string no_allowance;

@@ -7,6 +7,7 @@
 #include "report/page/table.h"
 #include "report/page/words.h"
 #include "report/plan/html_sections.h"
+#include "report/plan/over_bound.h"
 #include "report/viewer/viewer_data.h"
 #include "report/viewer/viewer_section.h"
 #include "stepmill/plan/warning_order.h"
@@ -39,6 +40,15 @@ Element cards(const Plan& plan, const Measures& in) {
         card(volumeWords(in, books.planned_mm3, 2), "removed"),
         card(volumeWords(in, books.residual_mm3 + books.unreachable_mm3, 3), "stays or is out of reach"));
     return cards;
+}
+
+/// What the minutes over the bound are; nothing without a bound.
+std::optional<Element> boundWords(const Plan& plan) {
+    const std::string over = overBoundWords(plan);
+    if (over.empty()) return std::nullopt;
+    return Element("p.soft",
+                   fmt::format("No sequences of these tools over these features can take less than {}; {}.",
+                               clockTime(plan.totals.lower_bound_s), over));
 }
 
 Element partWords(const Plan& plan, const Measures& in) {
@@ -160,8 +170,8 @@ Element mainOf(const Plan& plan, const FacetedPart& part, bool inch, const Toler
                std::optional<Element> viewer) {
     ReportSubject subject{plan, part, Measures(inch), dialectOf(plan.machine)};
     Element main("main", Element("h1", plan.part.name), partWords(plan, subject.in), cards(plan, subject.in),
-                 gapsWords(plan, tol), graveWarnings(plan), sharingWords(plan), otherWarnings(plan),
-                 contents(plan), std::move(viewer));
+                 boundWords(plan), gapsWords(plan, tol), graveWarnings(plan), sharingWords(plan),
+                 otherWarnings(plan), contents(plan), std::move(viewer));
     main.add(assignmentSection(subject));
     for (const PlannedSetup& setup : plan.setups)
         main.add(setupSection(subject, setup));

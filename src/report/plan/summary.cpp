@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "report/page/words.h"
+#include "report/plan/over_bound.h"
 #include "stepmill/core/plain_text.h"
 #include "stepmill/plan/feature_times.h"
 #include "stepmill/report/report.h"
@@ -78,8 +79,10 @@ std::string summaryText(const Plan& plan) {
     if (plan.machine.acceleration_mm_per_s2 > 0)
         text += fmt::format("with the machine's acceleration {}\n", clockTime(totals.motion_s));
     text += sharingLine(plan.sharing);
-    text += fmt::format("no sequence of these tools over these features can take less than {}\n",
+    text += fmt::format("no sequences of these tools over these features can take less than {}",
                         clockTime(totals.lower_bound_s));
+    const std::string over = report::overBoundWords(plan);
+    text += over.empty() ? "\n" : "; " + over + "\n";
     const VolumeBalance& books = plan.balance;
     text += fmt::format(
         "books: stock - part {:.3f} cm3 = planned {:.3f} + stays {:.3f} + out of reach {:.3f} (gap {:.1e})\n",

@@ -18,8 +18,23 @@ namespace {
 /// The fastest tools that have any area free of collisions, and so may be surrogates.
 struct FastestSurrogates {
     double any = 0;
-    double outsider = 0;  ///< of those that are no candidates
+    double outsider = 0;         ///< of those that are no candidates
+    double outsider_as_cut = 0;  ///< the same at feeds by what is cut
 };
+
+/// No more goes in a second where feeds follow from what is cut: of a mill what it is rated for, or what it
+/// plunges through. Of others, and where feeds are the library's, the volume rate.
+double rateAsCut(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting,
+                 const SequenceOptions& options, const Machine& machine) {
+    const double most = volumeRate(feature, tool, cutting);
+    if (tool.isForHoles() || !options.cut_material || machine.spindle_curve.empty()) return most;
+    double rated = ratedRemovalMm3PerMin(cutting);
+    if (const auto adaptive = adaptiveCutting(tool, cutting, feature.depth_mm()))
+        rated = std::max(rated, ratedRemovalMm3PerMin(*adaptive));
+    const double disc_mm2 = kPi * tool.radius_mm() * tool.radius_mm();
+    if (tool.max_plunge_mm > 0) rated = std::max(rated, disc_mm2 * cutting.plunge_feed_mm_per_min);
+    return std::min(most, rated / kSecondsPerMinute);
+}
 
 FastestSurrogates fastestSurrogates(const Feature& feature, const std::vector<ToolReach>& reaches,
                                     const std::vector<Candidate>& candidates, const ToolLibrary& library,
@@ -35,7 +50,11 @@ FastestSurrogates fastestSurrogates(const Feature& feature, const std::vector<To
         const bool listed = std::any_of(candidates.begin(), candidates.end(),
                                         [&](const Candidate& other) { return other.tool == &tool; });
         fastest.any = std::max(fastest.any, rate);
-        if (!listed) fastest.outsider = std::max(fastest.outsider, rate);
+        if (listed) continue;
+        fastest.outsider = std::max(fastest.outsider, rate);
+        fastest.outsider_as_cut =
+            std::max(fastest.outsider_as_cut,
+                     rateAsCut(feature, tool, limitedBy(machine, *cutting), options, machine));
     }
     return fastest;
 }
@@ -50,9 +69,8 @@ bool mayPreDrill(const Feature& feature, const ToolAssembly& drill, const Sequen
 /// Of the usual cutting data and of those at constant engagement the faster along walls.
 double wallRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {
     const auto rate = [&](const CuttingData& data) {
-        const double depths =
-            data.step_down_mm > 0 ? std::max(1.0, feature.depth_mm() / data.step_down_mm) : 1.0;
-        return data.feed_mm_per_min / depths / kSecondsPerMinute;
+        return data.feed_mm_per_min / toolpath::depthsFor(feature.depth_mm(), data.step_down_mm) /
+               kSecondsPerMinute;
     };
     const auto adaptive = adaptiveCutting(tool, cutting, feature.depth_mm());
     return adaptive ? std::max(rate(cutting), rate(*adaptive)) : rate(cutting);
@@ -61,7 +79,8 @@ double wallRate(const Feature& feature, const ToolAssembly& tool, const CuttingD
 /// What a tool takes part with: nothing for a drill that neither makes the hole nor makes room for a mill.
 std::optional<Candidate> candidateOf(const Feature& feature, const Walls& walls, const ToolAssembly& tool,
                                      const ToolReach& reach, const CuttingData& cutting,
-                                     const SequenceOptions& options, const Tolerances& tol) {
+                                     const SequenceOptions& options, const Machine& machine,
+                                     const Tolerances& tol) {
     Candidate candidate;
     candidate.tool = &tool;
     candidate.reach = &reach;
@@ -70,6 +89,7 @@ std::optional<Candidate> candidateOf(const Feature& feature, const Walls& walls,
     candidate.cutting = cutting;
     candidate.coverable_mm2 = reach.cleared().coverable_area_mm2;
     candidate.volume_rate_mm3_per_s = candidate.joint_rate_mm3_per_s = volumeRate(feature, tool, cutting);
+    candidate.rate_as_cut_mm3_per_s = rateAsCut(feature, tool, cutting, options, machine);
     if (tool.isSpot()) {
         candidate.spots = options.cost_model == CostModel::Path && spotFits(feature, tool);
         return candidate.spots ? std::optional(candidate) : std::nullopt;
@@ -207,7 +227,7 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Too
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr || reach.exclusion() != nullptr) continue;
         const CuttingData limited = limitedBy(machine, *cutting);
-        if (auto candidate = candidateOf(feature, walls, tool, reach, limited, options, tol))
+        if (auto candidate = candidateOf(feature, walls, tool, reach, limited, options, machine, tol))
             usable.push_back(std::move(*candidate));
     }
     if (isHole(feature.feature_class)) {
@@ -227,6 +247,7 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Too
         if (!tool.hasSurrogates()) continue;
         tool.joint_rate_mm3_per_s = std::max(tool.joint_rate_mm3_per_s, fastest.any);
         tool.outsider_rate_mm3_per_s = fastest.outsider;
+        tool.outsider_rate_as_cut_mm3_per_s = fastest.outsider_as_cut;
     }
     return usable;
 }

@@ -21,12 +21,14 @@ struct Candidate {
     CuttingData cutting;
     double coverable_mm2 = 0;          ///< of the target; a matching drill's is the whole target
     double volume_rate_mm3_per_s = 0;  ///< no move of this tool removes more per second
+    double rate_as_cut_mm3_per_s = 0;  ///< the same at feeds by what is cut, where they are
     WallLength walls;                  ///< that a mill touches by itself
     double wall_rate_mm_per_s = 0;     ///< no more wall is gone along in a second, over the whole depth
     /// No move of this tool or, where it has surrogates, of any of them removes more per second.
     double joint_rate_mm3_per_s = 0;
     /// The same of its surrogates that are no candidates themselves; 0 without surrogates.
     double outsider_rate_mm3_per_s = 0;
+    double outsider_rate_as_cut_mm3_per_s = 0;  ///< at feeds by what is cut
     /// A drill that makes room for the mill after it: it comes before all mills and ends nothing.
     bool predrills = false;
     /// A spot drill that starts the hole for the drill after it: it comes first and clears nothing.

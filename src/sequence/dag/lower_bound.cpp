@@ -18,6 +18,8 @@ double clearedAtTheEnd(const std::vector<Candidate>& tools, const std::vector<bo
     return least;
 }
 
+}  // namespace
+
 /// Area that the tools 0..k can clear together, as far as it counts: no more than `end_mm2`. Mostly it is
 /// the last tool's own; only a smaller cutter that cannot get down where a larger one can makes it larger.
 std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candidate>& tools, double end_mm2,
@@ -38,14 +40,22 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
     return areas;
 }
 
+/// The feeds that bounds are for.
+enum class BoundFeeds {
+    CuttingData,  ///< those that the tool DAG weighs, whatever is cut
+    AsCut         ///< those that plans run with
+};
+
 /// The fastest of the tools k, k+1, ..., and of the surrogates that are no candidates.
-std::vector<double> fastestFrom(const std::vector<Candidate>& tools) {
+std::vector<double> fastestFrom(const std::vector<Candidate>& tools, BoundFeeds feeds) {
+    const bool as_cut = feeds == BoundFeeds::AsCut;
     double fastest = 0;
     for (const Candidate& tool : tools)
-        fastest = std::max(fastest, tool.outsider_rate_mm3_per_s);
+        fastest =
+            std::max(fastest, as_cut ? tool.outsider_rate_as_cut_mm3_per_s : tool.outsider_rate_mm3_per_s);
     std::vector<double> rates(tools.size());
     for (std::size_t k = tools.size(); k-- > 0;) {
-        fastest = std::max(fastest, tools[k].volume_rate_mm3_per_s);
+        fastest = std::max(fastest, as_cut ? tools[k].rate_as_cut_mm3_per_s : tools[k].volume_rate_mm3_per_s);
         rates[k] = fastest;
     }
     return rates;
@@ -60,13 +70,10 @@ std::vector<bool> smallestUsed(const std::vector<Candidate>& tools, std::vector<
     return ends;
 }
 
-}  // namespace
-
-TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tools,
-                      const std::vector<bool>& ends, const Machine& machine, const Tolerances& tol) {
-    const std::vector<double> reached = reachedAreas(feature, tools, clearedAtTheEnd(tools, ends), tol);
-    const std::vector<double> fastest = fastestFrom(tools);
-    const std::vector<bool> last = smallestUsed(tools, ends);
+/// \param reached  as from reachedAreas()
+LeastTimes leastTimes(const Feature& feature, const std::vector<Candidate>& tools,
+                      const std::vector<bool>& ends, const std::vector<double>& reached, BoundFeeds feeds) {
+    const std::vector<double> fastest = fastestFrom(tools, feeds);
     const bool plain =
         std::none_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     const int n = static_cast<int>(tools.size());
@@ -81,12 +88,31 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
         const double volume_s = std::max(0.0, reached[k] - before) * feature.depth_mm() / fastest[k];
         return std::max(volume_s, along_walls(m, k));
     };
+    LeastTimes least;
+    least.ends = smallestUsed(tools, ends);
+    for (const Candidate& tool : tools)
+        least.tools.push_back(tool.tool->id);
+    for (int m = kSource; m < n; ++m) {
+        std::vector<double>& row = least.cutting_s.emplace_back(n, kNoEdge);
+        for (int k = m + 1; k < n; ++k)
+            row[k] = cutting(m, k);
+    }
+    return least;
+}
+
+TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tools,
+                      const std::vector<bool>& ends, const Machine& machine, const Tolerances& tol) {
+    const std::vector<double> reached = reachedAreas(feature, tools, clearedAtTheEnd(tools, ends), tol);
+    const LeastTimes least = leastTimes(feature, tools, ends, reached, BoundFeeds::CuttingData);
+    const int n = static_cast<int>(tools.size());
     TimeBounds bounds;
     const CheapestPath with = cheapestPath(
-        n, [&](int m, int k) { return cutting(m, k) + machine.tool_change_s; }, last);
-    const CheapestPath without = cheapestPath(n, cutting, last);
+        n, [&](int m, int k) { return least.cuttingS(m, k) + machine.tool_change_s; }, least.ends);
+    const CheapestPath without = cheapestPath(
+        n, [&](int m, int k) { return least.cuttingS(m, k); }, least.ends);
     if (!with.tools.empty()) bounds.with_changes_s = with.cost;
     if (!without.tools.empty()) bounds.cutting_s = without.cost;
+    bounds.as_cut = leastTimes(feature, tools, ends, reached, BoundFeeds::AsCut);
     return bounds;
 }
 

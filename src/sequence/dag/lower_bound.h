@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sequence/dag/candidate.h"
+#include "stepmill/sequence/least_times.h"
 
 namespace stepmill {
 
@@ -10,6 +11,7 @@ namespace stepmill {
 struct TimeBounds {
     double with_changes_s = 0;  ///< one tool change for every tool used
     double cutting_s = 0;       ///< no tool changes, as if all tools were free to call
+    LeastTimes as_cut;  ///< at the feeds that plans run with; the two above at those that the DAG weighs
 };
 
 /// \param ends  as from endTools()
