@@ -91,7 +91,8 @@ const FormCentres& FormWork::centresOf(const ToolAssembly& tool) {
     return *centres;
 }
 
-toolpath::FormPath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const {
+toolpath::FormPath FormWork::pathOf(const ToolAssembly& tool,
+                                    const std::vector<toolpath::FormLevel>& levels) const {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
     return toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
                               cutting, shop_.machine, shop_.tol);

@@ -60,7 +60,8 @@ void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& 
     totals.cost += setup.time_s / (60 * kSecondsPerMinute) * machine.hourly_rate;
 }
 
-/// Of every setup, however tools are shared; the first tool of each may be in the spindle from the setup before.
+/// Of every setup, however tools are shared; the first tool of each may be in the spindle from the setup
+/// before.
 double leastOfAll(const std::vector<PlannedSetup>& setups, const Machine& machine) {
     double least_s = 0;
     for (const PlannedSetup& setup : setups) {

@@ -191,7 +191,8 @@ FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     ClearingTask heights;
     heights.floor_z_mm = cut.back()->tip_z_mm;
     heights.top_z_mm = task.ground.stairs.back().top_z_mm;
-    FormPath written{pathFrame(heights, static_cast<int>(cut.size()), tool.radius_mm(), cutting, machine), {}};
+    FormPath written{pathFrame(heights, static_cast<int>(cut.size()), tool.radius_mm(), cutting, machine),
+                     {}};
     Toolpath& path = written.path;
     // Levels without stairs fall out: between others it is farther than any cut is deep.
     if (cutting.step_down_mm > 0) path.step_down_mm = std::min(path.step_down_mm, cutting.step_down_mm);
