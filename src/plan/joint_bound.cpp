@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "stepmill/sequence/tool_dag.h"
+
 namespace stepmill {
 namespace {
 
