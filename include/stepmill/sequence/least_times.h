@@ -15,9 +15,7 @@ struct LeastTimes {
     std::vector<std::vector<double>> cutting_s;
     std::vector<bool> ends;  ///< the last tool may be this one
 
-    double cuttingS(int m, int k) const {
-        return cutting_s[static_cast<std::size_t>(m + 1)][static_cast<std::size_t>(k)];
-    }
+    double cuttingS(int m, int k) const { return cutting_s[m + 1][k]; }
 };
 
 }  // namespace stepmill
