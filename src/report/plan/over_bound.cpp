@@ -1,6 +1,5 @@
 #include "report/plan/over_bound.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 

@@ -18,8 +18,6 @@ double clearedAtTheEnd(const std::vector<Candidate>& tools, const std::vector<bo
     return least;
 }
 
-}  // namespace
-
 /// Area that the tools 0..k can clear together, as far as it counts: no more than `end_mm2`. Mostly it is
 /// the last tool's own; only a smaller cutter that cannot get down where a larger one can makes it larger.
 std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candidate>& tools, double end_mm2,
@@ -99,6 +97,8 @@ LeastTimes leastTimes(const Feature& feature, const std::vector<Candidate>& tool
     }
     return least;
 }
+
+}  // namespace
 
 TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tools,
                       const std::vector<bool>& ends, const Machine& machine, const Tolerances& tol) {
