@@ -242,6 +242,8 @@ std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {
     for (const Run& run : level.runs)
         if (!run.whole && !isOneDisc(profile, level, run)) return std::nullopt;
     const std::vector<int> first_sites = firstSites(profile);
+    // The discs found stand at the level's cut, which may lie a little above the distance asked for.
+    const double radius = snapToGrid(level.cut);
     Swept swept;
     std::vector<Cap> caps;
     const auto join = [&](int i, int next_run, LoopDrawer& loop) {
@@ -250,12 +252,12 @@ std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {
         const Cap cap{snapToGrid(Vec2((end.centre + next.centre) / 2)), footOf(profile, end),
                       footOf(profile, next), i, next_run};
         const double turn = angleBetween(cap.from - cap.centre, cap.to - cap.centre);
-        if (loop.arcTo(cap.to, {cap.centre, level.distance, true}, turn, kNone)) caps.push_back(cap);
+        if (loop.arcTo(cap.to, {cap.centre, radius, true}, turn, kNone)) caps.push_back(cap);
     };
     forEachRing(level, [&](const std::vector<int>& ring) {
         append(swept.region, drawWalls(profile, level, ring, first_sites, join));
     });
-    swept.overlapping = anyCapsCross(std::move(caps), level.distance);
+    swept.overlapping = anyCapsCross(std::move(caps), radius);
     return swept;
 }
 

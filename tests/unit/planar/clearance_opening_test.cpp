@@ -179,6 +179,30 @@ TEST(ClearanceOpening, OfAnEllLeavesItsArmsToSmallerCutters) {
     EXPECT_TRUE(diagram.opening(widest + 1e-3).empty());
 }
 
+// Found by the fuzzer: a corner that stands on a wall leaves no level at the very radius. The discs then
+// stand at one a hair larger, and so must the arcs they leave.
+TEST(ClearanceOpening, IsValidBesideACornerThatTouchesAWall) {
+    const ClearanceDiagram diagram(makePolygon({{0, 0},
+                                                {30, 0},
+                                                {30, 11},
+                                                {50, 11},
+                                                {52, 5},
+                                                {70, 5},
+                                                {70, 25},
+                                                {50, 25},
+                                                {50, 19},
+                                                {21, 19},
+                                                {30, 2},
+                                                {0, 30}}),
+                                   kTol);
+    ASSERT_TRUE(diagram.largestInscribedDisc());
+    for (const double share : {0.2, 0.5, 0.9}) {
+        const Region opened = diagram.opening(share * diagram.largestInscribedDisc()->radius_mm);
+        EXPECT_EQ(diagnose(opened), std::nullopt) << share;
+        EXPECT_FALSE(opened.empty()) << share;
+    }
+}
+
 TEST(ClearanceOpening, OfACrossIsItsMiddleForCuttersWiderThanTheArms) {
     const ClearanceDiagram diagram(test::cross(), kTol);
     expectArea(diagram.opening(3), 2 * 32 * 8 - 64 - 8 * kSharpCorner * 9);
