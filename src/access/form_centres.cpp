@@ -94,14 +94,13 @@ FormCentres::FormCentres(const FormBands& bands, const ToolAssembly& tool) : ban
 }
 
 const Region& FormCentres::at(double tip_z_mm) const {
-    const auto [found, is_new] = known_.try_emplace(tip_z_mm);
-    if (!is_new) return found->second;
-    std::vector<Loop>& loops = found->second.loops;
+    if (const auto found = known_.find(tip_z_mm); found != known_.end()) return found->second;
+    Region free;
     for (std::size_t room = 0; room < within_.size(); ++room) {
-        const Region free = inRoom(room, tip_z_mm);
-        loops.insert(loops.end(), free.loops.begin(), free.loops.end());
+        const Region in_room = inRoom(room, tip_z_mm);
+        free.loops.insert(free.loops.end(), in_room.loops.begin(), in_room.loops.end());
     }
-    return found->second;
+    return known_.emplace(tip_z_mm, std::move(free)).first->second;
 }
 
 Region FormCentres::inRoom(std::size_t room, double tip_z_mm) const {

@@ -23,11 +23,6 @@ struct Demand {
     double step_mm = 0;
 };
 
-double alongWallMm(double corner_mm, double scallop_mm) {
-    const double ridge_mm = std::min(scallop_mm, corner_mm);
-    return 2 * std::sqrt(2 * corner_mm * ridge_mm - ridge_mm * ridge_mm);
-}
-
 std::vector<Demand> demandsOf(const FormSite& site, double corner_mm, double scallop_mm) {
     const double along_mm = alongWallMm(corner_mm, scallop_mm);
     std::vector<Demand> demands;
@@ -125,6 +120,11 @@ std::vector<double> chamferLevels(const FormSite& site, const ToolAssembly& tool
 }
 
 }  // namespace
+
+double alongWallMm(double corner_mm, double scallop_mm) {
+    const double ridge_mm = std::min(scallop_mm, corner_mm);
+    return 2 * std::sqrt(2 * corner_mm * ridge_mm - ridge_mm * ridge_mm);
+}
 
 std::vector<double> formLevels(const FormSite& site, const ToolAssembly& tool, double step_down_mm,
                                double scallop_mm) {

@@ -18,4 +18,7 @@ namespace stepmill {
 std::vector<double> formLevels(const FormSite& site, const ToolAssembly& tool, double step_down_mm,
                                double scallop_mm);
 
+/// How far apart along a wall the passes of a corner may lie: 2 sqrt(2 r s - s^2).
+double alongWallMm(double corner_mm, double scallop_mm);
+
 }  // namespace stepmill

@@ -3,13 +3,14 @@
 #include "plan/form_work.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plan/form_levels.h"
 #include "plan/hole_sinks.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/unsure_offset.h"
 #include "stepmill/sequence/machine_limits.h"
-#include "stepmill/toolpath/form_passes.h"
 #include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
@@ -72,17 +73,25 @@ std::vector<const ToolAssembly*> FormWork::cutters() const {
 
 /// Nothing where the cutter has no pass, or where no sure region of free centres is found: what other levels
 /// leave there stays. Any other trouble is not this level's alone.
-std::optional<toolpath::FormLevel> FormWork::levelAt(const FormCentres& centres, const StandingStairs& stairs,
-                                                     const CutterForm& form, const CuttingData& cutting,
-                                                     double z_mm) const {
+std::optional<toolpath::FormLevel> FormWork::levelAt(toolpath::FormPasses& passes,
+                                                     const StandingStairs& stairs,
+                                                     const std::vector<double>& heights,
+                                                     std::size_t index) const {
     try {
-        toolpath::FormLevel level = toolpath::formLevel(centres, stairs, form, z_mm,
-                                                        toolpath::usedStepOver(cutting, form.fullRadiusMm()),
-                                                        kPassSkinScallops * shop_.scallop_mm, shop_.tol);
+        toolpath::FormLevel level = passes.at(heights[index], stairs, mayWaitFor(heights, index));
         if (!level.passes.empty()) return level;
     } catch (const UnsureOffset&) {
     }
     return std::nullopt;
+}
+
+/// The level below; nothing at the foot of stairs, where the fillet is made.
+std::optional<double> FormWork::mayWaitFor(const std::vector<double>& heights, std::size_t index) const {
+    const bool is_foot = std::any_of(site_.feet_mm.begin(), site_.feet_mm.end(), [&](double foot_mm) {
+        return std::abs(foot_mm - heights[index]) < kSameHeightMm;
+    });
+    if (is_foot || index + 1 == heights.size() || heights[index + 1] > heights[index]) return std::nullopt;
+    return heights[index + 1];
 }
 
 const FormCentres& FormWork::centresOf(const ToolAssembly& tool) {
@@ -120,14 +129,18 @@ std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingSt
 FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
     const CutterForm form(tool);
-    const FormCentres& centres = centresOf(tool);
+    const toolpath::PassSpacing spacing{
+        toolpath::usedStepOver(cutting, form.fullRadiusMm()), kPassSkinScallops * shop_.scallop_mm,
+        tool.hasFlanks() ? 0 : alongWallMm(tool.corner_radius_mm, shop_.scallop_mm)};
+    toolpath::FormPasses passes(centresOf(tool), form, spacing, shop_.tol);
     FormStep step{&tool, {}, 0, 0, stairs};
+    const std::vector<double> heights = formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm);
     std::vector<toolpath::FormLevel> levels;
-    for (const double z_mm : formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm)) {
+    for (std::size_t i = 0; i < heights.size(); ++i) {
         shop_.deadline.check(site_.ground.id);
-        std::optional<toolpath::FormLevel> level = levelAt(centres, step.left, form, cutting, z_mm);
+        std::optional<toolpath::FormLevel> level = levelAt(passes, step.left, heights, i);
         if (!level) continue;
-        step.left.cut({z_mm, level->passes}, form);
+        step.left.cut({heights[i], level->passes}, form);
         levels.push_back(std::move(*level));
     }
     std::stable_sort(levels.begin(), levels.end(),

@@ -41,9 +41,9 @@ class FormWork {
   private:
     const FormCentres& centresOf(const ToolAssembly& tool);
     toolpath::FormPath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const;
-    std::optional<toolpath::FormLevel> levelAt(const FormCentres& centres, const StandingStairs& stairs,
-                                               const CutterForm& form, const CuttingData& cutting,
-                                               double z_mm) const;
+    std::optional<toolpath::FormLevel> levelAt(toolpath::FormPasses& passes, const StandingStairs& stairs,
+                                               const std::vector<double>& heights, std::size_t index) const;
+    std::optional<double> mayWaitFor(const std::vector<double>& heights, std::size_t index) const;
 
     const FormSite& site_;
     const FormShop& shop_;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/unsure_offset.h"
 #include "stepmill/planar/walk_inside.h"
 #include "toolpath/needed_pieces.h"
 
@@ -17,6 +18,9 @@ namespace {
 constexpr int kMostRings = 100;
 /// Stretches without material that are shorter than this many radii are gone along rather than lifted over.
 constexpr double kLevelBridgeRadii = 1;
+/// Stretches that may wait for the next level are passed if they are shorter than so many radii: the tool is
+/// no sooner across.
+constexpr double kShortestWaitRadii = 4;
 /// Whether a pass is needed is asked for stretches no longer than so many radii.
 constexpr double kLongestEdgeRadii = 0.5;
 /// Stairs farther over the tip than the cutter's form is high, and this much, ask for no pass [mm].
@@ -38,13 +42,21 @@ class Meeting {
 
     bool nothing() const { return near_.empty(); }
 
-    /// Edge by edge along a way.
-    bool at(const Edge& way) {
-        return std::any_of(near_.begin(), near_.end(),
-                           [&](Near& near) { return near.walk.meets(way, near.radius_mm); });
+    /// Of each edge along a way, not 0: there.
+    std::vector<char> along(const std::vector<Edge>& way) {
+        std::vector<char> meets;
+        meets.reserve(way.size());
+        for (const Edge& edge : way)
+            meets.push_back(static_cast<char>(at(edge)));
+        return meets;
     }
 
   private:
+    bool at(const Edge& edge) {
+        return std::any_of(near_.begin(), near_.end(),
+                           [&](Near& near) { return near.walk.meets(edge, near.radius_mm); });
+    }
+
     struct Near {
         std::unique_ptr<EdgeIndex> edges;  ///< at one place, for the walk
         WalkInside walk;
@@ -68,36 +80,113 @@ std::vector<Edge> shortEdges(const Loop& loop, double longest_mm) {
     return edges;
 }
 
-/// Pieces of a loop where the cutter meets stairs; the loop itself where it does all round.
-std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, double radius_mm) {
-    const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
-    std::vector<char> needed;
-    needed.reserve(edges.size());
-    for (const Edge& edge : edges)
-        needed.push_back(static_cast<char>(meeting.at(edge)));
-    return neededPieces(loop, edges, needed, kLevelBridgeRadii * radius_mm);
+/// Farthest of the edge's ends and its middle from the nearest of others, or the limit.
+double farthestFrom(const EdgeIndex& others, const Edge& edge, double limit_mm) {
+    double farthest_mm = 0;
+    for (const double share : {0.0, 0.5, 1.0})
+        farthest_mm = std::max(farthest_mm, others.distanceTo(pointAt(edge, share), limit_mm));
+    return farthest_mm;
+}
+
+/// Stretches that may wait stay passes where going over them takes longer than along them.
+void keepShortWaits(const std::vector<Edge>& edges, std::vector<char>& waits, double longest_mm) {
+    const std::size_t count = edges.size();
+    const auto begins = std::find(waits.begin(), waits.end(), 0);
+    if (begins == waits.end()) return;
+    const auto first = static_cast<std::size_t>(begins - waits.begin());
+    std::vector<std::size_t> run;
+    double run_mm = 0;
+    for (std::size_t k = 1; k <= count; ++k) {
+        const std::size_t i = (first + k) % count;
+        if (waits[i] != 0) {
+            run.push_back(i);
+            run_mm += length(edges[i]);
+            continue;
+        }
+        if (run_mm <= longest_mm)
+            for (const std::size_t kept : run)
+                waits[kept] = 0;
+        run.clear();
+        run_mm = 0;
+    }
 }
 
 }  // namespace
 
-FormLevel formLevel(const FormCentres& centres, const StandingStairs& stairs, const CutterForm& form,
-                    double tip_z_mm, double step_over_mm, double least_mm, const Tolerances& tol) {
+FormPasses::FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
+                       const Tolerances& tol)
+    : centres_(centres), form_(form), spacing_(spacing), tol_(tol) {}
+
+FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::optional<double> next_z_mm) {
     FormLevel level{tip_z_mm, {}, {}};
-    Meeting meeting(stairs, form, tip_z_mm, least_mm);
+    Meeting meeting(stairs, form_, tip_z_mm, spacing_.skin_mm);
     if (meeting.nothing()) return level;
-    level.free_centres = centres.at(tip_z_mm);
-    const ClearanceDiagram diagram(level.free_centres, tol);
+    level.free_centres = centres_.at(tip_z_mm);
+    const double radius_mm = form_.fullRadiusMm();
+    const ClearanceDiagram diagram(level.free_centres, tol_);
     for (int ring = 0; ring < kMostRings; ++ring) {
-        const Region centres_of = ring == 0 ? level.free_centres : diagram.offset(-ring * step_over_mm);
+        const bool along_wall = ring == 0;
+        const Region centres_of =
+            along_wall ? level.free_centres : diagram.offset(-ring * spacing_.step_over_mm);
         if (centres_of.empty()) break;
         std::vector<Path> passes;
-        for (const Loop& loop : centres_of.loops)
-            for (Path& piece : piecesOf(loop, meeting, form.fullRadiusMm()))
+        for (const Loop& loop : centres_of.loops) {
+            const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
+            std::vector<char> needed = meeting.along(edges);
+            if (along_wall && next_z_mm) {
+                std::vector<char> waits = mayWait(edges, needed, *next_z_mm);
+                keepShortWaits(edges, waits, kShortestWaitRadii * radius_mm);
+                for (std::size_t i = 0; i < edges.size(); ++i)
+                    needed[i] = static_cast<char>(needed[i] != 0 && waits[i] == 0);
+            }
+            for (Path& piece : neededPieces(loop, edges, needed, kLevelBridgeRadii * radius_mm))
                 passes.push_back(std::move(piece));
+        }
         if (passes.empty() && ring > 0) break;
+        if (along_wall) remember({tip_z_mm, {}, passes});
         level.passes.insert(level.passes.begin(), passes.begin(), passes.end());
     }
     return level;
+}
+
+void FormPasses::remember(const FormLevel& level) {
+    std::erase_if(made_,
+                  [&](const Made& made) { return made.tip_z_mm - level.tip_z_mm >= spacing_.along_wall_mm; });
+    std::vector<Edge> edges;
+    for (const Path& pass : level.passes)
+        for (const auto& [from, segment] : eachEdge(pass))
+            edges.push_back(makeEdge(from, segment));
+    if (!edges.empty()) made_.push_back({level.tip_z_mm, EdgeIndex(std::move(edges))});
+}
+
+std::vector<char> FormPasses::mayWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
+                                      double next_z_mm) const {
+    std::vector<char> waits(edges.size(), 0);
+    std::optional<EdgeIndex> next;
+    for (const Made& made : made_) {
+        const double down_mm = made.tip_z_mm - next_z_mm;
+        if (down_mm >= spacing_.along_wall_mm) continue;
+        const double aside_mm =
+            std::sqrt(spacing_.along_wall_mm * spacing_.along_wall_mm - down_mm * down_mm);
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            if (needed[i] == 0 || waits[i] != 0) continue;
+            const double from_above_mm = farthestFrom(made.edges, edges[i], aside_mm);
+            if (from_above_mm >= aside_mm) continue;
+            if (!next) next = EdgeIndex(boundaryAt(next_z_mm));
+            const double left_mm = aside_mm - from_above_mm;
+            waits[i] = static_cast<char>(farthestFrom(*next, edges[i], left_mm) < left_mm);
+        }
+    }
+    return waits;
+}
+
+/// Nothing where no sure free centres are found: no pass can wait for that level.
+Region FormPasses::boundaryAt(double tip_z_mm) const {
+    try {
+        return centres_.at(tip_z_mm);
+    } catch (const UnsureOffset&) {
+        return {};
+    }
 }
 
 }  // namespace stepmill::toolpath

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stepmill/access/form_centres.h"
+#include "stepmill/planar/edge_index.h"
 #include "stepmill/toolpath/standing_stairs.h"
 #include "stepmill/toolpath/toolpath.h"
 
@@ -15,11 +17,52 @@ struct FormLevel {
     std::vector<Path> passes;  ///< in climb direction, farthest from the walls first
 };
 
-/// Passes along the boundary of the free centres at one height, wherever the cutter meets stairs thicker than
-/// `least_mm` there, and beside them at the step-over where the stairs are wider. No passes where it meets
-/// none.
-FormLevel formLevel(const FormCentres& centres, const StandingStairs& stairs, const CutterForm& form,
-                    double tip_z_mm, double step_over_mm, double least_mm, const Tolerances& tol);
+/// How near to each other a form cutter's passes come.
+struct PassSpacing {
+    double step_over_mm = 0;  ///< beside a wall, on one level
+    double skin_mm = 0;       ///< stairs no thicker are the surface of an earlier pass
+    /// Passes of two levels leave no ridge over the scallop where they are no farther apart along the wall.
+    /// 0: all levels are passed.
+    double along_wall_mm = 0;
+};
+
+/// The passes of one form cutter, level by level from above. Levels lie as near to each other as the flattest
+/// wall of their height asks for; a steeper one leaves out those that it can do without.
+///
+/// A stretch of a level's pass waits for the next level where that lies no farther along the wall from a pass
+/// made above than `along_wall_mm`. On a wall the tip moves as the cutter's contact does, so that is the way
+/// from tip to tip: dz down, and no more aside than from the pass above to the stretch and on to the next
+/// level's boundary.
+class FormPasses {
+  public:
+    /// Keeps `centres` and `form`.
+    FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
+               const Tolerances& tol);
+
+    /// Passes along the boundary of the free centres at one height, wherever the cutter meets stairs there,
+    /// and beside them at the step-over where the stairs are wider. No passes where it meets none.
+    /// \param next_z_mm  of the level below that a stretch may wait for; nothing: none waits
+    FormLevel at(double tip_z_mm, const StandingStairs& stairs, std::optional<double> next_z_mm);
+
+  private:
+    struct Made {
+        double tip_z_mm = 0;
+        EdgeIndex edges;
+    };
+
+    void remember(const FormLevel& level);
+    /// Of each edge along a wall, not 0: it is needed, but may wait.
+    std::vector<char> mayWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
+                              double next_z_mm) const;
+
+    Region boundaryAt(double tip_z_mm) const;
+
+    const FormCentres& centres_;
+    const CutterForm& form_;
+    PassSpacing spacing_;
+    Tolerances tol_;
+    std::vector<Made> made_;  ///< along walls, no higher than a next level may ask for
+};
 
 /// What a form cutter's moves need to know beside its passes.
 struct FormTask {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "stepmill/access/form_centres.h"
 #include "stepmill/planar/boolean.h"
@@ -137,15 +138,19 @@ double worstGouge(const LeaningPocket& pocket, const ToolAssembly& tool, const T
 }
 
 /// The levels at every band's end that the cutter finds something to do at.
+/// \param along_wall_mm  how far passes may be apart; 0: no level is left out anywhere
 std::vector<toolpath::FormLevel> levelsOf(const FormGround& ground, const ToolAssembly& tool,
-                                          StandingStairs& stairs) {
+                                          StandingStairs& stairs, double along_wall_mm = 0) {
     const FormBands bands(ground, kTol);
     const FormCentres centres(bands, tool);
     const CutterForm form(tool);
+    toolpath::FormPasses passes(centres, form, {1.5, 0.03, along_wall_mm}, kTol);
     std::vector<toolpath::FormLevel> levels;
     for (std::size_t i = ground.must_stand.size(); i-- > 1;) {
         const double tip = ground.must_stand[i].bottom_z_mm;
-        levels.push_back(toolpath::formLevel(centres, stairs, form, tip, 1.5, 0.03, kTol));
+        const std::optional<double> next =
+            i > 1 ? std::optional(ground.must_stand[i - 1].bottom_z_mm) : std::nullopt;
+        levels.push_back(passes.at(tip, stairs, next));
         stairs.cut({tip, levels.back().passes}, form);
     }
     return levels;
@@ -179,6 +184,41 @@ TEST(FormPasses, NeverGougeRandomLeaningPockets) {
         EXPECT_EQ(path.moves.back().to.z(), 5);
     }
     EXPECT_GT(with_passes, kPockets / 2);
+}
+
+double lengthOf(const std::vector<toolpath::FormLevel>& levels) {
+    double sum_mm = 0;
+    for (const toolpath::FormLevel& level : levels)
+        for (const Path& pass : level.passes)
+            sum_mm += length(pass);
+    return sum_mm;
+}
+
+/// A left-out level costs ridges of a scallop, and the skin of a band where one more level would have had
+/// another.
+TEST(FormPasses, LeaveNoMoreThanRidgesWhereALevelIsLeftOut) {
+    constexpr double kScallopMm = 0.02;
+    constexpr double kBandMm = 0.04;
+    constexpr int kFewPockets = kPockets / 4;
+    int shorter = 0;
+    for (int seed = 0; seed < kFewPockets; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(static_cast<std::uint64_t>(seed));
+        const LeaningPocket pocket = randomPocket(dice);
+        const ToolAssembly tool = dice.oneOf({ballMill(6), bullNoseMill(8, 1)});
+        const FormGround ground = groundOf(pocket, kBandMm);
+        StandingStairs all_levels(ground, kTol);
+        StandingStairs some_levels = all_levels;
+        const double along_mm =
+            2 * std::sqrt(2 * tool.corner_radius_mm * kScallopMm - kScallopMm * kScallopMm);
+        const double all_mm = lengthOf(levelsOf(ground, tool, all_levels));
+        const double some_mm = lengthOf(levelsOf(ground, tool, some_levels, along_mm));
+        EXPECT_LE(some_mm, all_mm * (1 + 1e-9));
+        if (some_mm < 0.7 * all_mm) ++shorter;
+        const double wall_mm2 = perimeter(pocket.at(0)) * std::hypot(pocket.depth_mm, pocket.inward_mm);
+        EXPECT_LE(some_levels.volumeMm3(), all_levels.volumeMm3() + (kScallopMm + kBandMm) * wall_mm2);
+    }
+    EXPECT_GT(shorter, kFewPockets / 2);
 }
 
 TEST(FormPasses, OfABallTakeNearlyAllOffAWallOfFortyFiveDegrees) {
