@@ -91,15 +91,15 @@ std::string drawing() {
     const CutterForm form(tool);
     const FormBands bands(ground, kTol);
     const FormCentres centres(bands, tool);
+    toolpath::FormPasses passes(centres, form, {tool.radius_mm(), 0.02, 0}, kTol);
     StandingStairs stairs(ground, kTol);
     const std::string before = stairsOf(stairs, "fill=\"#f4c97a\"");
     std::string discs;
     int level = 0;
     for (double tip = -kLevelMm; tip > -kDepthMm - 1e-6; tip -= kLevelMm) {
-        const toolpath::FormLevel passes =
-            toolpath::formLevel(centres, stairs, form, tip, tool.radius_mm(), 0.02, kTol);
-        stairs.cut({tip, passes.passes}, form);
-        if (level++ % 3 == 0) discs += discsOf(ground, form, besideWall(passes.free_centres), tip);
+        const toolpath::FormLevel passed = passes.at(tip, stairs, std::nullopt);
+        stairs.cut({tip, passed.passes}, form);
+        if (level++ % 3 == 0) discs += discsOf(ground, form, besideWall(passed.free_centres), tip);
     }
     const double top = kHalfFloorMm + kSlope * kDepthMm;
     std::string part =
