@@ -135,6 +135,7 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     }
     if (from.contains("gauge_over_table_mm"))
         machine.gauge_over_table_mm = gaugeOverTable(from["gauge_over_table_mm"], file_name);
+    machine.column_behind_mm = from.value("column_behind_mm", 0.0);
     machine.dialect = from["dialect"];
     machine.home_by = homeByFrom(from.value("home_by", ""));
     if (from.contains("part_change_mm"))

@@ -172,4 +172,11 @@ double highestFixtureMm(const std::vector<Fixture>& fixtures) {
     return highest_mm;
 }
 
+double farthestBackMm(double stock_mm, const StockGrowth& growth, const std::vector<Fixture>& fixtures) {
+    double back_mm = stock_mm + growth.side_mm;
+    for (const Fixture& fixture : fixtures)
+        if (!fixture.section.empty()) back_mm = std::max(back_mm, boundingBox(fixture.section).max().y());
+    return back_mm;
+}
+
 }  // namespace stepmill

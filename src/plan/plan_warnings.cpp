@@ -8,6 +8,7 @@
 
 #include "plan/hold_warnings.h"
 #include "stepmill/catalog/spindle.h"
+#include "stepmill/plan/hold_stage.h"
 #include "stepmill/planar/edge.h"
 
 namespace stepmill {
@@ -151,6 +152,24 @@ void warnOfSpindleHeight(const Plan& plan, const PlannedSetup& setup, Warnings& 
                      longest, stock_mm, needed_mm, highest_mm)});
 }
 
+/// Stock or fixtures that would come to the machine's column behind the spindle.
+void warnOfColumn(const Machine& machine, const PlannedSetup& planned, Warnings& into) {
+    Box3 box;
+    for (const Operation& operation : planned.operations)
+        box.extend(boxOf(operation.path));
+    if (box.isEmpty() || machine.column_behind_mm <= 0) return;
+    const Setup& setup = planned.setup;
+    const double back_mm = farthestBackMm(setup.stock_bbox_mm.max().y(),
+                                          growthOf(setup.stock, setup.part_to_setup), setup.fixtures);
+    const double needed_mm = back_mm - box.min().y() + machine.side_clearance_mm;
+    if (needed_mm <= machine.column_behind_mm) return;
+    into.push_back(
+        {"travel", setup.id,
+         fmt::format("no program is written: stock and fixtures need {:.4g} mm behind the spindle, "
+                     "the machine's column stands {:.4g} mm behind it: turn them on the table",
+                     needed_mm, machine.column_behind_mm)});
+}
+
 /// What is done about a program that was not proven, the strongest measure.
 std::string measuresOf(const FeatureCaution& caution) {
     if (caution.dropped) return "nothing of the feature is cut";
@@ -225,6 +244,7 @@ void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     warnOfDeflection(setup, into);
     warnOfTravel(plan.machine, setup, into);
     warnOfSpindleHeight(plan, setup, into);
+    warnOfColumn(plan.machine, setup, into);
 }
 
 void warnOfMaterial(const Plan& plan, Warnings& into) {

@@ -150,6 +150,7 @@ Json machineJson(const Machine& machine) {
                            {"curve", listOf(machine.spindle_curve, spindlePointJson)}};
     if (!machine.spindle_nose.empty()) json["spindle_nose"] = listOf(machine.spindle_nose, cylinderJson);
     if (machine.gauge_over_table_mm[1] > 0) json["gauge_over_table_mm"] = machine.gauge_over_table_mm;
+    if (machine.column_behind_mm > 0) json["column_behind_mm"] = number(machine.column_behind_mm);
     if (machine.acceleration_mm_per_s2 > 0) {
         json["acceleration_mm_per_s2"] = number(machine.acceleration_mm_per_s2);
         json["junction_deviation_mm"] = number(machine.junction_deviation_mm);

@@ -203,6 +203,7 @@ Machine machine(const Json& json) {
     machine.inside_clearance_mm = json.value("inside_clearance_mm", 0.0);
     if (json.contains("gauge_over_table_mm"))
         machine.gauge_over_table_mm = json["gauge_over_table_mm"].get<std::array<double, 2>>();
+    machine.column_behind_mm = json.value("column_behind_mm", 0.0);
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     machine.junction_deviation_mm = json.value("junction_deviation_mm", machine.junction_deviation_mm);
     machine.home_by = homeByFrom(json.value("home_by", ""));

@@ -198,6 +198,7 @@ void TravelProver::prove(const ReadProgram& program) {
 
 void TravelProver::extend(const Vec3& place, const std::string& file, int line,
                           const std::string& operation) {
+    keepOffColumn(place, file, line, operation);
     box_.extend(place);
     for (int axis = 0; axis < 3; ++axis) {
         const double travel_mm = machine_.travel_mm[static_cast<std::size_t>(axis)];
@@ -210,6 +211,18 @@ void TravelProver::extend(const Vec3& place, const std::string& file, int line,
                                          "machine travels {:.4g} mm",
                                          needed_mm, "XYZ"[axis], travel_mm)});
     }
+}
+
+void TravelProver::keepOffColumn(const Vec3& place, const std::string& file, int line,
+                                 const std::string& operation) {
+    const double needed_mm = back_mm_ - place.y() + machine_.side_clearance_mm;
+    const double column_mm = machine_.column_behind_mm;
+    if (told_of_column_ || column_mm <= 0 || needed_mm <= column_mm + kSamePostedHeightMm) return;
+    told_of_column_ = true;
+    failures_.push_back({file, line, operation,
+                         fmt::format("stock and fixtures need {:.4g} mm behind the spindle here, the column "
+                                     "stands {:.4g} mm behind it",
+                                     needed_mm, column_mm)});
 }
 
 }  // namespace stepmill::verify

@@ -23,21 +23,25 @@ void proveLeaps(const ReadProgram& program, double safe_z_mm, bool has_home,
 void proveTools(const ReadProgram& program, const std::set<int>& tools, std::vector<ProofFailure>& failures);
 
 /// How far the tool goes along each axis over a setup's programs; a failure where that is first more than the
-/// machine travels.
+/// machine travels, and where its column first comes to what stands on the table.
 class TravelProver {
   public:
-    TravelProver(const Machine& machine, std::vector<ProofFailure>& failures)
-        : machine_(machine), failures_(failures) {}
+    /// \param back_mm  how far towards +Y stock and fixtures reach
+    TravelProver(const Machine& machine, double back_mm, std::vector<ProofFailure>& failures)
+        : machine_(machine), back_mm_(back_mm), failures_(failures) {}
 
     void prove(const ReadProgram& program);
 
   private:
     void extend(const Vec3& place, const std::string& file, int line, const std::string& operation);
+    void keepOffColumn(const Vec3& place, const std::string& file, int line, const std::string& operation);
 
     const Machine& machine_;
+    double back_mm_;
     std::vector<ProofFailure>& failures_;
     Box3 box_;
     std::array<bool, 3> told_{};
+    bool told_of_column_ = false;
 };
 
 /// It stays at the bottom of every hole, the tip at that height, as long as planned. The stays of all holes

@@ -47,7 +47,9 @@ class SetupProver {
 
     void prove(const std::vector<ReadProgram>& programs) {
         if (programs.empty() && !setup_.within_travel) return;
-        verify::TravelProver travel(record_.machine, into_.failures);
+        verify::TravelProver travel(record_.machine,
+                                    farthestBackMm(setup_.stock_size_mm.y(), growth_, setup_.fixtures),
+                                    into_.failures);
         for (const ReadProgram& program : programs) {
             program_ = &program;
             file_ = program.file;

@@ -56,6 +56,8 @@ struct Machine {
     double spindle_efficiency = 1;  ///< what of the motor's power gets to the cutter
     /// How near to the table and how far over it the gauge line may be; 0, 0: not checked.
     std::array<double, 2> gauge_over_table_mm{};
+    /// How far behind the spindle's axis, towards +Y, the machine's column stands; 0: not given, not checked.
+    double column_behind_mm = 0;
     double safe_height_mm = 0;       ///< retract this far over the stock's top between features
     double side_clearance_mm = 0;    ///< rapids down beside the stock keep this off it, as large as it may be
     double top_clearance_mm = 0;     ///< rapids over a raw top keep this off it, as high as it may be

@@ -6,6 +6,7 @@
 #include "stepmill/catalog/fixture.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/plan/stages.h"
+#include "stepmill/setup/stock_growth.h"
 
 namespace stepmill {
 
@@ -32,5 +33,8 @@ void holdStage(Stage& stage, const FixtureFile& shop, const HoldRequest& asked, 
 
 /// Height of the highest over the stock's top; 0 where none stands over it [mm].
 double highestFixtureMm(const std::vector<Fixture>& fixtures);
+/// How far back, towards +Y, the stock, as wide as it may be, and the fixtures reach [mm].
+/// \param stock_mm  of the stock as it is said to be
+double farthestBackMm(double stock_mm, const StockGrowth& growth, const std::vector<Fixture>& fixtures);
 
 }  // namespace stepmill
