@@ -112,7 +112,8 @@ struct CutFollower::Impl {
     };
 
     MoveCut next(const Vec3& from, const Move& move, bool asks_width) {
-        if (move.kind == MoveKind::Rapid) {
+        // A glide goes over ground that is clear, as a rapid does, but lifted over the level that tells so.
+        if (move.kind == MoveKind::Rapid || isGlide(move)) {
             trail.clear();
             last.clear();
             return {};

@@ -54,6 +54,16 @@ TEST(CutFollower, FindsTheStepOverBesideASlot) {
     EXPECT_NEAR(cut.widest[2], 3, 2e-3);
 }
 
+TEST(CutFollower, TakesAGlideOverClearedGroundForAir) {
+    Move glide = feedTo(20, 30, -3.8);
+    glide.in_air = true;
+    glide.feed_mm_per_min = 12000;
+    const Followed cut = follow(wideGround(), {20, 30, -4},
+                                {feedTo(80, 30, -4), feedTo(80, 30, -3.8), glide, feedTo(20, 30, -4)});
+    EXPECT_EQ(cut.widest[2], 0);
+    EXPECT_EQ(cut.depth[2], 0);
+}
+
 TEST(CutFollower, FindsWhatAnOpenEdgeLeavesToCut) {
     // The cutter's middle goes 2 mm outside the edge: 3 mm of it are inside.
     const Followed cut = follow(wideGround(), {-10, -2, -4}, {feedTo(110, -2, -4)});
