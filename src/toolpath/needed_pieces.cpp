@@ -21,6 +21,24 @@ std::vector<char> bridged(const std::vector<Edge>& edges, const std::vector<char
     return with_bridges;
 }
 
+/// Is `next` the rest of the line or arc that `last`, from there, is a part of?
+bool goesOn(const Vec2& from, const Segment& last, const Segment& next) {
+    if (last.arc || next.arc) return last.arc == next.arc;
+    const Vec2 before = last.to - from, after = next.to - last.to;
+    return before.dot(after) > 0 &&
+           std::abs(cross(before, after)) <= kGridMm * std::max(before.norm(), after.norm());
+}
+
+/// Edges were cut to be asked one by one; the path has them whole again.
+void add(Path& path, const Segment& segment) {
+    const std::size_t count = path.segments.size();
+    const Vec2 from = count > 1 ? path.segments[count - 2].to : path.start;
+    if (count > 0 && segment.to != from && goesOn(from, path.segments.back(), segment))
+        path.segments.back().to = segment.to;
+    else
+        path.segments.push_back(segment);
+}
+
 }  // namespace
 
 std::vector<Path> neededPieces(const Loop& loop, const std::vector<Edge>& edges,
@@ -35,7 +53,7 @@ std::vector<Path> neededPieces(const Loop& loop, const std::vector<Edge>& edges,
         const std::size_t i = (first + k) % edges.size();
         if (taken[i] == 0) continue;
         if (taken[(first + k - 1) % edges.size()] == 0) pieces.push_back({edges[i].from, {}});
-        pieces.back().segments.push_back(edges[i].segment);
+        add(pieces.back(), edges[i].segment);
     }
     return pieces;
 }
