@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "plan/form_stairs.h"
 #include "stepmill/catalog/cutter_form.h"
 #include "stepmill/feature/heights.h"
 
@@ -46,6 +47,11 @@ double onBand(const FormSite& site, double z_mm, double under_mm) {
     return best_mm;
 }
 
+/// Levels lie on the steps that heights are in, no lower than asked for.
+double upOnStep(double z_mm) {
+    return std::ceil(z_mm / kHeightStepMm - kSameHeightMm) * kHeightStepMm;
+}
+
 /// How far below `z_mm` the next level may be: down to the first wall that is touched below, or nearer.
 double stepBelow(const std::vector<Demand>& demands, double z_mm, double most_mm) {
     double step_mm = most_mm;
@@ -76,7 +82,7 @@ std::vector<double> wallLevels(const FormSite& site, double corner_mm, double st
         // The foot of a stair is a floor: there the corner makes the fillet.
         for (const double foot_mm : site.feet_mm)
             if (foot_mm < z_mm - kSameHeightMm && foot_mm > next_mm) next_mm = foot_mm;
-        z_mm = onBand(site, next_mm, z_mm);
+        z_mm = std::min(upOnStep(next_mm), z_mm - kHeightStepMm);
         if (hasStairs(site, z_mm, z_mm + corner_mm + most_mm)) levels.push_back(z_mm);
     }
     return levels;
