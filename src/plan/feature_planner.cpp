@@ -57,6 +57,11 @@ std::vector<Pattern> notAdaptive(std::vector<Pattern> patterns) {
             Pattern::OneWay};
 }
 
+/// Does a caution ask for more than another pattern than that of constant engagement?
+bool isMoreThanAPattern(const FeatureCaution& caution) {
+    return caution.plain_ways || caution.dropped || !caution.without_tools.empty() || !caution.left.empty();
+}
+
 /// Together is taken where it weighs no more than this share: beside other features, which call tools anyway,
 /// less would be no gain.
 constexpr double kGroundPays = 0.995;
@@ -285,6 +290,7 @@ class FeaturePlanner {
         if (levels.size() < 2 || !request.common_ground || request.sequence.finish.any()) return false;
         const std::string grounds = groundIds(levels.front()) + ".";
         return std::none_of(request.cautions.begin(), request.cautions.end(), [&](const auto& caution) {
+            if (!isMoreThanAPattern(caution.second)) return false;
             return caution.first.starts_with(grounds) ||
                    std::any_of(levels.begin(), levels.end(),
                                [&](const Feature& level) { return level.id == caution.first; });
