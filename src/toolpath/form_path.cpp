@@ -18,6 +18,10 @@ namespace {
 /// Ways at depth are no longer than this many diameters; farther ones go over what stands between.
 constexpr double kLongestWayDiameters = 4;
 
+/// The tool may come down to a pass at so many places off its start, so many radii apart.
+constexpr int kEntries = 8;
+constexpr double kEntryRadii = 0.25;
+
 /// The pass as it is run when the tool comes from there: a closed one from its nearest point.
 Path startedNear(const Path& pass, const Vec2& from) {
     if (!pass.closed()) return pass;
@@ -97,7 +101,7 @@ class FormPathWriter {
     }
 
     void writePass(const Path& pass, const FormLevel& level) {
-        goTo(pass.start, level);
+        goTo(pass, level);
         Vec2 from = pass.start;
         for (const Segment& segment : pass.segments) {
             if (segment.arc || segment.to != from)
@@ -107,22 +111,56 @@ class FormPathWriter {
         before_ = &level;
     }
 
-    void goTo(const Vec2& to, const FormLevel& level) {
-        if (path_.moves.empty()) {
-            path_.start = at_ = {to.x(), to.y(), task_.retract_z_mm};
-            return comeDown(to, level.tip_z_mm);
+    void goTo(const Path& pass, const FormLevel& level) {
+        const Vec2& to = pass.start;
+        const bool begins = path_.moves.empty();
+        if (!begins && isWay(to)) {
+            feedAcross(to);
+            if (at_.z() > level.tip_z_mm) add(MoveKind::Plunge, {to.x(), to.y(), level.tip_z_mm});
+            return;
         }
-        if (!isWay(to)) {
-            const double over_mm = std::max({crossingZ(to), at_.z(), level.tip_z_mm});
+        const Vec2 entry = entryOf(pass, level);
+        if (begins) {
+            path_.start = at_ = {entry.x(), entry.y(), task_.retract_z_mm};
+        } else {
+            const double over_mm = std::max({crossingZ(entry), at_.z(), level.tip_z_mm});
             if (over_mm > at_.z()) add(MoveKind::Rapid, {at_.x(), at_.y(), over_mm});
-            add(MoveKind::Rapid, {to.x(), to.y(), over_mm});
-            return comeDown(to, level.tip_z_mm);
+            add(MoveKind::Rapid, {entry.x(), entry.y(), over_mm});
         }
-        if (to != at_.head<2>()) {
-            between_.push_back({at_.z(), {{at_.head<2>(), {{to, std::nullopt}}}}});
-            add(MoveKind::Feed, {to.x(), to.y(), at_.z()});
+        comeDown(entry, level.tip_z_mm);
+        feedAcross(to);
+    }
+
+    /// Straight over at the height where the tool is.
+    void feedAcross(const Vec2& to) {
+        if (to == at_.head<2>()) return;
+        between_.push_back({at_.z(), {{at_.head<2>(), {{to, std::nullopt}}}}});
+        add(MoveKind::Feed, {to.x(), to.y(), at_.z()});
+    }
+
+    /// Where the tool comes down to a pass: at its start or, where it is there sooner, some way off the wall.
+    /// Beside the wall all that may stand there keeps a rapid up.
+    Vec2 entryOf(const Path& pass, const FormLevel& level) const {
+        if (over_retract_ || pass.segments.empty()) return pass.start;
+        const Vec2 off_wall = leftOf(tangentAt(makeEdge(pass.start, pass.segments.front()), 0));
+        Vec2 best = pass.start;
+        double best_min = downMin(best, level.tip_z_mm);
+        for (int i = 1; i <= kEntries; ++i) {
+            const double away_mm = i * kEntryRadii * radius_mm_;
+            const Vec2 entry = snapToGrid(Vec2(pass.start + away_mm * off_wall));
+            const double entry_min = downMin(entry, level.tip_z_mm) + away_mm / path_.feedOf(MoveKind::Feed);
+            if (entry_min >= best_min) continue;
+            if (!split({entry, {{pass.start, std::nullopt}}}, level.free_centres, tol_).outside.empty())
+                break;
+            best = entry;
+            best_min = entry_min;
         }
-        if (at_.z() > level.tip_z_mm) add(MoveKind::Plunge, {to.x(), to.y(), level.tip_z_mm});
+        return best;
+    }
+
+    /// What the feed takes on the way down there [min].
+    double downMin(const Vec2& at, double z_mm) const {
+        return (rapidDownTo(at, z_mm) - z_mm) / path_.feedOf(MoveKind::Plunge);
     }
 
     /// How high the tip goes straight to another place: cutter, shank and holder keep off all that may stand.
@@ -152,10 +190,16 @@ class FormPathWriter {
         return split({from, {{to, std::nullopt}}}, before_->free_centres, tol_).outside.empty();
     }
 
-    /// Down in rapid as far as the whole width of the tool is clear of all that may stand, then at the feed.
-    void comeDown(const Vec2& at, double z_mm) {
+    /// How far down a rapid may go there to a height: as far as the whole width of the tool is clear of all
+    /// that may stand.
+    double rapidDownTo(const Vec2& at, double z_mm) const {
         const double clear_mm = standing_.clearOver(makeLine(at, at), radius_mm_ + beside_mm_);
-        const double rapid_to_mm = std::max(clear_mm, z_mm) + overMm(clear_mm);
+        return std::max(clear_mm, z_mm) + overMm(clear_mm);
+    }
+
+    /// Down in rapid, the rest at the feed.
+    void comeDown(const Vec2& at, double z_mm) {
+        const double rapid_to_mm = rapidDownTo(at, z_mm);
         if (rapid_to_mm < at_.z()) add(MoveKind::Rapid, {at.x(), at.y(), rapid_to_mm});
         add(MoveKind::Plunge, {at.x(), at.y(), z_mm});
     }

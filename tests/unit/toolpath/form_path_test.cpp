@@ -68,6 +68,41 @@ TEST(FormPath, KeepsTheHolderOffWhatStandsBeside) {
     EXPECT_DOUBLE_EQ(crossingZ(passesIn(trough(-12), ball(10, 40))), -10 + toolpath::kApproachMm);
 }
 
+/// The first pass of a level along the lower wall of the trough, the tool touching it.
+Toolpath alongTheWall(const Region& free_centres) {
+    toolpath::FormLevel level{kTipMm, free_centres, {}};
+    level.passes = {Path{{20, 5.0001}, {{{40, 5.0001}, std::nullopt}}}};
+    return toolpath::formPath({trough(-12), kRetractMm, false}, {level}, ball(30, 12),
+                              test::cuttingData(1, 1), kMachine, kTol)
+        .path;
+}
+
+double plungedMm(const Toolpath& path) {
+    double sum_mm = 0;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Plunge) sum_mm += from.z() - move.to.z();
+        from = move.to;
+    }
+    return sum_mm;
+}
+
+TEST(FormPath, ComesDownOffTheWallWhereARapidMay) {
+    const Toolpath path = alongTheWall(makeRectangle({5.0001, 5.0001}, {42.9, 14.9}));
+    EXPECT_GT(path.start.y(), 6);
+    EXPECT_LE(plungedMm(path), toolpath::kApproachMm + 1e-9);
+    // Then over to where the pass begins.
+    ASSERT_GE(path.moves.size(), 4U);
+    EXPECT_EQ(path.moves[2].kind, MoveKind::Feed);
+    EXPECT_EQ(path.moves[2].to, Vec3(20, 5.0001, kTipMm));
+}
+
+TEST(FormPath, ComesDownAtTheWallWhereThereIsNoRoomBesideIt) {
+    const Toolpath path = alongTheWall(makeRectangle({5.0001, 5.0001}, {42.9, 5.4}));
+    EXPECT_DOUBLE_EQ(path.start.y(), 5.0001);
+    EXPECT_GT(plungedMm(path), -kTipMm - 1e-9);
+}
+
 TEST(FormPath, TellsOfWaysAtDepthBetweenPasses) {
     toolpath::FormLevel level{kTipMm, makeRectangle({6, 6}, {42, 14}), {}};
     const Path left{{8, 10}, {{{12, 10}, std::nullopt}}};
