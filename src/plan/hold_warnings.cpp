@@ -3,11 +3,9 @@
 #include "plan/hold_warnings.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "stepmill/catalog/spindle.h"
 #include "stepmill/feature/heights.h"
 
 namespace stepmill {
@@ -40,30 +38,6 @@ void warnOfBed(const PlannedSetup& setup, const FixtureFile& shop, std::vector<W
                             fmt::format("goes {:.4g} mm below the stock and {:.4g} mm into {}", below_mm,
                                         below_mm - room->height_mm, room->under)});
     }
-}
-
-/// A short tool over a low plate takes the spindle lower than it comes. How high a vise lifts the stock is
-/// not known.
-void warnOfLowSpindle(const Plan& plan, const PlannedSetup& setup, std::vector<Warning>& into) {
-    const double lowest_mm = plan.machine.gauge_over_table_mm[0];
-    if (lowest_mm <= 0 || !setup.clamping.isOnPlate()) return;
-    const double top_mm = plan.request.fixtures.plate_mm + setup.setup.stock_bbox_mm.sizes().z();
-    // The plan's tools stand in the spindle: their last cylinders are its nose.
-    const double nose_mm = plan.machine.spindle_nose.empty() ? 0 : plan.machine.spindle_nose.back().top_mm;
-    double missing_mm = 0;
-    std::string shortest;
-    for (const Operation& operation : setup.operations) {
-        const double gauge_mm = gaugeLengthMm(plan.library.tool(operation.tool_id)) - nose_mm;
-        const double over_mm = top_mm + lowestMm(operation) + gauge_mm;
-        if (lowest_mm - over_mm <= missing_mm) continue;
-        missing_mm = lowest_mm - over_mm;
-        shortest = operation.tool_id;
-    }
-    if (shortest.empty()) return;
-    into.push_back({"low-spindle", setup.setup.id,
-                    fmt::format("with the plate on the table {} takes the spindle {:.4g} mm lower than it "
-                                "comes: put {:.0f} mm or more under the plate",
-                                shortest, missing_mm, std::ceil(missing_mm))});
 }
 
 void warnOfHold(const PlannedSetup& setup, std::vector<Warning>& into) {
@@ -101,7 +75,6 @@ std::vector<Warning> holdWarnings(const Plan& plan) {
         warnOfHold(setup, warnings);
         warnOfPlate(setup, plan.request.hold, warnings);
         warnOfBed(setup, plan.request.fixtures, warnings);
-        warnOfLowSpindle(plan, setup, warnings);
     }
     warnOfHeldStock(plan, warnings);
     return warnings;

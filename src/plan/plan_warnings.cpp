@@ -1,5 +1,6 @@
 #include "plan/plan_warnings.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -108,11 +109,15 @@ Box3 boxOf(const Toolpath& path) {
     return box;
 }
 
-void warnOfTravel(const Machine& machine, const PlannedSetup& setup, Warnings& into) {
+/// Around all that the setup's programs go through.
+Box3 boxOf(const PlannedSetup& setup) {
     Box3 box;
     for (const Operation& operation : setup.operations)
         box.extend(boxOf(operation.path));
-    if (box.isEmpty()) return;
+    return box;
+}
+
+void warnOfTravel(const Machine& machine, const PlannedSetup& setup, const Box3& box, Warnings& into) {
     const char* const axes = "XYZ";
     for (int axis = 0; axis < 3; ++axis) {
         const double travel = machine.travel_mm[axis];
@@ -125,21 +130,25 @@ void warnOfTravel(const Machine& machine, const PlannedSetup& setup, Warnings& i
     }
 }
 
+/// From the tip of an operation's tool to the gauge line. The plan's tools stand in the spindle: their last
+/// cylinders are its nose.
+double toGaugeLineMm(const Plan& plan, const Operation& operation) {
+    const double nose_mm = plan.machine.spindle_nose.empty() ? 0 : plan.machine.spindle_nose.back().top_mm;
+    return gaugeLengthMm(plan.library.tool(operation.tool_id)) - nose_mm;
+}
+
 /// The tool that takes the spindle highest over the table the stock lies on, where that is too high. Vise and
 /// parallels make it higher still.
 void warnOfSpindleHeight(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     const double highest_mm = plan.machine.gauge_over_table_mm[1];
     const double stock_mm = setup.setup.stock_bbox_mm.sizes().z();
-    // The plan's tools stand in the spindle: their last cylinders are its nose.
-    const double nose_mm = plan.machine.spindle_nose.empty() ? 0 : plan.machine.spindle_nose.back().top_mm;
     double needed_mm = 0;
     std::string longest;
     for (const Operation& operation : setup.operations) {
         double top_mm = operation.path.start.z();
         for (const Move& move : operation.path.moves)
             top_mm = std::max(top_mm, move.to.z());
-        const double mounted_mm = gaugeLengthMm(plan.library.tool(operation.tool_id));
-        const double over_mm = stock_mm + top_mm + mounted_mm - nose_mm;
+        const double over_mm = stock_mm + top_mm + toGaugeLineMm(plan, operation);
         if (over_mm <= needed_mm) continue;
         needed_mm = over_mm;
         longest = operation.tool_id;
@@ -152,12 +161,30 @@ void warnOfSpindleHeight(const Plan& plan, const PlannedSetup& setup, Warnings& 
                      longest, stock_mm, needed_mm, highest_mm)});
 }
 
+/// A short tool over a low plate takes the spindle lower than it comes. How high a vise lifts the stock is
+/// not known.
+void warnOfLowSpindle(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
+    const double lowest_mm = plan.machine.gauge_over_table_mm[0];
+    if (lowest_mm <= 0 || !setup.clamping.isOnPlate()) return;
+    const double top_mm = plan.request.fixtures.plate_mm + setup.setup.stock_bbox_mm.sizes().z();
+    double missing_mm = 0;
+    std::string shortest;
+    for (const Operation& operation : setup.operations) {
+        const double over_mm = top_mm + lowestMm(operation) + toGaugeLineMm(plan, operation);
+        if (lowest_mm - over_mm <= missing_mm) continue;
+        missing_mm = lowest_mm - over_mm;
+        shortest = operation.tool_id;
+    }
+    if (shortest.empty()) return;
+    into.push_back({"low-spindle", setup.setup.id,
+                    fmt::format("with the plate on the table {} takes the spindle {:.4g} mm lower than it "
+                                "comes: put {:.0f} mm or more under the plate",
+                                shortest, missing_mm, std::ceil(missing_mm))});
+}
+
 /// Stock or fixtures that would come to the machine's column behind the spindle.
-void warnOfColumn(const Machine& machine, const PlannedSetup& planned, Warnings& into) {
-    Box3 box;
-    for (const Operation& operation : planned.operations)
-        box.extend(boxOf(operation.path));
-    if (box.isEmpty() || machine.column_behind_mm <= 0) return;
+void warnOfColumn(const Machine& machine, const PlannedSetup& planned, const Box3& box, Warnings& into) {
+    if (machine.column_behind_mm <= 0) return;
     const Setup& setup = planned.setup;
     const double back_mm = farthestBackMm(setup.stock_bbox_mm.max().y(),
                                           growthOf(setup.stock, setup.part_to_setup), setup.fixtures);
@@ -242,9 +269,12 @@ void warnOfSetup(const Plan& plan, const PlannedSetup& setup, Warnings& into) {
     }
     append(into, slowSteps(setup));
     warnOfDeflection(setup, into);
-    warnOfTravel(plan.machine, setup, into);
+    const Box3 box = boxOf(setup);
+    if (box.isEmpty()) return;
+    warnOfTravel(plan.machine, setup, box, into);
     warnOfSpindleHeight(plan, setup, into);
-    warnOfColumn(plan.machine, setup, into);
+    warnOfColumn(plan.machine, setup, box, into);
+    warnOfLowSpindle(plan, setup, into);
 }
 
 void warnOfMaterial(const Plan& plan, Warnings& into) {

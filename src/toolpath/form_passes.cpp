@@ -26,8 +26,32 @@ constexpr double kLongestEdgeRadii = 0.5;
 /// Stairs farther over the tip than the cutter's form is high, and this much, ask for no pass [mm].
 constexpr double kAboveFormMm = 1.0;
 
+/// The loop's edges, none longer than that.
+std::vector<Edge> shortEdges(const Loop& loop, double longest_mm) {
+    std::vector<Edge> edges;
+    for (const auto& [from, segment] : eachEdge(loop)) {
+        const Edge edge = makeEdge(from, segment);
+        const int pieces = std::max(1, static_cast<int>(std::ceil(length(edge) / longest_mm)));
+        for (int i = 0; i < pieces; ++i)
+            if (const auto piece =
+                    cutOut(edge, static_cast<double>(i) / pieces, static_cast<double>(i + 1) / pieces))
+                edges.push_back(*piece);
+    }
+    return edges;
+}
+
+/// Farthest of the edge's ends and its middle from the nearest of others, or the limit.
+double farthestFrom(const EdgeIndex& others, const Edge& edge, double limit_mm) {
+    double farthest_mm = 0;
+    for (const double share : {0.0, 0.5, 1.0})
+        farthest_mm = std::max(farthest_mm, others.distanceTo(pointAt(edge, share), limit_mm));
+    return farthest_mm;
+}
+
+}  // namespace
+
 /// Tells where a cutter with its tip at one height meets stairs that are thicker than that.
-class Meeting {
+class FormPasses::Meeting {
   public:
     Meeting(const StandingStairs& stairs, const CutterForm& form, double tip_z_mm, double least_mm) {
         for (const StandingStairs::Slice& slice : stairs.slices()) {
@@ -66,53 +90,6 @@ class Meeting {
     std::vector<Near> near_;
 };
 
-/// The loop's edges, none longer than that.
-std::vector<Edge> shortEdges(const Loop& loop, double longest_mm) {
-    std::vector<Edge> edges;
-    for (const auto& [from, segment] : eachEdge(loop)) {
-        const Edge edge = makeEdge(from, segment);
-        const int pieces = std::max(1, static_cast<int>(std::ceil(length(edge) / longest_mm)));
-        for (int i = 0; i < pieces; ++i)
-            if (const auto piece =
-                    cutOut(edge, static_cast<double>(i) / pieces, static_cast<double>(i + 1) / pieces))
-                edges.push_back(*piece);
-    }
-    return edges;
-}
-
-/// Farthest of the edge's ends and its middle from the nearest of others, or the limit.
-double farthestFrom(const EdgeIndex& others, const Edge& edge, double limit_mm) {
-    double farthest_mm = 0;
-    for (const double share : {0.0, 0.5, 1.0})
-        farthest_mm = std::max(farthest_mm, others.distanceTo(pointAt(edge, share), limit_mm));
-    return farthest_mm;
-}
-
-/// Stretches that may wait stay passes where going over them takes longer than along them.
-void keepShortWaits(const std::vector<Edge>& edges, std::vector<char>& waits, double longest_mm) {
-    const std::size_t count = edges.size();
-    const auto begins = std::find(waits.begin(), waits.end(), 0);
-    if (begins == waits.end()) return;
-    const auto first = static_cast<std::size_t>(begins - waits.begin());
-    std::vector<std::size_t> run;
-    double run_mm = 0;
-    for (std::size_t k = 1; k <= count; ++k) {
-        const std::size_t i = (first + k) % count;
-        if (waits[i] != 0) {
-            run.push_back(i);
-            run_mm += length(edges[i]);
-            continue;
-        }
-        if (run_mm <= longest_mm)
-            for (const std::size_t kept : run)
-                waits[kept] = 0;
-        run.clear();
-        run_mm = 0;
-    }
-}
-
-}  // namespace
-
 FormPasses::FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
                        const Tolerances& tol)
     : centres_(centres), form_(form), spacing_(spacing), tol_(tol) {}
@@ -122,62 +99,65 @@ FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::opt
     Meeting meeting(stairs, form_, tip_z_mm, spacing_.skin_mm);
     if (meeting.nothing()) return level;
     level.free_centres = centres_.at(tip_z_mm);
-    const double radius_mm = form_.fullRadiusMm();
     const ClearanceDiagram diagram(level.free_centres, tol_);
+    Next next{next_z_mm, std::nullopt};
+    Next none;
     for (int ring = 0; ring < kMostRings; ++ring) {
         const bool along_wall = ring == 0;
         const Region centres_of =
             along_wall ? level.free_centres : diagram.offset(-ring * spacing_.step_over_mm);
         if (centres_of.empty()) break;
         std::vector<Path> passes;
-        for (const Loop& loop : centres_of.loops) {
-            const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
-            std::vector<char> needed = meeting.along(edges);
-            if (along_wall && next_z_mm) {
-                std::vector<char> waits = mayWait(edges, needed, *next_z_mm);
-                keepShortWaits(edges, waits, kShortestWaitRadii * radius_mm);
-                for (std::size_t i = 0; i < edges.size(); ++i)
-                    needed[i] = static_cast<char>(needed[i] != 0 && waits[i] == 0);
-            }
-            for (Path& piece : neededPieces(loop, edges, needed, kLevelBridgeRadii * radius_mm))
+        for (const Loop& loop : centres_of.loops)
+            for (Path& piece : piecesOf(loop, meeting, along_wall ? next : none))
                 passes.push_back(std::move(piece));
-        }
         if (passes.empty() && ring > 0) break;
-        if (along_wall) remember({tip_z_mm, {}, passes});
+        if (along_wall) remember(tip_z_mm, passes);
         level.passes.insert(level.passes.begin(), passes.begin(), passes.end());
     }
     return level;
 }
 
-void FormPasses::remember(const FormLevel& level) {
-    std::erase_if(made_,
-                  [&](const Made& made) { return made.tip_z_mm - level.tip_z_mm >= spacing_.along_wall_mm; });
-    std::vector<Edge> edges;
-    for (const Path& pass : level.passes)
-        for (const auto& [from, segment] : eachEdge(pass))
-            edges.push_back(makeEdge(from, segment));
-    if (!edges.empty()) made_.push_back({level.tip_z_mm, EdgeIndex(std::move(edges))});
+std::vector<Path> FormPasses::piecesOf(const Loop& loop, Meeting& meeting, Next& next) const {
+    const double radius_mm = form_.fullRadiusMm();
+    const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
+    std::vector<char> needed = meeting.along(edges);
+    if (next.z_mm) {
+        const std::vector<char> passed =
+            bridged(edges, cannotWait(edges, needed, next), kShortestWaitRadii * radius_mm);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            needed[i] = static_cast<char>(needed[i] != 0 && passed[i] != 0);
+    }
+    return neededPieces(loop, edges, needed, kLevelBridgeRadii * radius_mm);
 }
 
-std::vector<char> FormPasses::mayWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
-                                      double next_z_mm) const {
-    std::vector<char> waits(edges.size(), 0);
-    std::optional<EdgeIndex> next;
+void FormPasses::remember(double tip_z_mm, const std::vector<Path>& passes) {
+    std::erase_if(made_,
+                  [&](const Made& made) { return made.tip_z_mm - tip_z_mm >= spacing_.along_wall_mm; });
+    std::vector<Edge> edges;
+    for (const Path& pass : passes)
+        for (const auto& [from, segment] : eachEdge(pass))
+            edges.push_back(makeEdge(from, segment));
+    if (!edges.empty()) made_.push_back({tip_z_mm, EdgeIndex(std::move(edges))});
+}
+
+std::vector<char> FormPasses::cannotWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
+                                         Next& next) const {
+    std::vector<char> passed(edges.size(), 1);
     for (const Made& made : made_) {
-        const double down_mm = made.tip_z_mm - next_z_mm;
+        const double down_mm = made.tip_z_mm - *next.z_mm;
         if (down_mm >= spacing_.along_wall_mm) continue;
         const double aside_mm =
             std::sqrt(spacing_.along_wall_mm * spacing_.along_wall_mm - down_mm * down_mm);
         for (std::size_t i = 0; i < edges.size(); ++i) {
-            if (needed[i] == 0 || waits[i] != 0) continue;
-            const double from_above_mm = farthestFrom(made.edges, edges[i], aside_mm);
-            if (from_above_mm >= aside_mm) continue;
-            if (!next) next = EdgeIndex(boundaryAt(next_z_mm));
-            const double left_mm = aside_mm - from_above_mm;
-            waits[i] = static_cast<char>(farthestFrom(*next, edges[i], left_mm) < left_mm);
+            if (needed[i] == 0 || passed[i] == 0) continue;
+            const double left_mm = aside_mm - farthestFrom(made.edges, edges[i], aside_mm);
+            if (left_mm <= 0) continue;
+            if (!next.boundary) next.boundary = EdgeIndex(boundaryAt(*next.z_mm));
+            passed[i] = static_cast<char>(farthestFrom(*next.boundary, edges[i], left_mm) >= left_mm);
         }
     }
-    return waits;
+    return passed;
 }
 
 /// Nothing where no sure free centres are found: no pass can wait for that level.

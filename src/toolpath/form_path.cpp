@@ -147,8 +147,10 @@ class FormPathWriter {
         double best_min = downMin(best, level.tip_z_mm);
         for (int i = 1; i <= kEntries; ++i) {
             const double away_mm = i * kEntryRadii * radius_mm_;
+            const double across_min = away_mm / path_.feedOf(MoveKind::Feed);
+            if (across_min >= best_min) break;
             const Vec2 entry = snapToGrid(Vec2(pass.start + away_mm * off_wall));
-            const double entry_min = downMin(entry, level.tip_z_mm) + away_mm / path_.feedOf(MoveKind::Feed);
+            const double entry_min = downMin(entry, level.tip_z_mm) + across_min;
             if (entry_min >= best_min) continue;
             if (!split({entry, {{pass.start, std::nullopt}}}, level.free_centres, tol_).outside.empty())
                 break;

@@ -5,22 +5,6 @@
 namespace stepmill::toolpath {
 namespace {
 
-std::vector<char> bridged(const std::vector<Edge>& edges, const std::vector<char>& needed,
-                          double longest_mm) {
-    const std::size_t count = edges.size();
-    std::vector<char> with_bridges = needed;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (needed[i] == 0 || needed[(i + 1) % count] != 0) continue;
-        double gap_mm = 0;
-        std::size_t gap = 0;
-        for (; needed[(i + 1 + gap) % count] == 0; ++gap)
-            gap_mm += length(edges[(i + 1 + gap) % count]);
-        for (std::size_t k = 0; gap_mm <= longest_mm && k < gap; ++k)
-            with_bridges[(i + 1 + k) % count] = 1;
-    }
-    return with_bridges;
-}
-
 /// Is `next` the rest of the line or arc that `last`, from there, is a part of?
 bool goesOn(const Vec2& from, const Segment& last, const Segment& next) {
     if (last.arc || next.arc) return last.arc == next.arc;
@@ -40,6 +24,22 @@ void add(Path& path, const Segment& segment) {
 }
 
 }  // namespace
+
+std::vector<char> bridged(const std::vector<Edge>& edges, const std::vector<char>& needed,
+                          double longest_mm) {
+    const std::size_t count = edges.size();
+    std::vector<char> with_bridges = needed;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (needed[i] == 0 || needed[(i + 1) % count] != 0) continue;
+        double gap_mm = 0;
+        std::size_t gap = 0;
+        for (; needed[(i + 1 + gap) % count] == 0; ++gap)
+            gap_mm += length(edges[(i + 1 + gap) % count]);
+        for (std::size_t k = 0; gap_mm <= longest_mm && k < gap; ++k)
+            with_bridges[(i + 1 + k) % count] = 1;
+    }
+    return with_bridges;
+}
 
 std::vector<Path> neededPieces(const Loop& loop, const std::vector<Edge>& edges,
                                const std::vector<char>& needed, double bridge_mm) {

@@ -50,11 +50,18 @@ class FormPasses {
         EdgeIndex edges;
     };
 
-    void remember(const FormLevel& level);
-    /// Of each edge along a wall, not 0: it is needed, but may wait.
-    std::vector<char> mayWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
-                              double next_z_mm) const;
+    /// The level that a stretch may wait for, and the boundary of its free centres once it is asked for.
+    struct Next {
+        std::optional<double> z_mm;
+        std::optional<EdgeIndex> boundary;
+    };
+    class Meeting;
 
+    std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, Next& next) const;
+    void remember(double tip_z_mm, const std::vector<Path>& passes);
+    /// Of each edge along a wall, 0: it is needed, but may wait.
+    std::vector<char> cannotWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
+                                 Next& next) const;
     Region boundaryAt(double tip_z_mm) const;
 
     const FormCentres& centres_;
