@@ -91,7 +91,8 @@ std::string drawing() {
     const CutterForm form(tool);
     const FormBands bands(ground, kTol);
     const FormCentres centres(bands, tool);
-    toolpath::FormPasses passes(centres, form, {tool.radius_mm(), 0.02, 0}, kTol);
+    const toolpath::ShallowGround none;
+    toolpath::FormPasses passes(centres, form, {tool.radius_mm(), 0.02, 0}, none, kTol);
     StandingStairs stairs(ground, kTol);
     const std::string before = stairsOf(stairs, "fill=\"#f4c97a\"");
     std::string discs;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "stepmill/core/units.h"
 
@@ -31,6 +32,14 @@ double CutterForm::radiusAt(double height_mm) const {
     if (corner_mm_ <= 0) return tip_mm_ + (full_mm_ - tip_mm_) * height_mm / height_mm_;
     const double below_mm = corner_mm_ - height_mm;
     return tip_mm_ + std::sqrt(std::max(0.0, corner_mm_ * corner_mm_ - below_mm * below_mm));
+}
+
+double CutterForm::heightUnder(double radius_mm) const {
+    if (radius_mm >= full_mm_) return std::numeric_limits<double>::infinity();
+    const double beyond_mm = radius_mm - tip_mm_;
+    if (beyond_mm <= 0) return 0;
+    if (corner_mm_ <= 0) return height_mm_ * beyond_mm / (full_mm_ - tip_mm_);
+    return corner_mm_ - std::sqrt(corner_mm_ * corner_mm_ - beyond_mm * beyond_mm);
 }
 
 double flankLean(const ToolAssembly& tool) {

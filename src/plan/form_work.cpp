@@ -7,8 +7,10 @@
 
 #include "plan/form_levels.h"
 #include "plan/hole_sinks.h"
+#include "stepmill/access/form_floor.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/unsure_offset.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -18,6 +20,28 @@ namespace {
 
 /// What is thinner than so many scallops is the surface of an earlier pass.
 constexpr double kPassSkinScallops = 3;
+/// Passes along levels leave so much to the lines over shallow ground [mm].
+constexpr double kLeftToLinesMm = 0.5;
+/// Sine of the lean from upright from which ground may be shallow.
+constexpr double kShallowLean = 0.96;
+
+/// Stairs of heights at which some ground leans so much.
+Region shallowStairs(const FormSite& site, const Tolerances& tol) {
+    std::vector<Region> sections;
+    for (const Obstacle& stair : site.ground.stairs) {
+        const bool shallow = [&] {
+            for (std::size_t i = 0; i < site.leans.size(); ++i) {
+                const Obstacle& band = site.ground.must_stand[i];
+                if (band.bottom_z_mm < stair.top_z_mm && band.top_z_mm > stair.bottom_z_mm &&
+                    !site.leans[i].empty() && site.leans[i].back() >= kShallowLean)
+                    return true;
+            }
+            return false;
+        }();
+        if (shallow) sections.push_back(stair.section);
+    }
+    return sections.empty() ? Region{} : unite(sections, tol);
+}
 
 }  // namespace
 
@@ -59,8 +83,20 @@ Operation formOperation(FormStep& step, const FormGround& ground, const FormShop
     return operation;
 }
 
+/// Ground of one cutter, and how far down it may go there.
+struct FormWork::Shallow {
+    CutterForm form;
+    FormFloor floor;
+    toolpath::ShallowGround ground;
+};
+
 FormWork::FormWork(const FormSite& site, const FormShop& shop)
-    : site_(site), shop_(shop), bands_(site.ground, shop.tol) {}
+    : site_(site),
+      shop_(shop),
+      bands_(site.ground, shop.tol),
+      shallow_stairs_(shallowStairs(site, shop.tol)) {}
+
+FormWork::~FormWork() = default;
 
 std::vector<const ToolAssembly*> FormWork::cutters() const {
     std::vector<const ToolAssembly*> found;
@@ -100,10 +136,24 @@ const FormCentres& FormWork::centresOf(const ToolAssembly& tool) {
     return *centres;
 }
 
-toolpath::FormPath FormWork::pathOf(const ToolAssembly& tool,
-                                    const std::vector<toolpath::FormLevel>& levels) const {
+const FormWork::Shallow& FormWork::shallowFor(const ToolAssembly& tool) {
+    std::unique_ptr<Shallow>& shallow = shallow_[tool.id];
+    if (shallow) return *shallow;
+    const CutterForm form(tool);
+    FormFloor floor(site_.ground, tool, shop_.tol);
+    Region centres;
+    if (!shallow_stairs_.empty() && !tool.hasFlanks())
+        centres = offset(site_.ground.window, -form.fullRadiusMm() - shop_.tol.guard_mm, shop_.tol);
+    toolpath::ShallowGround ground(floor, form, centres.empty() ? Region{} : shallow_stairs_, centres,
+                                   shop_.tol);
+    shallow = std::make_unique<Shallow>(Shallow{form, std::move(floor), std::move(ground)});
+    return *shallow;
+}
+
+toolpath::FormPath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels,
+                                    const std::vector<SurfaceWay>& lines) const {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
-    return toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, tool,
+    return toolpath::formPath({site_.ground, shop_.retract_mm, shop_.caution.plain_ways}, levels, lines, tool,
                               cutting, shop_.machine, shop_.tol);
 }
 
@@ -115,7 +165,8 @@ std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingSt
     for (const toolpath::FormLevel& level : sinkLevels(site_, tool, centresOf(tool), shop_.tol)) {
         shop_.deadline.check(site_.ground.id);
         const StandingStairs& before = steps.empty() ? stairs : steps.back().left;
-        FormStep step{&tool, pathOf(tool, {level}).path, 0, 0, before, static_cast<int>(level.passes.size())};
+        FormStep step{&tool,  pathOf(tool, {level}, {}).path,       0, 0,
+                      before, static_cast<int>(level.passes.size())};
         step.left.cut({level.tip_z_mm, level.passes}, form);
         step.taken_mm3 = before.volumeMm3() - step.left.volumeMm3();
         if (step.taken_mm3 < least_mm3) continue;
@@ -129,10 +180,12 @@ std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingSt
 FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
     const CutterForm form(tool);
+    const double step_over_mm = toolpath::usedStepOver(cutting, form.fullRadiusMm());
     const toolpath::PassSpacing spacing{
-        toolpath::usedStepOver(cutting, form.fullRadiusMm()), kPassSkinScallops * shop_.scallop_mm,
-        tool.hasFlanks() ? 0 : alongWallMm(tool.corner_radius_mm, shop_.scallop_mm)};
-    toolpath::FormPasses passes(centresOf(tool), form, spacing, shop_.tol);
+        step_over_mm, kPassSkinScallops * shop_.scallop_mm,
+        tool.hasFlanks() ? 0 : alongWallMm(tool.corner_radius_mm, shop_.scallop_mm), kLeftToLinesMm};
+    const Shallow& shallow = shallowFor(tool);
+    toolpath::FormPasses passes(centresOf(tool), form, spacing, shallow.ground, shop_.tol);
     FormStep step{&tool, {}, 0, 0, stairs};
     const std::vector<double> heights = formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm);
     std::vector<toolpath::FormLevel> levels;
@@ -145,9 +198,12 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
     }
     std::stable_sort(levels.begin(), levels.end(),
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
-    toolpath::FormPath written = pathOf(tool, levels);
+    const std::vector<SurfaceWay> lines = toolpath::surfacePasses(
+        shallow.ground, shallow.floor, form, {shop_.scallop_mm, step_over_mm}, shop_.tol);
+    toolpath::FormPath written = pathOf(tool, levels, lines);
     for (const LevelWays& ways : written.between)
         step.left.cut(ways, form);
+    step.left.cut(lines, form);
     step.path = std::move(written.path);
     step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();
     step.time_s = step.path.totals.motion_time_s + shop_.machine.tool_change_s;

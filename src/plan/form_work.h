@@ -28,6 +28,7 @@ class FormWork {
   public:
     /// Keeps both.
     FormWork(const FormSite& site, const FormShop& shop);
+    ~FormWork();
 
     /// The cutter's passes over those stairs.
     FormStep step(const ToolAssembly& tool, const StandingStairs& stairs);
@@ -39,8 +40,12 @@ class FormWork {
     std::vector<const ToolAssembly*> cutters() const;
 
   private:
+    struct Shallow;
     const FormCentres& centresOf(const ToolAssembly& tool);
-    toolpath::FormPath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels) const;
+    /// Finished by lines over the surface; of cutters with flanks there is none.
+    const Shallow& shallowFor(const ToolAssembly& tool);
+    toolpath::FormPath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels,
+                              const std::vector<SurfaceWay>& lines) const;
     std::optional<toolpath::FormLevel> levelAt(toolpath::FormPasses& passes, const StandingStairs& stairs,
                                                const std::vector<double>& heights, std::size_t index) const;
     std::optional<double> mayWaitFor(const std::vector<double>& heights, std::size_t index) const;
@@ -48,7 +53,9 @@ class FormWork {
     const FormSite& site_;
     const FormShop& shop_;
     FormBands bands_;
+    Region shallow_stairs_;  ///< over ground that leans so much that it is shallow
     std::map<std::string, std::unique_ptr<FormCentres>> centres_;
+    std::map<std::string, std::unique_ptr<Shallow>> shallow_;
 };
 
 /// Radius of the widest form cutter that may come.

@@ -91,8 +91,8 @@ class FormPasses::Meeting {
 };
 
 FormPasses::FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
-                       const Tolerances& tol)
-    : centres_(centres), form_(form), spacing_(spacing), tol_(tol) {}
+                       const ShallowGround& shallow, const Tolerances& tol)
+    : centres_(centres), form_(form), shallow_(shallow), spacing_(spacing), tol_(tol) {}
 
 FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::optional<double> next_z_mm) {
     FormLevel level{tip_z_mm, {}, {}};
@@ -102,6 +102,9 @@ FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::opt
     const ClearanceDiagram diagram(level.free_centres, tol_);
     Next next{next_z_mm, std::nullopt};
     Next none;
+    const double shallow_next_mm = shallow_passed_mm_.value_or(tip_z_mm) - spacing_.over_shallow_mm;
+    const bool passes_shallow = !next_z_mm || *next_z_mm < shallow_next_mm;
+    if (passes_shallow || !shallow_passed_mm_) shallow_passed_mm_ = tip_z_mm;
     for (int ring = 0; ring < kMostRings; ++ring) {
         const bool along_wall = ring == 0;
         const Region centres_of =
@@ -109,7 +112,7 @@ FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::opt
         if (centres_of.empty()) break;
         std::vector<Path> passes;
         for (const Loop& loop : centres_of.loops)
-            for (Path& piece : piecesOf(loop, meeting, along_wall ? next : none))
+            for (Path& piece : piecesOf(loop, meeting, along_wall ? next : none, passes_shallow))
                 passes.push_back(std::move(piece));
         if (passes.empty() && ring > 0) break;
         if (along_wall) remember(tip_z_mm, passes);
@@ -118,10 +121,13 @@ FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::opt
     return level;
 }
 
-std::vector<Path> FormPasses::piecesOf(const Loop& loop, Meeting& meeting, Next& next) const {
+std::vector<Path> FormPasses::piecesOf(const Loop& loop, Meeting& meeting, Next& next,
+                                       bool passes_shallow) const {
     const double radius_mm = form_.fullRadiusMm();
     const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
     std::vector<char> needed = meeting.along(edges);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        if (!passes_shallow && shallow_.isUnder(pointAt(edges[i], 0.5))) needed[i] = 0;
     if (next.z_mm) {
         const std::vector<char> passed =
             bridged(edges, cannotWait(edges, needed, next), kShortestWaitRadii * radius_mm);

@@ -18,6 +18,9 @@ namespace {
 /// Ways at depth are no longer than this many diameters; farther ones go over what stands between.
 constexpr double kLongestWayDiameters = 4;
 
+/// A program's places may be so far off [mm].
+constexpr double kRoundingMm = 1e-3;
+
 /// The tool may come down to a pass at so many places off its start, so many radii apart.
 constexpr int kEntries = 8;
 constexpr double kEntryRadii = 0.25;
@@ -87,6 +90,21 @@ class FormPathWriter {
         before_ = &level;
     }
 
+    /// Straight down to where it begins, and from there on over the ground.
+    void write(const SurfaceWay& line) {
+        const Vec2 to = line.front().head<2>();
+        goOver(to, line.front().z());
+        comeDown(to, line.front().z());
+        for (const Vec3& point : line) {
+            if (point == at_) continue;
+            const bool down = point.head<2>() == at_.head<2>() && point.z() < at_.z();
+            const double feed = feedTowards(point);
+            add(down ? MoveKind::Plunge : MoveKind::Feed, point);
+            if (!down && feed < path_.feedOf(MoveKind::Feed)) path_.moves.back().feed_mm_per_min = feed;
+        }
+        before_ = nullptr;
+    }
+
     void end() {
         if (!path_.moves.empty()) add(MoveKind::Rapid, {at_.x(), at_.y(), task_.retract_z_mm});
     }
@@ -113,22 +131,26 @@ class FormPathWriter {
 
     void goTo(const Path& pass, const FormLevel& level) {
         const Vec2& to = pass.start;
-        const bool begins = path_.moves.empty();
-        if (!begins && isWay(to)) {
+        if (!path_.moves.empty() && isWay(to)) {
             feedAcross(to);
             if (at_.z() > level.tip_z_mm) add(MoveKind::Plunge, {to.x(), to.y(), level.tip_z_mm});
             return;
         }
         const Vec2 entry = entryOf(pass, level);
-        if (begins) {
-            path_.start = at_ = {entry.x(), entry.y(), task_.retract_z_mm};
-        } else {
-            const double over_mm = std::max({crossingZ(entry), at_.z(), level.tip_z_mm});
-            if (over_mm > at_.z()) add(MoveKind::Rapid, {at_.x(), at_.y(), over_mm});
-            add(MoveKind::Rapid, {entry.x(), entry.y(), over_mm});
-        }
+        goOver(entry, level.tip_z_mm);
         comeDown(entry, level.tip_z_mm);
         feedAcross(to);
+    }
+
+    /// Over a place, no lower than that height; there the path begins.
+    void goOver(const Vec2& to, double z_mm) {
+        if (path_.moves.empty()) {
+            path_.start = at_ = {to.x(), to.y(), task_.retract_z_mm};
+            return;
+        }
+        const double over_mm = std::max({crossingZ(to), at_.z(), z_mm});
+        if (over_mm > at_.z()) add(MoveKind::Rapid, {at_.x(), at_.y(), over_mm});
+        add(MoveKind::Rapid, {to.x(), to.y(), over_mm});
     }
 
     /// Straight over at the height where the tool is.
@@ -136,6 +158,15 @@ class FormPathWriter {
         if (to == at_.head<2>()) return;
         between_.push_back({at_.z(), {{at_.head<2>(), {{to, std::nullopt}}}}});
         add(MoveKind::Feed, {to.x(), to.y(), at_.z()});
+    }
+
+    /// No faster down than in a plunge, however the program rounds the move.
+    double feedTowards(const Vec3& to) const {
+        const double feed = path_.feedOf(MoveKind::Feed);
+        const double drop_mm = at_.z() - to.z() + kRoundingMm;
+        if (drop_mm <= kRoundingMm) return feed;
+        const double sine = std::min(1.0, drop_mm / (to - at_).norm());
+        return rampFeed(feed, path_.feedOf(MoveKind::Plunge), std::asin(sine));
     }
 
     /// Where the tool comes down to a pass: at its start or, where it is there sooner, some way off the wall.
@@ -228,8 +259,9 @@ class FormPathWriter {
 
 }  // namespace
 
-FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels, const ToolAssembly& tool,
-                  const CuttingData& cutting, const Machine& machine, const Tolerances& tol) {
+FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels,
+                  const std::vector<SurfaceWay>& lines, const ToolAssembly& tool, const CuttingData& cutting,
+                  const Machine& machine, const Tolerances& tol) {
     std::vector<const FormLevel*> cut;
     for (const FormLevel& level : levels)
         if (!level.passes.empty()) cut.push_back(&level);
@@ -244,10 +276,13 @@ FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels, co
     if (cutting.step_down_mm > 0) path.step_down_mm = std::min(path.step_down_mm, cutting.step_down_mm);
     path.pattern = tool.isCountersink()             ? kCountersinkPattern
                    : tool.type == ToolType::Chamfer ? "chamfer pass"
-                                                    : "z-levels";
+                   : lines.empty()                  ? "z-levels"
+                                                    : "z-levels + lines over the surface";
     FormPathWriter writer(task, tool, machine, tol, written);
     for (const FormLevel* level : cut)
         writer.write(*level);
+    for (const SurfaceWay& line : lines)
+        writer.write(line);
     writer.end();
     path.totals = measure(path, machine);
     return written;

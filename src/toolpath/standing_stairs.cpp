@@ -26,6 +26,9 @@ constexpr double kSliceMm = 0.1;
 constexpr double kBelowFormMm = 0.5;
 /// Cuts thinner than this do not count [mm].
 constexpr double kSkinMm = 2e-3;
+/// Over ways that go up and down the cutter counts with the radius that it has so far over its tip [mm].
+constexpr double kCountedOverTipMm[] = {0.05, 0.5};
+
 /// The band over that height, the upper one where two meet.
 const Obstacle* bandAt(const std::vector<Obstacle>& bands, double z_mm) {
     const auto found = std::find_if(bands.begin(), bands.end(), [&](const Obstacle& band) {
@@ -211,16 +214,119 @@ void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
     });
 }
 
+namespace {
+
+/// What of the ways lies at or below a height, seen from above; points in line are left out.
+std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, const Box2& near) {
+    std::vector<Path> below;
+    for (const SurfaceWay& way : ways) {
+        bool goes_on = false;
+        for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+            const Vec3& a = way[i];
+            const Vec3& b = way[i + 1];
+            Box2 box;
+            box.extend(Vec2(a.head<2>()));
+            box.extend(Vec2(b.head<2>()));
+            if (std::min(a.z(), b.z()) > z_mm || !box.intersects(near)) {
+                goes_on = false;
+                continue;
+            }
+            const double rise_mm = b.z() - a.z();
+            const auto at = [&](double share) { return snapToGrid(Vec2((a + share * (b - a)).head<2>())); };
+            const Vec2 from = a.z() > z_mm ? at((z_mm - a.z()) / rise_mm) : Vec2(a.head<2>());
+            const Vec2 to = b.z() > z_mm ? at((z_mm - a.z()) / rise_mm) : Vec2(b.head<2>());
+            if (!goes_on || a.z() > z_mm) below.push_back({from, {}});
+            Path& path = below.back();
+            if (path.segments.size() > 1) {
+                // The last point falls out where it lies on the way from the one before it.
+                const Vec2& start = path.segments[path.segments.size() - 2].to;
+                const Vec2 along = to - start;
+                const Vec2 last = path.segments.back().to - start;
+                const bool on = along.norm() > 0 &&
+                                std::abs(cross(along, last)) < kSkinMm / 2 * along.norm() &&
+                                along.dot(last) > 0 && last.norm() <= along.norm();
+                if (on) path.segments.pop_back();
+            }
+            if (to != from) path.segments.push_back({to, std::nullopt});
+            goes_on = b.z() <= z_mm;
+        }
+    }
+    return below;
+}
+
+/// Moves, the first and the one after the last.
+using Run = std::pair<std::size_t, std::size_t>;
+
+/// Straight feeds one after another, some of which go up or down sideways.
+std::vector<Run> surfaceRuns(const Vec3& start, const std::vector<Move>& moves) {
+    std::vector<Run> runs;
+    Vec3 from = start;
+    std::size_t first = 0;
+    bool slopes = false;
+    const auto end = [&](std::size_t at) {
+        if (slopes) runs.emplace_back(first, at);
+        first = at + 1;
+        slopes = false;
+    };
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const Move& move = moves[i];
+        if (move.kind == MoveKind::Rapid || move.arc)
+            end(i);
+        else if (move.to.head<2>() != from.head<2>() && std::abs(move.to.z() - from.z()) > kSameHeightMm)
+            slopes = true;
+        from = move.to;
+    }
+    end(moves.size());
+    return runs;
+}
+
+}  // namespace
+
+void StandingStairs::cut(const std::vector<SurfaceWay>& ways, const CutterForm& form) {
+    if (ways.empty()) return;
+    tbb::parallel_for(std::size_t{0}, slices_.size(), [&](std::size_t i) {
+        Slice& slice = slices_[i];
+        bool changed = false;
+        for (const double over_mm : kCountedOverTipMm) {
+            if (slice.region.empty()) return;
+            const double radius_mm = form.radiusAt(over_mm) - kSkinMm;
+            const std::vector<Path> below =
+                waysBelow(ways, slice.z_mm - over_mm, grown(boundingBox(slice.region), radius_mm));
+            if (below.empty()) break;
+            slice.region = subtract(slice.region, toolpath::sweptRegion(below, radius_mm, tol_), tol_);
+            changed = true;
+        }
+        if (changed) slice.region = toolpath::beyondSkins(slice.region, tol_);
+    });
+}
+
+std::vector<SurfaceWay> surfaceWays(const Vec3& start, const std::vector<Move>& moves) {
+    std::vector<SurfaceWay> ways;
+    for (const auto& [first, last] : surfaceRuns(start, moves)) {
+        SurfaceWay& way = ways.emplace_back();
+        way.push_back(first == 0 ? start : moves[first - 1].to);
+        for (std::size_t i = first; i < last; ++i)
+            way.push_back(moves[i].to);
+    }
+    return ways;
+}
+
 std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& moves) {
     std::map<double, std::vector<Path>, std::greater<>> by_height;
     std::optional<WayBuilder> way;
     Vec3 from = start;
     bool came_down = false;  // and has not moved since
-    for (const Move& move : moves) {
-        const bool level = move.kind != MoveKind::Rapid && std::abs(from.z() - move.to.z()) < kSameHeightMm;
+    std::vector<char> over_surface(moves.size(), 0);
+    for (const auto& [first, last] : surfaceRuns(start, moves))
+        std::fill(over_surface.begin() + static_cast<std::ptrdiff_t>(first),
+                  over_surface.begin() + static_cast<std::ptrdiff_t>(last), 1);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const Move& move = moves[i];
+        const bool level = move.kind != MoveKind::Rapid && over_surface[i] == 0 &&
+                           std::abs(from.z() - move.to.z()) < kSameHeightMm;
         if (came_down && !level) by_height[from.z()].push_back({Vec2(from.head<2>()), {}});
-        came_down = move.kind != MoveKind::Rapid && move.to.z() < from.z() - kSameHeightMm &&
-                    move.to.head<2>() == from.head<2>();
+        came_down = move.kind != MoveKind::Rapid && over_surface[i] == 0 &&
+                    move.to.z() < from.z() - kSameHeightMm && move.to.head<2>() == from.head<2>();
         if (!level && way) {
             way->end();
             way.reset();

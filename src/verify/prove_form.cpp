@@ -3,11 +3,12 @@
 #include "verify/prove_form.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
 #include "stepmill/access/collision.h"
-#include "stepmill/access/form_centres.h"
+#include "stepmill/access/form_floor.h"
 #include "stepmill/catalog/cutter_form.h"
 #include "stepmill/planar/edge_index.h"
 
@@ -16,6 +17,8 @@ namespace {
 
 /// Distances beyond so many radii are all alike.
 constexpr double kFarRadii = 4;
+/// Sections are looked for at least so far beyond the cutter [mm].
+constexpr double kLeastLookMm = 0.01;
 
 /// Sections that moves are held against, one after the other.
 class Sections {
@@ -62,23 +65,37 @@ class FormProver {
 
     void prove(const ReadOperation& operation) {
         Vec3 from = operation.start;
-        for (std::size_t i = 0; i < operation.moves.size() && !failed_; ++i) {
-            const ReadMove& read = operation.moves[i];
-            const Move& move = read.fed.move;
-            const double low_mm = std::min(from.z(), move.to.z());
-            const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
-            // Straight up it leaves the way it came.
-            const bool leaves = from.head<2>() == move.to.head<2>() && move.to.z() >= from.z();
-            from = move.to;
+        for (const ReadMove& read : operation.moves) {
+            if (failed_) return;
             line_ = read.line;
-            proveDepth(low_mm);
-            proveCutter(way, low_mm, i);
-            proveHolder(way, low_mm, i);
-            if (move.kind == MoveKind::Rapid && !leaves) proveRapid(way, low_mm, i);
+            proveMove(from, read.fed.move);
+            from = read.fed.move.to;
         }
     }
 
   private:
+    void proveMove(const Vec3& from, const Move& move) {
+        // Straight up it leaves the way it came.
+        const bool leaves = from.head<2>() == move.to.head<2>() && move.to.z() >= from.z();
+        const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const double rise_mm = move.to.z() - from.z();
+        const bool slopes = !move.arc && way.from != way.to();
+        const int pieces =
+            slopes ? std::max(1, static_cast<int>(std::ceil(std::abs(rise_mm) / kSlopeRiseMm))) : 1;
+        Vec3 begin = from;
+        for (int i = 1; i <= pieces && !failed_; ++i) {
+            const Vec3 end = i == pieces ? move.to : Vec3(from + (move.to - from) * i / pieces);
+            const double low_mm = std::min(begin.z(), end.z());
+            const Edge piece = pieces == 1 ? way : makeLine(begin.head<2>(), end.head<2>());
+            ++piece_;
+            proveDepth(low_mm);
+            proveCutter(piece, low_mm, piece_);
+            proveHolder(piece, low_mm, piece_);
+            if (move.kind == MoveKind::Rapid && !leaves) proveRapid(piece, low_mm, piece_);
+            begin = end;
+        }
+    }
+
     void fail(const std::string& text) {
         if (!failed_) findings_.add(line_, text);
         failed_ = true;
@@ -101,7 +118,10 @@ class FormProver {
             return fail("leaves the ground that the plan tells of");
         for (std::size_t i = bands.size(); i-- > 0 && bands[i].top_z_mm > tip_mm;) {
             const double radius_mm = form_.radiusAt(bands[i].top_z_mm - tip_mm);
-            const double clearance = must_stand_.distance(i, way, number, farMm()) - radius_mm;
+            // Farther than the nearest so far is as good as any.
+            const double far_mm =
+                std::min(farMm(), radius_mm + std::max(kLeastLookMm, findings_.proof.clearance_mm));
+            const double clearance = must_stand_.distance(i, way, number, far_mm) - radius_mm;
             findings_.proof.clearance_mm = std::min(findings_.proof.clearance_mm, clearance);
             if (clearance < -tol_.gouge_mm)
                 return fail(fmt::format("cuts into what must stay, between Z{:.4f} and Z{:.4f}, by {:.4f} mm",
@@ -145,6 +165,7 @@ class FormProver {
     Sections must_stand_;
     Sections obstacles_;
     int line_ = 0;
+    std::size_t piece_ = 0;  ///< of all moves, counted from 1
     bool failed_ = false;
 };
 
@@ -166,6 +187,7 @@ void proveFormCut(const ReadOperation& operation, const RecordedOperation& plann
         moves.push_back(read.fed.move);
     for (const LevelWays& level : levelWays(operation.start, moves))
         stairs.cut(level, CutterForm(planned.tool));
+    stairs.cut(surfaceWays(operation.start, moves), CutterForm(planned.tool));
     const double taken_mm3 = before_mm3 - stairs.volumeMm3();
     if (taken_mm3 < counted_mm3 * (1 - tol.volume_share) - kVolumeRoundingMm3)
         findings.add(operation.line,

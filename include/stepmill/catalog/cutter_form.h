@@ -12,6 +12,9 @@ class CutterForm {
 
     /// At that height over the tip: 0 below it, the full radius from heightMm() on [mm].
     double radiusAt(double height_mm) const;
+    /// The greatest height over the tip up to which the cutter is no wider than that radius: infinity for the
+    /// full one and more, 0 for less than it has at its tip [mm].
+    double heightUnder(double radius_mm) const;
     /// The height from which the radius is the full one; 0 for a flat end mill [mm].
     double heightMm() const { return height_mm_; }
     double fullRadiusMm() const { return full_mm_; }

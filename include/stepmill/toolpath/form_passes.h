@@ -5,7 +5,9 @@
 
 #include "stepmill/access/form_centres.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/toolpath/shallow_ground.h"
 #include "stepmill/toolpath/standing_stairs.h"
+#include "stepmill/toolpath/surface_passes.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill::toolpath {
@@ -24,6 +26,8 @@ struct PassSpacing {
     /// Passes of two levels leave no ridge over the scallop where they are no farther apart along the wall.
     /// 0: all levels are passed.
     double along_wall_mm = 0;
+    /// Over ground that lines over the surface finish, so much is left to them.
+    double over_shallow_mm = 0;
 };
 
 /// The passes of one form cutter, level by level from above. Levels lie as near to each other as the flattest
@@ -35,9 +39,10 @@ struct PassSpacing {
 /// level's boundary.
 class FormPasses {
   public:
-    /// Keeps `centres` and `form`.
+    /// Keeps `centres`, `form` and `shallow`.
+    /// \param shallow  ground that lines over the surface finish
     FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
-               const Tolerances& tol);
+               const ShallowGround& shallow, const Tolerances& tol);
 
     /// Passes along the boundary of the free centres at one height, wherever the cutter meets stairs there,
     /// and beside them at the step-over where the stairs are wider. No passes where it meets none.
@@ -57,7 +62,7 @@ class FormPasses {
     };
     class Meeting;
 
-    std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, Next& next) const;
+    std::vector<Path> piecesOf(const Loop& loop, Meeting& meeting, Next& next, bool passes_shallow) const;
     void remember(double tip_z_mm, const std::vector<Path>& passes);
     /// Of each edge along a wall, 0: it is needed, but may wait.
     std::vector<char> cannotWait(const std::vector<Edge>& edges, const std::vector<char>& needed,
@@ -66,6 +71,8 @@ class FormPasses {
 
     const FormCentres& centres_;
     const CutterForm& form_;
+    const ShallowGround& shallow_;
+    std::optional<double> shallow_passed_mm_;  ///< the last level that was passed over shallow ground
     PassSpacing spacing_;
     Tolerances tol_;
     std::vector<Made> made_;  ///< along walls, no higher than a next level may ask for
@@ -84,10 +91,11 @@ struct FormPath {
     std::vector<LevelWays> between;
 };
 
-/// The passes of all levels, from above, as one path: rapids come down over what stands when form operations
-/// begin, ways at depth stay in the free centres, all else goes over the retract height. No moves without
-/// passes.
-FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels, const ToolAssembly& tool,
-                  const CuttingData& cutting, const Machine& machine, const Tolerances& tol);
+/// The passes of all levels, from above, and then those over the surface as one path: rapids come down over
+/// what stands when form operations begin, ways at depth stay in the free centres, all else goes over the
+/// retract height. No moves without passes.
+FormPath formPath(const FormTask& task, const std::vector<FormLevel>& levels,
+                  const std::vector<SurfaceWay>& lines, const ToolAssembly& tool, const CuttingData& cutting,
+                  const Machine& machine, const Tolerances& tol);
 
 }  // namespace stepmill::toolpath

@@ -15,6 +15,9 @@ struct LevelWays {
     std::vector<Path> ways;
 };
 
+/// A way of the tip that goes up and down with the ground: straight from each point to the next.
+using SurfaceWay = std::vector<Vec3>;
+
 /// The stairs of a form ground while form cutters take them off.
 ///
 /// They are known half-way up slices a tenth of a millimetre high, or as high as the bands or stairs are.
@@ -39,6 +42,9 @@ class StandingStairs {
     /// Takes off what a cutter sweeps along the ways. Ways far below a slice are left out of its account:
     /// what they reach there is no more than what others above them did.
     void cut(const LevelWays& level, const CutterForm& form);
+    /// The same along ways that go up and down. At a height it counts no more than the radius that the cutter
+    /// has there at a few heights over its tip, so it is a little less than they take.
+    void cut(const std::vector<SurfaceWay>& ways, const CutterForm& form);
 
   private:
     void addSlices(const Obstacle& stair, double bottom_mm, double top_mm, const std::vector<Obstacle>& bands,
@@ -48,7 +54,11 @@ class StandingStairs {
     std::vector<Slice> slices_;  ///< from below to above
 };
 
-/// The ways of a path's feeds that go level, by height from above; plunges and rapids cut nothing here.
+/// The ways of a path's feeds that go level, by height from above; plunges and rapids cut nothing here, and
+/// surfaceWays() are left out.
 std::vector<LevelWays> levelWays(const Vec3& start, const std::vector<Move>& moves);
+
+/// Straight feeds one after another, some of which go up or down sideways.
+std::vector<SurfaceWay> surfaceWays(const Vec3& start, const std::vector<Move>& moves);
 
 }  // namespace stepmill

@@ -177,6 +177,56 @@ TEST_P(SimulateForms, CutWhatTheySayAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(SampleParts, SimulateForms, testing::Values("die_cavity"), kSampleName);
 INSTANTIATE_TEST_SUITE_P(Slow, SimulateForms, testing::Values("die_with_islands"), kSampleName);
 
+/// Flatter than this ground is shallow, and less than this it is level [tangent].
+constexpr double kShallow = 0.2;
+constexpr double kLevel = 0.01;
+/// Slopes are taken over so many cells to either side.
+constexpr int kSlopeCells = 5;
+
+/// Heights of what stands over ground of the part that is neither level nor steep, ascending [mm].
+std::vector<double> leftOverShallow(const HeightMap& stock, const HeightMap& part) {
+    const Raster& raster = part.raster();
+    std::vector<double> left;
+    for (int row = kSlopeCells; row + kSlopeCells < raster.rows(); ++row)
+        for (int column = kSlopeCells; column + kSlopeCells < raster.columns(); ++column) {
+            const auto height = [&](int by_x, int by_y) {
+                return part.heights()[raster.index(column + by_x, row + by_y)];
+            };
+            const double over_mm = 2 * kSlopeCells * kCellMm;
+            const double slope = std::hypot(height(kSlopeCells, 0) - height(-kSlopeCells, 0),
+                                            height(0, kSlopeCells) - height(0, -kSlopeCells)) /
+                                 over_mm;
+            if (slope >= kLevel && slope <= kShallow)
+                left.push_back(stock.heights()[raster.index(column, row)] - height(0, 0));
+        }
+    std::sort(left.begin(), left.end());
+    return left;
+}
+
+/// Lines over the dome leave ridges of a scallop over the skin of its bands: what stands on it is as high
+/// nearly everywhere. Passes along its levels left it 0.08 mm high where they lay far apart.
+TEST(SimulateForms, LinesLeaveADomeEven) {
+    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/mold_core.step").front();
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.scallop_mm = 0.02;
+    request.setup.axes = {Vec3::UnitZ()};
+    const Plan planned = planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+    const PlannedSetup& setup = planned.setups.front();
+    const Box2 box = mapBox(setup.setup);
+    const double bottom = setup.setup.stock_bbox_mm.min().z();
+    HeightMap solid(box, kCellMm, bottom);
+    raisePart(solid, setup.setup);
+    HeightMap stock(box, kCellMm, bottom);
+    stock.raise(makeRectangle(box.min(), box.max()), setup.setup.stock_bbox_mm.max().z());
+    for (const Operation& operation : setup.operations)
+        stock.run(operation.path, profileOf(planned.library.tool(operation.tool_id)), kRimMm);
+    EXPECT_EQ(gouged(stock, solid), 0);
+    const std::vector<double> left = leftOverShallow(stock, solid);
+    ASSERT_GT(left.size(), 10000U);
+    EXPECT_LE(left[left.size() * 95 / 100] - left[left.size() / 10], request.scallop_mm);
+}
+
 /// The shop's drills as the simulation knows them: with their points, and one for each blind hole there is.
 ToolLibrary libraryWithSmallDrills() {
     ToolLibrary library = defaultToolLibrary();

@@ -144,7 +144,8 @@ std::vector<toolpath::FormLevel> levelsOf(const FormGround& ground, const ToolAs
     const FormBands bands(ground, kTol);
     const FormCentres centres(bands, tool);
     const CutterForm form(tool);
-    toolpath::FormPasses passes(centres, form, {1.5, 0.03, along_wall_mm}, kTol);
+    const toolpath::ShallowGround none;
+    toolpath::FormPasses passes(centres, form, {1.5, 0.03, along_wall_mm}, none, kTol);
     std::vector<toolpath::FormLevel> levels;
     for (std::size_t i = ground.must_stand.size(); i-- > 1;) {
         const double tip = ground.must_stand[i].bottom_z_mm;
@@ -170,7 +171,7 @@ TEST(FormPasses, NeverGougeRandomLeaningPockets) {
         Machine machine;
         machine.rapid_mm_per_min = 5000;
         const auto [path, between] =
-            toolpath::formPath({ground, 5, false}, levels, tool, tool.cutting.front(), machine, kTol);
+            toolpath::formPath({ground, 5, false}, levels, {}, tool, tool.cutting.front(), machine, kTol);
         for (const LevelWays& ways : between)
             stairs.cut(ways, CutterForm(tool));
         StandingStairs moved_over(ground, kTol);

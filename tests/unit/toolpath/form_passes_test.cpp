@@ -60,7 +60,8 @@ Passed heightsPassed(double along_wall_mm) {
     const FormCentres centres(bands, tool);
     const CutterForm form(tool);
     StandingStairs stairs(ground, kTol);
-    toolpath::FormPasses passes(centres, form, {3, 0.06, along_wall_mm}, kTol);
+    const toolpath::ShallowGround none;
+    toolpath::FormPasses passes(centres, form, {3, 0.06, along_wall_mm}, none, kTol);
     Passed found;
     for (double z_mm = -kLevelMm; z_mm > -kDepthMm + kLevelMm / 2; z_mm -= kLevelMm) {
         const toolpath::FormLevel level = passes.at(z_mm, stairs, z_mm - kLevelMm);

@@ -38,7 +38,7 @@ Toolpath passesIn(const FormGround& ground, const ToolAssembly& tool, bool plain
                                 makeRectangle({58, 6}, {94, 14}).loops.front()};
     for (const Loop& loop : level.free_centres.loops)
         level.passes.push_back(loop);
-    return toolpath::formPath({ground, kRetractMm, plain_ways}, {level}, tool, test::cuttingData(1, 1),
+    return toolpath::formPath({ground, kRetractMm, plain_ways}, {level}, {}, tool, test::cuttingData(1, 1),
                               kMachine, kTol)
         .path;
 }
@@ -72,7 +72,7 @@ TEST(FormPath, KeepsTheHolderOffWhatStandsBeside) {
 Toolpath alongTheWall(const Region& free_centres) {
     toolpath::FormLevel level{kTipMm, free_centres, {}};
     level.passes = {Path{{20, 5.0001}, {{{40, 5.0001}, std::nullopt}}}};
-    return toolpath::formPath({trough(-12), kRetractMm, false}, {level}, ball(30, 12),
+    return toolpath::formPath({trough(-12), kRetractMm, false}, {level}, {}, ball(30, 12),
                               test::cuttingData(1, 1), kMachine, kTol)
         .path;
 }
@@ -109,7 +109,7 @@ TEST(FormPath, TellsOfWaysAtDepthBetweenPasses) {
     const Path right{{30, 10}, {{{34, 10}, std::nullopt}}};
     level.passes = {left, right};
     const FormGround ground = trough(-12);
-    const auto [path, between] = toolpath::formPath({ground, kRetractMm, false}, {level}, ball(30, 12),
+    const auto [path, between] = toolpath::formPath({ground, kRetractMm, false}, {level}, {}, ball(30, 12),
                                                     test::cuttingData(1, 1), kMachine, kTol);
     ASSERT_EQ(between.size(), 1U);
     EXPECT_EQ(between[0].tip_z_mm, kTipMm);

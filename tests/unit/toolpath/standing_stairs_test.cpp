@@ -76,6 +76,38 @@ TEST(StandingStairs, KeepWhatLiesUnderTheVeryTipOfABall) {
     EXPECT_EQ(stairs.volumeMm3(), before_mm3);
 }
 
+TEST(StandingStairs, LoseUnderASlopeLessThanUnderALevelAtItsFoot) {
+    // Along the wall, the cutter's edge over y = 1 all the way.
+    const auto leftBy = [](double rise_mm) {
+        StandingStairs stairs(leaningWall(0.05), kTol);
+        stairs.cut(std::vector<SurfaceWay>{{{-10, -4, 0.5}, {kLengthMm + 10, -4, 0.5 + rise_mm}}},
+                   CutterForm(flatEndMill(10)));
+        return stairs.volumeMm3();
+    };
+    EXPECT_GT(leftBy(0.4), leftBy(0));
+    EXPECT_GT(leftBy(0.8), leftBy(0.4));
+    EXPECT_LT(leftBy(0.8), StandingStairs(leaningWall(0.05), kTol).volumeMm3());
+}
+
+TEST(SurfaceWays, AreStraightFeedsThatRiseOrFallSomewhere) {
+    const Arc arc{{10.5, 0}, 1.5, true};
+    const auto move = [](MoveKind kind, const Vec3& to, const std::optional<Arc>& along = std::nullopt) {
+        return Move{kind, to, along, false};
+    };
+    const std::vector<Move> moves{move(MoveKind::Rapid, {0, 0, 1}),  move(MoveKind::Plunge, {0, 0, 0}),
+                                  move(MoveKind::Feed, {5, 0, 0}),   move(MoveKind::Rapid, {5, 0, 2}),
+                                  move(MoveKind::Plunge, {5, 0, 1}), move(MoveKind::Feed, {8, 0, 1}),
+                                  move(MoveKind::Feed, {9, 0, 1.5}), move(MoveKind::Feed, {12, 0, 1.5}, arc)};
+    const std::vector<SurfaceWay> ways = surfaceWays({0, 0, 5}, moves);
+    ASSERT_EQ(ways.size(), 1U);
+    EXPECT_EQ(ways.front(), (SurfaceWay{{5, 0, 2}, {5, 0, 1}, {8, 0, 1}, {9, 0, 1.5}}));
+    // What goes over a surface is no way at one height.
+    const std::vector<LevelWays> levels = levelWays({0, 0, 5}, moves);
+    ASSERT_EQ(levels.size(), 2U);
+    EXPECT_EQ(levels[0].tip_z_mm, 1.5);
+    EXPECT_EQ(levels[1].tip_z_mm, 0);
+}
+
 TEST(StandingStairs, KeepWhatLiesBetweenTwoStairs) {
     FormGround ground = leaningWall(0.25);
     ground.stairs = {{0.1, 0.2, makeRectangle({0, -1}, {kLengthMm, 2})},

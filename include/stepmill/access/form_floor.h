@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "stepmill/catalog/cutter_form.h"
+#include "stepmill/catalog/tool.h"
+#include "stepmill/core/tolerances.h"
+#include "stepmill/feature/form_ground.h"
+#include "stepmill/planar/edge_index.h"
+
+namespace stepmill {
+
+/// A tip that goes up or down along a way is proven in pieces over which it rises no more than this, as if it
+/// were at the lower end of each [mm].
+inline constexpr double kSlopeRiseMm = 0.005;
+
+/// How low the tip of a form cutter may be over a place: the reverse of FormCentres, for ways that go up and
+/// down with the ground. Safe to share between threads.
+class FormFloor {
+  public:
+    /// Keeps `ground` and `tool`.
+    FormFloor(const FormGround& ground, const ToolAssembly& tool, const Tolerances& tol);
+
+    /// The lowest heights of the tip at which neither cutter nor shank nor holder touches anything, for each
+    /// of the equal pieces of a straight way: all along it, and with the guard of paths. Errs upwards as
+    /// FormCentres errs inwards. No lower than the bands that must stand are known.
+    /// \pre the way keeps inside the window by the cutter's radius; pieces > 0
+    std::vector<double> over(const Vec2& from, const Vec2& to, int pieces) const;
+
+  private:
+    struct Side;
+    struct Stretch;
+    Stretch stretchOver(const Edge& stretch, std::vector<Side>& sides) const;
+    double lowestOver(const Edge& piece, const Stretch& stretch, std::vector<Side>& sides) const;
+    double holderOver(const Edge& stretch, double tip_mm) const;
+    bool isInside(std::size_t band, const Edge& way, Side& side) const;
+
+    const FormGround& ground_;
+    const ToolAssembly& tool_;
+    CutterForm form_;
+    double guard_mm_;
+    std::vector<EdgeIndex> bands_;
+    std::vector<EdgeIndex> obstacles_;
+};
+
+}  // namespace stepmill

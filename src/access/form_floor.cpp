@@ -1,0 +1,125 @@
+// How low form cutters may go, along ways over the ground.
+
+#include "stepmill/access/form_floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stepmill/access/collision.h"
+#include "stepmill/feature/heights.h"
+
+namespace stepmill {
+namespace {
+
+/// Which bands are near is found for stretches of a way no longer than so many radii.
+constexpr double kStretchRadii = 0.5;
+
+std::vector<EdgeIndex> indexed(const std::vector<Obstacle>& obstacles) {
+    std::vector<EdgeIndex> edges;
+    edges.reserve(obstacles.size());
+    for (const Obstacle& obstacle : obstacles)
+        edges.emplace_back(obstacle.section);
+    return edges;
+}
+
+Edge partOf(const Vec2& from, const Vec2& to, int first, int last, int pieces) {
+    const Vec2 by = (to - from) / pieces;
+    return makeLine(from + first * by, last == pieces ? to : Vec2(from + last * by));
+}
+
+}  // namespace
+
+/// On which side of a band's boundary a way that did not cross it has been.
+struct FormFloor::Side {
+    bool known = false;
+    bool inside = false;
+    Vec2 end = Vec2::Zero();
+};
+
+/// What counts over a stretch.
+struct FormFloor::Stretch {
+    double lowest_mm = 0;
+    std::vector<std::size_t> near;  ///< bands whose boundary is, from above
+};
+
+FormFloor::FormFloor(const FormGround& ground, const ToolAssembly& tool, const Tolerances& tol)
+    : ground_(ground),
+      tool_(tool),
+      form_(tool),
+      guard_mm_(tol.guard_mm),
+      bands_(indexed(ground.must_stand)),
+      obstacles_(indexed(ground.obstacles)) {}
+
+std::vector<double> FormFloor::over(const Vec2& from, const Vec2& to, int pieces) const {
+    std::vector<double> lowest_mm;
+    std::vector<Side> along(bands_.size());
+    std::vector<Side> within(bands_.size());
+    const double stretches = (to - from).norm() / (kStretchRadii * form_.fullRadiusMm());
+    const int most = std::max(1, static_cast<int>(pieces / std::max(1.0, stretches)));
+    for (int first = 0; first < pieces; first += most) {
+        const int last = std::min(first + most, pieces);
+        const Stretch stretch = stretchOver(partOf(from, to, first, last, pieces), along);
+        for (int i = first; i < last; ++i)
+            lowest_mm.push_back(lowestOver(partOf(from, to, i, i + 1, pieces), stretch, within));
+    }
+    return lowest_mm;
+}
+
+/// \pre the way does not cross the band's boundary
+bool FormFloor::isInside(std::size_t band, const Edge& way, Side& side) const {
+    if (!side.known || side.end != way.from)
+        side.inside =
+            bands_[band].box().contains(way.from) && contains(ground_.must_stand[band].section, way.from);
+    side.known = true;
+    side.end = way.to();
+    return side.inside;
+}
+
+FormFloor::Stretch FormFloor::stretchOver(const Edge& stretch, std::vector<Side>& sides) const {
+    const std::vector<Obstacle>& bands = ground_.must_stand;
+    Stretch found{bands.front().bottom_z_mm, {}};
+    for (std::size_t i = bands.size(); i-- > 0;) {
+        if (bands_[i].empty()) continue;
+        if (bands_[i].anyNearer(stretch, form_.fullRadiusMm() + guard_mm_)) {
+            sides[i].known = false;
+            found.near.push_back(i);
+        } else if (isInside(i, stretch, sides[i])) {
+            found.lowest_mm = bands[i].top_z_mm;
+            break;
+        }
+    }
+    found.lowest_mm = holderOver(stretch, found.lowest_mm);
+    return found;
+}
+
+double FormFloor::lowestOver(const Edge& piece, const Stretch& stretch, std::vector<Side>& sides) const {
+    double tip_mm = stretch.lowest_mm;
+    for (const std::size_t i : stretch.near) {
+        const double top_mm = ground_.must_stand[i].top_z_mm;
+        if (top_mm <= tip_mm + kSameHeightMm) break;
+        const double limit_mm = form_.radiusAt(top_mm - tip_mm) + guard_mm_;
+        const double distance_mm = bands_[i].distanceTo(piece, limit_mm);
+        if (distance_mm <= 0) sides[i].known = false;
+        if (distance_mm <= 0 || isInside(i, piece, sides[i]))
+            tip_mm = top_mm;
+        else if (distance_mm < limit_mm)
+            tip_mm = std::max(tip_mm, top_mm - form_.heightUnder(distance_mm - guard_mm_));
+    }
+    return tip_mm;
+}
+
+/// The height or, where shank or holder would meet something there, the lowest above it where they do not.
+double FormFloor::holderOver(const Edge& stretch, double tip_mm) const {
+    const std::vector<Obstacle>& obstacles = ground_.obstacles;
+    for (const HolderCylinder& cylinder : access::cylindersOf(tool_))
+        while (const auto over =
+                   access::obstacleAbove(obstacles, tip_mm + cylinder.bottom_mm, kSameHeightMm)) {
+            const bool meets = obstacles_[*over].anyNearer(stretch, cylinder.diameter_mm / 2 + guard_mm_) ||
+                               contains(obstacles[*over].section, stretch.from);
+            if (!meets) break;
+            tip_mm = obstacles[*over].top_z_mm - cylinder.bottom_mm;
+        }
+    return tip_mm;
+}
+
+}  // namespace stepmill
