@@ -9,6 +9,7 @@
 #include "output.h"
 #include "stepmill/batch/batch_rows.h"
 #include "stepmill/core/plain_text.h"
+#include "stepmill/core/units.h"
 
 namespace stepmill {
 
@@ -50,7 +51,6 @@ void BatchProgress::printLines(const BatchJob& job) {
 
 void BatchProgress::drawBar() const {
     constexpr int kWidth = 30;
-    constexpr double kSecondsPerHour = 3600;
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const int filled = to_do_ > 0 ? kWidth * done_ / to_do_ : kWidth;
     std::string words;

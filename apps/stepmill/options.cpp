@@ -265,6 +265,7 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
         request.roughing = {
             allowance(options.allowance_mm, "--allowance"),
             allowance(options.floor_allowance_mm.value_or(options.allowance_mm), "--floor-allowance")};
+    request.quantity = options.quantity;
     request.scallop_mm = scallop(options.scallop_mm);
     request.break_edges_mm = edgeBreak(options.break_edges_mm);
     readMaterial(options, request);

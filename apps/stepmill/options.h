@@ -43,6 +43,7 @@ struct PlanOptions {
     bool rough = false;                        ///< roughing alone
     double allowance_mm = 0.5;                 ///< of roughing
     std::optional<double> floor_allowance_mm;  ///< the same on floors; nothing: as on walls
+    int quantity = 1;
     double scallop_mm = kUsualScallopMm;
     double break_edges_mm = 0;  ///< 0: edges stay sharp
     std::string solid;          ///< empty: the only one; a number; "all"

@@ -10,6 +10,9 @@ void addPlanCommand(CLI::App& app, int& exit_code) {
     addJobOptions(*plan, *options, "-plan");
     addFinishOptions(*plan, *options);
     addOfferOptions(*plan, *options);
+    plan->add_option("--quantity", options->quantity, "pieces of the lot, among which setting up is shared")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
     plan->footer(
         "Examples:\n"
         "  stepmill plan bracket.step\n"

@@ -72,6 +72,7 @@ void fillRequest(PlanOptions& plan, const RecordedRequest& request) {
     plan.surrogates = request.surrogates == SurrogateRule::Single ? "single" : "sequence";
     plan.finish_walls_mm = request.finish.walls_mm;
     plan.finish_floors_mm = request.finish.floors_mm;
+    plan.quantity = request.quantity;
     plan.scallop_mm = request.scallop_mm;
     plan.break_edges_mm = request.break_edges_mm;
     plan.reserve = request.reserve;

@@ -109,6 +109,8 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     machine.max_feed_mm_per_min = from["max_feed_mm_per_min"];
     machine.max_speed_rpm = from["max_speed_rpm"];
     machine.tool_change_s = from["tool_change_s"];
+    machine.setup_time_min = from.value("setup_time_min", machine.setup_time_min);
+    machine.indexed_setup_time_min = from.value("indexed_setup_time_min", machine.indexed_setup_time_min);
     machine.hourly_rate = from["hourly_rate"];
     machine.currency = from["currency"];
     machine.travel_mm = from["travel_mm"].get<std::array<double, 3>>();

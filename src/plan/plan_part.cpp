@@ -1,12 +1,15 @@
 // From a part to its plan: the stages of docs/architecture.md in their order.
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "plan/assignment/cut_where_cheapest.h"
+#include "plan/assignment/setup_choice.h"
 #include "plan/cycle_time/cycle_paces.h"
+#include "plan/form_finishing.h"
 #include "plan/form_setups.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
@@ -179,6 +182,89 @@ Assignment heldByTabs(const std::vector<Setup>& setups, const ToolLibrary& libra
     return assignment;
 }
 
+/// What a plan is made of beside its setups.
+struct PlanSources {
+    const Part& part;
+    const ToolLibrary& library;
+    const Machine& machine;
+    const Tolerances& tol;
+    const Progress& progress;
+    SequenceMemory& memory;
+};
+
+/// The plan of these setups, or of some of them.
+/// \param assignment  where it is known, which of them cuts what
+Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const PlanSources& from,
+            const std::optional<Assignment>& known) {
+    const auto& [part, library, machine, tol, progress, memory] = from;
+    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
+    const SmallerLibraries smaller = smallerLibraries(request, usable.library);
+    const HoleWishes wishes(request.holes, part, tol);
+    const ToolLibrary drills = drillsOf(usable.library);
+    const HoldRequest hold{request.hold, request.break_edges_mm, fixtureGrowthMm(request.fixtures, library)};
+    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
+    const Stock& stock = setups.front().stock;
+    Assignment assignment = known ? *known : heldByTabs(setups, usable.library, request, tol);
+    assignment.steps_finished = request.setup.steps_finished;
+    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);
+    Plan plan = finished(std::move(cut), part, stock, usable, shop, progress);
+    plan.assignment = std::move(assignment);
+    return plan;
+}
+
+/// Setups are chosen by what reaches and finishes the part in flat layers: form cutters may do without some.
+bool mayDoWithFewer(const PlanRequest& request, const ToolLibrary& library) {
+    return request.setup.axes.empty() && !request.assignment && !request.roughing && request.scallop_mm > 0 &&
+           request.fixtures.setups.empty() && hasFormCutters(library, request.sequence.material);
+}
+
+/// A plan that is not done in its share of the time is given up.
+constexpr double kFewSetupsTimeShare = 0.25;
+
+PlanRequest withFewerSetups(PlanRequest request) {
+    request.setup.steps_finished = true;
+    request.patience.all_tools = request.patience.few_tools =
+        Deadline::in(kFewSetupsTimeShare * request.patience.all_tools.secondsLeft());
+    return request;
+}
+
+/// The plan of few setups; nothing where it cannot be made in its time, as others can.
+std::optional<Plan> planOnFew(const std::vector<Setup>& few, const PlanRequest& request,
+                              const PlanSources& from) {
+    const PlanRequest hasty = withFewerSetups(request);
+    try {
+        Plan plan = planOn(few, hasty, from, std::nullopt);
+        if (hasty.patience.all_tools.passed()) return std::nullopt;
+        plan.request.patience = request.patience;
+        return plan;
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+}
+
+/// The better of two plans: of few setups, and of those that finish what the few leave in steps.
+Plan planOnBetter(const std::vector<Setup>& few, const std::vector<Setup>& more, const PlanRequest& request,
+                  const PlanSources& from) {
+    const SetupWeigher weigher(request, from.machine);
+    std::optional<Plan> of_few = planOnFew(few, request, from);
+    if (of_few && weigher.cannotBeat(*of_few, more)) {
+        of_few->assignment.choices = {weigher.choiceOf(*of_few, few, SetupVerdict::Taken),
+                                      SetupWeigher::unplanned(more, SetupVerdict::CannotTakeLess)};
+        return std::move(*of_few);
+    }
+    Plan of_more = planOn(more, request, from, std::nullopt);
+    const std::optional<SetupVerdict> turned_down = of_few ? weigher.against(*of_few, of_more) : std::nullopt;
+    if (turned_down) {
+        of_few->assignment.choices = {weigher.choiceOf(*of_few, few, SetupVerdict::Taken),
+                                      weigher.choiceOf(of_more, more, *turned_down)};
+        return std::move(*of_few);
+    }
+    of_more.assignment.choices = {weigher.choiceOf(of_more, more, SetupVerdict::Taken),
+                                  of_few ? weigher.choiceOf(*of_few, few, weigher.whyNotFew(*of_few, of_more))
+                                         : SetupWeigher::unplanned(few, SetupVerdict::NoTime)};
+    return of_more;
+}
+
 }  // namespace
 
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
@@ -192,21 +278,17 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
               SequenceMemory& memory) {
     requireMaterial(library, request.sequence.material);
     if (progress) progress("setups", 0);
-    const std::vector<Setup> setups = setupsFor(part, request);
+    PlanRequest asked = request;
+    asked.setup.steps_finished = request.assignment && request.assignment->steps_finished;
+    const std::vector<Setup> setups = setupsFor(part, asked);
     STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
     requireMachinableSize(part, setups, machine);
-    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
-    const SmallerLibraries smaller = smallerLibraries(request, usable.library);
-    const HoleWishes wishes(request.holes, part, tol);
-    const ToolLibrary drills = drillsOf(usable.library);
-    const HoldRequest hold{request.hold, request.break_edges_mm, fixtureGrowthMm(request.fixtures, library)};
-    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
-    const Stock& stock = setups.front().stock;
-    Assignment assignment =
-        request.assignment ? *request.assignment : heldByTabs(setups, usable.library, request, tol);
-    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);
-    Plan plan = finished(std::move(cut), part, stock, usable, shop, progress);
-    plan.assignment = std::move(assignment);
+    const PlanSources from{part, library, machine, tol, progress, memory};
+    std::vector<Setup> few;
+    if (setups.size() > 1 && mayDoWithFewer(request, library))
+        few = setupsFor(part, withFewerSetups(request));
+    Plan plan = !few.empty() && few.size() < setups.size() ? planOnBetter(few, setups, asked, from)
+                                                           : planOn(setups, asked, from, request.assignment);
     if (progress) progress("done", 1);
     return plan;
 }

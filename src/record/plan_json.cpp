@@ -100,6 +100,7 @@ void addWishes(const PlanRequest& request, Json& json) {
     if (request.hold) json["hold"] = toString(*request.hold);
     if (request.sequence.objective == Objective::Cost) json["objective"] = "cost";
     if (request.sequence.surrogates == SurrogateRule::Single) json["surrogates"] = "single";
+    if (request.quantity != 1) json["quantity"] = request.quantity;
     if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
     if (!request.assign) json["reserve"] = false;
     if (request.break_edges_mm > 0) json["break_edges_mm"] = number(request.break_edges_mm);
@@ -151,6 +152,9 @@ Json machineJson(const Machine& machine) {
     if (!machine.spindle_nose.empty()) json["spindle_nose"] = listOf(machine.spindle_nose, cylinderJson);
     if (machine.gauge_over_table_mm[1] > 0) json["gauge_over_table_mm"] = machine.gauge_over_table_mm;
     if (machine.column_behind_mm > 0) json["column_behind_mm"] = number(machine.column_behind_mm);
+    if (machine.setup_time_min != kSetupTimeMin) json["setup_time_min"] = number(machine.setup_time_min);
+    if (machine.indexed_setup_time_min != kIndexedSetupTimeMin)
+        json["indexed_setup_time_min"] = number(machine.indexed_setup_time_min);
     if (machine.acceleration_mm_per_s2 > 0) {
         json["acceleration_mm_per_s2"] = number(machine.acceleration_mm_per_s2);
         json["junction_deviation_mm"] = number(machine.junction_deviation_mm);
@@ -394,6 +398,18 @@ Json workJson(const WeighedWork& work) {
             {"left", work.left}};
 }
 
+Json choiceJson(const SetupChoice& choice) {
+    Json axes = Json::array();
+    for (const Vec3& axis : choice.axes)
+        axes.push_back(axisName(axis));
+    Json json = {{"axes", std::move(axes)}, {"verdict", toString(choice.verdict)}};
+    if (!choice.planned) return json;
+    json["time_s"] = number(choice.planned->time_s);
+    json["setup_s"] = number(choice.planned->setup_s);
+    json["stays_mm3"] = number(choice.planned->stays_mm3);
+    return json;
+}
+
 Json triedJson(const TriedReserve& tried) {
     return {{"setup", tried.setup},
             {"before_s", number(tried.before_s)},
@@ -472,6 +488,8 @@ std::string planJson(const Plan& plan) {
     if (plan.request.sequence.cut_material)
         content["cut_material"] = cutMaterialJson(*plan.request.sequence.cut_material);
     if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
+    if (!plan.assignment.choices.empty())
+        content["setup_choices"] = listOf(plan.assignment.choices, choiceJson);
     if (!plan.assignment.tried.empty()) content["assignment"] = listOf(plan.assignment.tried, triedJson);
     if (!plan.cycle.outcomes.empty()) content["cycle_time"] = cycleTimesJson(plan.cycle);
     if (!forms.empty()) content["forms"] = std::move(forms);

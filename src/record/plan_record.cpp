@@ -204,6 +204,8 @@ Machine machine(const Json& json) {
     if (json.contains("gauge_over_table_mm"))
         machine.gauge_over_table_mm = json["gauge_over_table_mm"].get<std::array<double, 2>>();
     machine.column_behind_mm = json.value("column_behind_mm", 0.0);
+    machine.setup_time_min = json.value("setup_time_min", machine.setup_time_min);
+    machine.indexed_setup_time_min = json.value("indexed_setup_time_min", machine.indexed_setup_time_min);
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     machine.junction_deviation_mm = json.value("junction_deviation_mm", machine.junction_deviation_mm);
     machine.home_by = homeByFrom(json.value("home_by", ""));
@@ -278,6 +280,7 @@ RecordedRequest request(const Json& json) {
                             directions(json, "no_setups"),
                             json.contains("objective") ? Objective::Cost : Objective::Time,
                             json.contains("surrogates") ? SurrogateRule::Single : SurrogateRule::Sequence,
+                            json.value("quantity", 1),
                             json.value("scallop_mm", kUsualScallopMm),
                             json.value("break_edges_mm", 0.0),
                             json.value("reserve", true),

@@ -107,7 +107,7 @@ class SetupMaker {
         choice.groups = setup::sampleReach(part_, mesh_, stock, stock_facets_, axes);
         std::vector<double> bonus = bonusOf(stock, axes);
         if (first && request_.margin.bottom_mm > 0) addTurnOver(axes, *first, bonus);
-        std::vector<int> best = setup::bestAxes(choice.groups, bonus);
+        std::vector<int> best = setup::bestAxes(choice.groups, bonus, request_.steps_finished);
         if (best.empty()) best = {0};
         std::vector<setup::SetupTraits> traits;
         for (const Vec3& axis : axes) {

@@ -13,20 +13,22 @@ constexpr double kSameWorth = 1e-9;
 /// Parts of planes and holes need some hundreds of visits.
 constexpr int kMostVisits = 20000;
 
-double worthOf(const SampleGroup& group, Reach reach) {
+double worthOf(const SampleGroup& group, Reach reach, bool steps_finished) {
     if (reach == Reach::None) return 0;
     const double seen = group.volume_share / kSetupPaysShare + group.faces / kSetupPaysFace;
-    return reach == Reach::Poor ? seen : seen + group.ruled_share / kFinishPaysShare;
+    const bool finished = reach == Reach::Finished || (steps_finished && reach == Reach::Steps);
+    return finished ? seen + group.ruled_share / kFinishPaysShare : seen;
 }
 
 /// Depth-first over "with this axis" and "without it". What a set reaches is kept as worth per group.
 class Search {
   public:
-    Search(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus) : bonus_(bonus) {
+    Search(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus, bool steps_finished)
+        : bonus_(bonus) {
         worth_.assign(bonus.size(), std::vector<double>(groups.size(), 0.0));
         for (std::size_t axis = 0; axis < bonus.size(); ++axis)
             for (std::size_t g = 0; g < groups.size(); ++g)
-                worth_[axis][g] = worthOf(groups[g], groups[g].reach[axis]);
+                worth_[axis][g] = worthOf(groups[g], groups[g].reach[axis], steps_finished);
     }
 
     std::vector<int> run() {
@@ -120,8 +122,9 @@ class Search {
 
 }  // namespace
 
-std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus) {
-    return Search(groups, bonus).run();
+std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus,
+                          bool steps_finished) {
+    return Search(groups, bonus, steps_finished).run();
 }
 
 }  // namespace stepmill::setup

@@ -20,6 +20,8 @@ inline constexpr double kFinishPaysShare = 0.05;
 /// for
 ///               axes that cost more than one setup
 /// \return indices of axes, ascending; empty when nothing is to be removed
-std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus);
+/// \param steps_finished  faces on which flat cutters leave steps are finished from there all the same
+std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus,
+                          bool steps_finished = false);
 
 }  // namespace stepmill::setup

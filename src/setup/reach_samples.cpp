@@ -127,12 +127,11 @@ class Sampler {
         for (const Vec3& axis : axes_) {
             const bool blocked = part_.blocked(from, axis);
             place.depth_mm.push_back(blocked ? 0 : wayToSkin(from, axis));
-            place.reach.push_back(
-                blocked ? Reach::None
-                        : (isUprightOrLevel(place.normal, axis) &&
-                                   place.depth_mm.back() <= std::min(kDeepMm, kDeepRatio * gap_mm)
-                               ? Reach::Finished
-                               : Reach::Poor));
+            const bool deep = place.depth_mm.back() > std::min(kDeepMm, kDeepRatio * gap_mm);
+            place.reach.push_back(blocked                                ? Reach::None
+                                  : deep                                 ? Reach::Poor
+                                  : isUprightOrLevel(place.normal, axis) ? Reach::Finished
+                                                                         : Reach::Steps);
         }
     }
 

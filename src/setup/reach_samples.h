@@ -10,8 +10,8 @@ inline constexpr double kUprightSine = 0.01;
 /// How a tool along an axis meets a place in front of a face.
 enum class Reach : char {
     None,     ///< the part is in the way
-    Poor,     ///< free, but the face is neither floor nor wall to this axis (steps stay on it), or the place
-              ///< lies deep in a narrow gap: long slim tools
+    Poor,     ///< free, but the place lies deep in a narrow gap: long slim tools
+    Steps,    ///< free, but the face is neither floor nor wall to this axis: flat cutters leave steps on it
     Finished  ///< free, and the face is a floor or a wall within reach of common tools
 };
 

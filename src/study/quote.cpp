@@ -10,7 +10,6 @@
 namespace stepmill {
 namespace {
 
-constexpr double kSecondsPerHour = 3600;
 constexpr double kMinutesPerHour = 60;
 
 constexpr EnumWord<CheaperChange::Kind> kChanges[] = {{CheaperChange::Kind::LargerCorners, "larger-corners"},

@@ -15,6 +15,10 @@ inline constexpr double kSideClearanceMm = 2;
 inline constexpr double kTopClearanceMm = 2;
 inline constexpr double kInsideClearanceMm = 0.5;
 
+/// What making ready for a clamping takes where the machine file does not say [min].
+inline constexpr double kSetupTimeMin = 20;
+inline constexpr double kIndexedSetupTimeMin = 40;
+
 /// How a program takes the spindle up to the top of its travel.
 enum class HomeBy {
     G53,     ///< G53 G0 Z0: to the machine's own zero
@@ -41,7 +45,10 @@ struct Machine {
     double max_feed_mm_per_min = 0;  ///< 0: no limit
     double max_speed_rpm = 0;        ///< 0: no limit
     double tool_change_s = 0;        ///< chip to chip
-    double hourly_rate = 0;          ///< 0: machine time is free
+    /// To make ready for a clamping, once a lot, and for one that is tilted off the box's directions [min].
+    double setup_time_min = kSetupTimeMin;
+    double indexed_setup_time_min = kIndexedSetupTimeMin;
+    double hourly_rate = 0;  ///< 0: machine time is free
     std::string currency;
     std::array<double, 3> travel_mm{};  ///< along x, y, z; 0: not checked
     int magazine_size = 0;              ///< places for tools; 0: no limit

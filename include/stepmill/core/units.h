@@ -6,6 +6,7 @@ namespace stepmill {
 
 inline constexpr double kMillimetresPerInch = 25.4;
 inline constexpr double kSecondsPerMinute = 60.0;
+inline constexpr double kSecondsPerHour = 3600.0;
 inline constexpr double kMm3PerCm3 = 1000.0;
 inline constexpr double kPi = 3.14159265358979323846;
 

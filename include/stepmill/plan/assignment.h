@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "stepmill/part/part.h"
 #include "stepmill/setup/prism.h"
 
 namespace stepmill {
@@ -44,8 +46,35 @@ struct TriedReserve {
     Verdict verdict = Verdict::SavesTooLittle;
 };
 
+/// What became of a set of setups.
+enum class SetupVerdict {
+    Taken,
+    LeavesMore,  ///< material than the one that was taken
+    TakesLonger,
+    HeldWorse,
+    CannotTakeLess,  ///< not planned: setting up alone takes longer than the plan that was taken
+    NoTime           ///< not planned
+};
+std::string toString(SetupVerdict verdict);
+
+/// A set of setups that was considered.
+struct SetupChoice {
+    struct Planned {
+        double time_s = 0;   ///< of the plan, a piece
+        double setup_s = 0;  ///< to set up, shared among the pieces of the lot
+        double stays_mm3 = 0;
+    };
+    std::vector<Vec3> axes;  ///< in part coordinates, in machining order
+    std::optional<Planned> planned;
+    SetupVerdict verdict = SetupVerdict::Taken;
+};
+
 /// Which setup cuts what.
 struct Assignment {
+    /// Setups for faces that flat cutters leave steps on elsewhere are done without
+    /// (SetupRequest::steps_finished).
+    bool steps_finished = false;
+    std::vector<SetupChoice> choices;  ///< the one taken first; empty: there was one
     /// What each of the chosen setups leaves for later ones, by its place; without prisms: nothing.
     std::vector<CutPrisms> reserves;
     std::vector<TriedReserve> tried;  ///< in the order of the setups

@@ -129,6 +129,7 @@ struct PlanRequest {
     SetupRequest setup;
     SliceOptions slicing;
     SequenceOptions sequence;
+    int quantity = 1;  ///< pieces of the lot, among which setting up is shared
     /// Height of the ridges that form cutters leave between their passes [mm]; 0: no pass of theirs.
     double scallop_mm = 0;
     /// Sharp edges that look up are broken by so much [mm]; 0: they stay sharp.

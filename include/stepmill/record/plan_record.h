@@ -58,6 +58,7 @@ struct RecordedRequest {
     std::vector<Vec3> forbidden;              ///< SetupRequest::forbidden
     Objective objective = Objective::Time;
     SurrogateRule surrogates = SurrogateRule::Sequence;
+    int quantity = 1;  ///< PlanRequest::quantity
     double scallop_mm = kUsualScallopMm;
     double break_edges_mm = 0;
     bool reserve = true;                 ///< PlanRequest::assign

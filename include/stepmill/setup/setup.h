@@ -47,6 +47,9 @@ struct SetupRequest {
     std::vector<Vec3> axes;
     /// Tool axes never to be chosen, unit vectors in part coordinates.
     std::vector<Vec3> forbidden;
+    /// Form cutters finish from a setup what faces flat cutters leave steps on there: no further setup is
+    /// chosen for these.
+    bool steps_finished = false;
     StockMargin margin;
     /// Sizes that thickness and width of a box are rounded up to once it has its margins, ascending; its
     /// length, and what is over the last, to whole millimetres; empty: the box is as large as the margins

@@ -28,6 +28,13 @@ std::string timesBound(double value_s, double bound_s) {
     return bound_s > 0 ? fixed(value_s / bound_s, 2) : std::string("-");
 }
 
+std::string axesWords(const SetupChoice& choice) {
+    std::string words;
+    for (const Vec3& axis : choice.axes)
+        words += (words.empty() ? "" : ", ") + axisName(axis);
+    return words;
+}
+
 std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
     const std::string words = toString(feature.featureClass());
     const Feature& lowest = feature.lowest();

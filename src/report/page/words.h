@@ -25,6 +25,9 @@ std::string clockTime(double seconds);
 /// How often the bound goes into a time: "2.31"; "-" without a bound.
 std::string timesBound(double value_s, double bound_s);
 
+/// "+z, -y".
+std::string axesWords(const SetupChoice& choice);
+
 /// A name from a file, which may break anywhere where it is long: it makes no column wide.
 Element breakable(const std::string& name);
 

@@ -53,12 +53,32 @@ Element triedSection(const ReportSubject& subject, const TriedReserve& tried) {
                 "feeds by what is cut, leaning walls and edges come after the choice."));
 }
 
+/// Which sets of setups were weighed; each with what it leaves and takes.
+Element choicesTable(const ReportSubject& subject) {
+    const Measures& in = subject.in;
+    Table table({"setups", numbers("takes a piece"), numbers("setting up, a piece"),
+                 numbersIn(in.volumeUnit(), "leaves"), "is"});
+    for (const SetupChoice& choice : subject.plan.assignment.choices) {
+        const std::string axes = axesWords(choice);
+        const bool taken = choice.verdict == SetupVerdict::Taken;
+        const std::string is = taken ? "taken" : "turned down: " + toString(choice.verdict);
+        if (choice.planned)
+            table.row(axes, clockTime(choice.planned->time_s), clockTime(choice.planned->setup_s),
+                      in.volume(choice.planned->stays_mm3, 2), is);
+        else
+            table.row(axes, "", "", "", is);
+    }
+    return std::move(table).element();
+}
+
 }  // namespace
 
 std::optional<Element> assignmentSection(const ReportSubject& subject) {
     const Plan& plan = subject.plan;
-    if (plan.setups.size() < 2) return std::nullopt;
+    const bool chosen = !plan.assignment.choices.empty();
+    if (plan.setups.size() < 2 && !chosen) return std::nullopt;
     Element section("section", Element("h2", "Which setup cuts what"), setupsTable(subject));
+    if (chosen) section.add(Element("h3", "Sets of setups that were weighed")).add(choicesTable(subject));
     for (const TriedReserve& tried : plan.assignment.tried)
         section.add(triedSection(subject, tried));
     return std::move(section).at(Anchor("part", "assignment"));

@@ -52,6 +52,20 @@ std::string formLines(const Plan& plan) {
     return text;
 }
 
+/// What became of the setups that were weighed and not taken; empty where there was no choice.
+std::string choiceLines(const Assignment& assignment) {
+    std::string text;
+    for (const SetupChoice& choice : assignment.choices) {
+        if (choice.verdict == SetupVerdict::Taken) continue;
+        text += fmt::format("setups {} instead: {}", report::axesWords(choice), toString(choice.verdict));
+        if (choice.planned)
+            text += fmt::format(", {} and {} to set up", clockTime(choice.planned->time_s),
+                                clockTime(choice.planned->setup_s));
+        text += "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string summaryText(const Plan& plan) {
@@ -70,7 +84,7 @@ std::string summaryText(const Plan& plan) {
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
             text += featureLine(feature, plan.machine);
     }
-    text += formLines(plan);
+    text += formLines(plan) + choiceLines(plan.assignment);
     const PlanTotals& totals = plan.totals;
     text += fmt::format("\ntotal {} (cutting {}, rapids {}, {} tool changes {}), {:.2f} {}\n",
                         clockTime(totals.time_s), clockTime(totals.cutting_s), clockTime(totals.air_s),

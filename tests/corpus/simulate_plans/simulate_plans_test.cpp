@@ -203,15 +203,13 @@ std::vector<double> leftOverShallow(const HeightMap& stock, const HeightMap& par
     return left;
 }
 
+class SimulateSurface : public SimulatePlan {};
+
 /// Lines over the dome leave ridges of a scallop over the skin of its bands: what stands on it is as high
 /// nearly everywhere. Passes along its levels left it 0.08 mm high where they lay far apart.
-TEST(SimulateForms, LinesLeaveADomeEven) {
-    const Part part = readStep(std::string(STEPMILL_SOURCE_DIR) + "/step_parts/mold_core.step").front();
-    PlanRequest request;
-    request.sequence.material = "aluminium";
-    request.scallop_mm = 0.02;
-    request.setup.axes = {Vec3::UnitZ()};
-    const Plan planned = planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+TEST_P(SimulateSurface, LinesLeaveADomeEven) {
+    constexpr double kScallopMm = 0.02;
+    const Plan planned = plan({}, {}, kScallopMm);
     const PlannedSetup& setup = planned.setups.front();
     const Box2 box = mapBox(setup.setup);
     const double bottom = setup.setup.stock_bbox_mm.min().z();
@@ -224,8 +222,10 @@ TEST(SimulateForms, LinesLeaveADomeEven) {
     EXPECT_EQ(gouged(stock, solid), 0);
     const std::vector<double> left = leftOverShallow(stock, solid);
     ASSERT_GT(left.size(), 10000U);
-    EXPECT_LE(left[left.size() * 95 / 100] - left[left.size() / 10], request.scallop_mm);
+    EXPECT_LE(left[left.size() * 95 / 100] - left[left.size() / 10], kScallopMm);
 }
+
+INSTANTIATE_TEST_SUITE_P(Slow, SimulateSurface, testing::Values("mold_core"), kSampleName);
 
 /// The shop's drills as the simulation knows them: with their points, and one for each blind hole there is.
 ToolLibrary libraryWithSmallDrills() {

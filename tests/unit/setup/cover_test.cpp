@@ -18,6 +18,7 @@ SampleGroup group(std::vector<Reach> reach, double share, double faces = 0) {
 
 const Reach N = Reach::None;
 const Reach P = Reach::Poor;
+const Reach S = Reach::Steps;
 const Reach F = Reach::Finished;
 
 }  // namespace
@@ -55,6 +56,16 @@ TEST(BestAxes, TakesAFurtherAxisOnlyForEnoughToFinish) {
     };
     EXPECT_EQ(withSlope(kFinishPaysShare / 2), (std::vector<int>{0}));
     EXPECT_EQ(withSlope(kFinishPaysShare * 2), (std::vector<int>{0, 1}));
+}
+
+TEST(BestAxes, TakesNoAxisForStepsThatAreFinishedFromTheOther) {
+    const auto withFaces = [](Reach reach, bool steps_finished) {
+        return bestAxes({group({F, N}, 0.5), group({reach, F}, 0.5)}, {0, 0}, steps_finished);
+    };
+    EXPECT_EQ(withFaces(S, false), (std::vector<int>{0, 1}));
+    EXPECT_EQ(withFaces(S, true), (std::vector<int>{0}));
+    // Deep in a gap is no better with form cutters.
+    EXPECT_EQ(withFaces(P, true), (std::vector<int>{0, 1}));
 }
 
 TEST(BestAxes, TakesTheLargerBonusAmongEquals) {

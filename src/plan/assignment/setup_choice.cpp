@@ -1,0 +1,105 @@
+// Which of two sets of setups makes the better plan.
+
+#include "plan/assignment/setup_choice.h"
+
+#include <algorithm>
+
+#include "stepmill/core/enum_words.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill {
+namespace {
+
+constexpr EnumWord<SetupVerdict> kSetupVerdicts[] = {{SetupVerdict::Taken, "taken"},
+                                                     {SetupVerdict::LeavesMore, "leaves more"},
+                                                     {SetupVerdict::TakesLonger, "takes longer"},
+                                                     {SetupVerdict::HeldWorse, "held worse"},
+                                                     {SetupVerdict::CannotTakeLess, "can take no less"},
+                                                     {SetupVerdict::NoTime, "no time"}};
+
+/// Plans leave as much where they differ by no more than this share of all that is to be removed: skins and
+/// ridges of form cutters.
+constexpr double kLeavesAlikeShare = 0.002;
+
+double staysMm3(const Plan& plan) {
+    return plan.balance.residual_mm3 + plan.balance.unreachable_mm3;
+}
+
+/// Setups that nothing is known to hold while something is cut.
+auto unheld(const Plan& plan) {
+    return std::count_if(plan.setups.begin(), plan.setups.end(), [](const PlannedSetup& setup) {
+        return setup.clamping.kind == HoldKind::None && !setup.operations.empty();
+    });
+}
+
+std::vector<Setup> setupsOf(const Plan& plan) {
+    std::vector<Setup> setups;
+    for (const PlannedSetup& planned : plan.setups)
+        if (!planned.operations.empty()) setups.push_back(planned.setup);
+    return setups;
+}
+
+}  // namespace
+
+std::string toString(SetupVerdict verdict) {
+    return wordOf(kSetupVerdicts, verdict);
+}
+
+double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity) {
+    double minutes = 0;
+    for (const Setup& setup : setups)
+        minutes += setup.indexed ? machine.indexed_setup_time_min : machine.setup_time_min;
+    return minutes * kSecondsPerMinute / quantity;
+}
+
+double SetupWeigher::weightOfS(double setting_up_s) const {
+    return request_.sequence.objective == Objective::Time
+               ? setting_up_s
+               : setting_up_s / kSecondsPerHour * machine_.hourly_rate;
+}
+
+double SetupWeigher::weight(const Plan& plan) const {
+    const double run =
+        request_.sequence.objective == Objective::Time ? plan.totals.motion_s : plan.totals.cost;
+    return run + weightOfS(settingUpS(setupsOf(plan), machine_, request_.quantity));
+}
+
+bool SetupWeigher::leavesMore(const Plan& plan, const Plan& than) const {
+    return staysMm3(plan) > staysMm3(than) + kLeavesAlikeShare * plan.balance.stock_minus_part_mm3;
+}
+
+bool SetupWeigher::cannotBeat(const Plan& few, const std::vector<Setup>& more) const {
+    return staysMm3(few) <= kLeavesAlikeShare * few.balance.stock_minus_part_mm3 && unheld(few) == 0 &&
+           weight(few) <= weightOfS(settingUpS(more, machine_, request_.quantity));
+}
+
+std::optional<SetupVerdict> SetupWeigher::against(const Plan& few, const Plan& more) const {
+    if (leavesMore(few, more)) return std::nullopt;
+    if (leavesMore(more, few)) return SetupVerdict::LeavesMore;
+    if (unheld(more) < unheld(few)) return std::nullopt;
+    if (unheld(more) > unheld(few)) return SetupVerdict::HeldWorse;
+    return weight(more) < weight(few) ? std::nullopt : std::optional(SetupVerdict::TakesLonger);
+}
+
+SetupVerdict SetupWeigher::whyNotFew(const Plan& few, const Plan& more) const {
+    if (leavesMore(few, more)) return SetupVerdict::LeavesMore;
+    return unheld(few) > unheld(more) ? SetupVerdict::HeldWorse : SetupVerdict::TakesLonger;
+}
+
+SetupChoice SetupWeigher::choiceOf(const Plan& plan, const std::vector<Setup>& setups,
+                                   SetupVerdict verdict) const {
+    SetupChoice choice = unplanned(setups, verdict);
+    choice.planned = SetupChoice::Planned{
+        plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity), staysMm3(plan)};
+    return choice;
+}
+
+SetupChoice SetupWeigher::unplanned(const std::vector<Setup>& setups, SetupVerdict verdict) {
+    SetupChoice choice;
+    for (const Setup& setup : setups)
+        choice.axes.push_back(setup.axis);
+    choice.verdict = verdict;
+    return choice;
+}
+
+}  // namespace stepmill
