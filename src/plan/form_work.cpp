@@ -25,21 +25,20 @@ constexpr double kLeftToLinesMm = 0.5;
 /// Sine of the lean from upright from which ground may be shallow.
 constexpr double kShallowLean = 0.96;
 
-/// Stairs of heights at which some ground leans so much.
+bool hasShallowGround(const FormSite& site, const Obstacle& stair) {
+    for (std::size_t i = 0; i < site.leans.size(); ++i) {
+        const Obstacle& band = site.ground.must_stand[i];
+        const bool meets = band.bottom_z_mm < stair.top_z_mm && band.top_z_mm > stair.bottom_z_mm;
+        if (meets && !site.leans[i].empty() && site.leans[i].back() >= kShallowLean) return true;
+    }
+    return false;
+}
+
+/// Stairs of heights at which some ground is shallow.
 Region shallowStairs(const FormSite& site, const Tolerances& tol) {
     std::vector<Region> sections;
-    for (const Obstacle& stair : site.ground.stairs) {
-        const bool shallow = [&] {
-            for (std::size_t i = 0; i < site.leans.size(); ++i) {
-                const Obstacle& band = site.ground.must_stand[i];
-                if (band.bottom_z_mm < stair.top_z_mm && band.top_z_mm > stair.bottom_z_mm &&
-                    !site.leans[i].empty() && site.leans[i].back() >= kShallowLean)
-                    return true;
-            }
-            return false;
-        }();
-        if (shallow) sections.push_back(stair.section);
-    }
+    for (const Obstacle& stair : site.ground.stairs)
+        if (hasShallowGround(site, stair)) sections.push_back(stair.section);
     return sections.empty() ? Region{} : unite(sections, tol);
 }
 

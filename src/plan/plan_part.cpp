@@ -192,22 +192,36 @@ struct PlanSources {
     SequenceMemory& memory;
 };
 
+/// Planning in flat layers is given up at a deadline.
+PlanRequest flatBy(PlanRequest request, const Deadline& flat_by) {
+    request.patience.all_tools = request.patience.all_tools.orEarlier(flat_by);
+    request.patience.few_tools = request.patience.few_tools.orEarlier(flat_by);
+    return request;
+}
+
 /// The plan of these setups, or of some of them.
-/// \param assignment  where it is known, which of them cuts what
+/// \param known    where it is known, which of them cuts what
+/// \param flat_by  for flat layers alone
+/// \throws Error(TimedOut) where they are not planned by then
 Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const PlanSources& from,
-            const std::optional<Assignment>& known) {
+            const std::optional<Assignment>& known, const Deadline& flat_by = {}) {
     const auto& [part, library, machine, tol, progress, memory] = from;
     const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
     const SmallerLibraries smaller = smallerLibraries(request, usable.library);
     const HoleWishes wishes(request.holes, part, tol);
     const ToolLibrary drills = drillsOf(usable.library);
     const HoldRequest hold{request.hold, request.break_edges_mm, fixtureGrowthMm(request.fixtures, library)};
-    const PlanningShop shop{request, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
+    const auto shopFor = [&](const PlanRequest& planned) {
+        return PlanningShop{planned, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
+    };
     const Stock& stock = setups.front().stock;
     Assignment assignment = known ? *known : heldByTabs(setups, usable.library, request, tol);
     assignment.steps_finished = request.setup.steps_finished;
-    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shop, progress, assignment);
-    Plan plan = finished(std::move(cut), part, stock, usable, shop, progress);
+    const PlanRequest flat = flatBy(request, flat_by);
+    CutSetups cut =
+        cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shopFor(flat), progress, assignment);
+    flat_by.check(part.file);
+    Plan plan = finished(std::move(cut), part, stock, usable, shopFor(request), progress);
     plan.assignment = std::move(assignment);
     return plan;
 }
@@ -218,25 +232,20 @@ bool mayDoWithFewer(const PlanRequest& request, const ToolLibrary& library) {
            request.fixtures.setups.empty() && hasFormCutters(library, request.sequence.material);
 }
 
-/// A plan that is not done in its share of the time is given up.
+/// Few setups whose flat layers are not planned in this share of the time are given up.
 constexpr double kFewSetupsTimeShare = 0.25;
 
 PlanRequest withFewerSetups(PlanRequest request) {
     request.setup.steps_finished = true;
-    request.patience.all_tools = request.patience.few_tools =
-        Deadline::in(kFewSetupsTimeShare * request.patience.all_tools.secondsLeft());
     return request;
 }
 
-/// The plan of few setups; nothing where it cannot be made in its time, as others can.
+/// The plan of few setups; nothing where it cannot be made in its time: others can.
 std::optional<Plan> planOnFew(const std::vector<Setup>& few, const PlanRequest& request,
                               const PlanSources& from) {
-    const PlanRequest hasty = withFewerSetups(request);
     try {
-        Plan plan = planOn(few, hasty, from, std::nullopt);
-        if (hasty.patience.all_tools.passed()) return std::nullopt;
-        plan.request.patience = request.patience;
-        return plan;
+        return planOn(few, withFewerSetups(request), from, std::nullopt,
+                      Deadline::in(kFewSetupsTimeShare * request.patience.all_tools.secondsLeft()));
     } catch (const std::exception&) {
         return std::nullopt;
     }

@@ -216,7 +216,20 @@ void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
 
 namespace {
 
-/// What of the ways lies at or below a height, seen from above; points in line are left out.
+/// Goes on straight to a point; the point before falls out where it lies on that way.
+void goOn(Path& path, const Vec2& to) {
+    if (path.segments.size() > 1) {
+        const Vec2& start = path.segments[path.segments.size() - 2].to;
+        const Vec2 along = to - start;
+        const Vec2 last = path.segments.back().to - start;
+        const bool in_line = std::abs(cross(along, last)) < kSkinMm / 2 * along.norm();
+        if (in_line && along.dot(last) > 0 && last.norm() <= along.norm()) path.segments.pop_back();
+    }
+    const Vec2& at = path.segments.empty() ? path.start : path.segments.back().to;
+    if (to != at) path.segments.push_back({to, std::nullopt});
+}
+
+/// What of the ways lies at or below a height, seen from above, as far as it may be near the box.
 std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, const Box2& near) {
     std::vector<Path> below;
     for (const SurfaceWay& way : ways) {
@@ -224,30 +237,17 @@ std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, co
         for (std::size_t i = 0; i + 1 < way.size(); ++i) {
             const Vec3& a = way[i];
             const Vec3& b = way[i + 1];
-            Box2 box;
-            box.extend(Vec2(a.head<2>()));
-            box.extend(Vec2(b.head<2>()));
-            if (std::min(a.z(), b.z()) > z_mm || !box.intersects(near)) {
+            const Edge line = makeLine(a.head<2>(), b.head<2>());
+            if (std::min(a.z(), b.z()) > z_mm || !line.box.intersects(near)) {
                 goes_on = false;
                 continue;
             }
-            const double rise_mm = b.z() - a.z();
-            const auto at = [&](double share) { return snapToGrid(Vec2((a + share * (b - a)).head<2>())); };
-            const Vec2 from = a.z() > z_mm ? at((z_mm - a.z()) / rise_mm) : Vec2(a.head<2>());
-            const Vec2 to = b.z() > z_mm ? at((z_mm - a.z()) / rise_mm) : Vec2(b.head<2>());
-            if (!goes_on || a.z() > z_mm) below.push_back({from, {}});
-            Path& path = below.back();
-            if (path.segments.size() > 1) {
-                // The last point falls out where it lies on the way from the one before it.
-                const Vec2& start = path.segments[path.segments.size() - 2].to;
-                const Vec2 along = to - start;
-                const Vec2 last = path.segments.back().to - start;
-                const bool on = along.norm() > 0 &&
-                                std::abs(cross(along, last)) < kSkinMm / 2 * along.norm() &&
-                                along.dot(last) > 0 && last.norm() <= along.norm();
-                if (on) path.segments.pop_back();
-            }
-            if (to != from) path.segments.push_back({to, std::nullopt});
+            // Where it goes through the height.
+            const auto through = [&] {
+                return snapToGrid(Vec2((a + (z_mm - a.z()) / (b.z() - a.z()) * (b - a)).head<2>()));
+            };
+            if (!goes_on || a.z() > z_mm) below.push_back({a.z() > z_mm ? through() : line.from, {}});
+            goOn(below.back(), b.z() > z_mm ? through() : line.to());
             goes_on = b.z() <= z_mm;
         }
     }
