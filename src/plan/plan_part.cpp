@@ -205,23 +205,25 @@ PlanRequest flatBy(PlanRequest request, const Deadline& flat_by) {
 /// \throws Error(TimedOut) where they are not planned by then
 Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const PlanSources& from,
             const std::optional<Assignment>& known, const Deadline& flat_by = {}) {
-    const auto& [part, library, machine, tol, progress, memory] = from;
-    const UsableLibrary usable = usableLibrary(library, request.sequence, machine, tallestStockMm(setups));
+    const UsableLibrary usable =
+        usableLibrary(from.library, request.sequence, from.machine, tallestStockMm(setups));
     const SmallerLibraries smaller = smallerLibraries(request, usable.library);
-    const HoleWishes wishes(request.holes, part, tol);
+    const HoleWishes wishes(request.holes, from.part, from.tol);
     const ToolLibrary drills = drillsOf(usable.library);
-    const HoldRequest hold{request.hold, request.break_edges_mm, fixtureGrowthMm(request.fixtures, library)};
+    const HoldRequest hold{request.hold, request.break_edges_mm,
+                           fixtureGrowthMm(request.fixtures, from.library)};
     const auto shopFor = [&](const PlanRequest& planned) {
-        return PlanningShop{planned, usable.library, smaller, wishes, drills, machine, tol, hold, memory};
+        return PlanningShop{planned,      usable.library, smaller, wishes,     drills,
+                            from.machine, from.tol,       hold,    from.memory};
     };
     const Stock& stock = setups.front().stock;
-    Assignment assignment = known ? *known : heldByTabs(setups, usable.library, request, tol);
+    Assignment assignment = known ? *known : heldByTabs(setups, usable.library, request, from.tol);
     assignment.steps_finished = request.setup.steps_finished;
     const PlanRequest flat = flatBy(request, flat_by);
-    CutSetups cut =
-        cutWhereCheapest(setups, stock.volume_mm3 - part.volume_mm3, shopFor(flat), progress, assignment);
-    flat_by.check(part.file);
-    Plan plan = finished(std::move(cut), part, stock, usable, shopFor(request), progress);
+    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - from.part.volume_mm3, shopFor(flat),
+                                     from.progress, assignment);
+    flat_by.check(from.part.file);
+    Plan plan = finished(std::move(cut), from.part, stock, usable, shopFor(request), from.progress);
     plan.assignment = std::move(assignment);
     return plan;
 }

@@ -52,6 +52,20 @@ TEST(ReadMachine, DoesWithoutAcceleration) {
     EXPECT_DOUBLE_EQ(machineFromText(machine.dump(), "mill.json").junction_deviation_mm, 0.05);
 }
 
+TEST(ReadMachine, MaySayHowLongSettingUpTakes) {
+    json machine = goodMachine();
+    const Machine silent = machineFromText(machine.dump(), "mill.json");
+    EXPECT_EQ(silent.setup_time_min, 20);
+    EXPECT_EQ(silent.indexed_setup_time_min, 40);
+    machine["setup_time_min"] = 12.5;
+    machine["indexed_setup_time_min"] = 0;
+    const Machine said = machineFromText(machine.dump(), "mill.json");
+    EXPECT_EQ(said.setup_time_min, 12.5);
+    EXPECT_EQ(said.indexed_setup_time_min, 0);
+    machine["setup_time_min"] = -1;
+    EXPECT_THROW(machineFromText(machine.dump(), "mill.json"), Error);
+}
+
 TEST(ReadMachine, SaysWhichClearancesItTakesByDefault) {
     json machine = goodMachine();
     machine.erase("side_clearance_mm");
