@@ -103,6 +103,13 @@ const Region& FormCentres::at(double tip_z_mm) const {
     return known_.emplace(tip_z_mm, std::move(free)).first->second;
 }
 
+Region FormCentres::withinWindow() const {
+    Region all;
+    for (const Region& within : within_)
+        all.loops.insert(all.loops.end(), within.loops.begin(), within.loops.end());
+    return all;
+}
+
 Region FormCentres::inRoom(std::size_t room, double tip_z_mm) const {
     const FormRoom& where = bands_.rooms()[room];
     const double reach_mm = CutterForm(tool_).heightMm() + kAboveFormMm;

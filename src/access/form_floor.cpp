@@ -29,13 +29,6 @@ Edge partOf(const Vec2& from, const Vec2& to, int first, int last, int pieces) {
 
 }  // namespace
 
-/// On which side of a band's boundary a way that did not cross it has been.
-struct FormFloor::Side {
-    bool known = false;
-    bool inside = false;
-    Vec2 end = Vec2::Zero();
-};
-
 /// What counts over a stretch.
 struct FormFloor::Stretch {
     double lowest_mm = 0;
@@ -52,8 +45,8 @@ FormFloor::FormFloor(const FormGround& ground, const ToolAssembly& tool, const T
 
 std::vector<double> FormFloor::over(const Vec2& from, const Vec2& to, int pieces) const {
     std::vector<double> lowest_mm;
-    std::vector<Side> along(bands_.size());
-    std::vector<Side> within(bands_.size());
+    std::vector<WalkInside> along = walks();
+    std::vector<WalkInside> within = along;
     const double stretches = (to - from).norm() / (kStretchRadii * form_.fullRadiusMm());
     const int most = std::max(1, static_cast<int>(pieces / std::max(1.0, stretches)));
     for (int first = 0; first < pieces; first += most) {
@@ -65,25 +58,22 @@ std::vector<double> FormFloor::over(const Vec2& from, const Vec2& to, int pieces
     return lowest_mm;
 }
 
-/// \pre the way does not cross the band's boundary
-bool FormFloor::isInside(std::size_t band, const Edge& way, Side& side) const {
-    if (!side.known || side.end != way.from)
-        side.inside =
-            bands_[band].box().contains(way.from) && contains(ground_.must_stand[band].section, way.from);
-    side.known = true;
-    side.end = way.to();
-    return side.inside;
+std::vector<WalkInside> FormFloor::walks() const {
+    std::vector<WalkInside> walks;
+    walks.reserve(bands_.size());
+    for (std::size_t i = 0; i < bands_.size(); ++i)
+        walks.emplace_back(ground_.must_stand[i].section, bands_[i]);
+    return walks;
 }
 
-FormFloor::Stretch FormFloor::stretchOver(const Edge& stretch, std::vector<Side>& sides) const {
+FormFloor::Stretch FormFloor::stretchOver(const Edge& stretch, std::vector<WalkInside>& walks) const {
     const std::vector<Obstacle>& bands = ground_.must_stand;
     Stretch found{bands.front().bottom_z_mm, {}};
     for (std::size_t i = bands.size(); i-- > 0;) {
         if (bands_[i].empty()) continue;
         if (bands_[i].anyNearer(stretch, form_.fullRadiusMm() + guard_mm_)) {
-            sides[i].known = false;
             found.near.push_back(i);
-        } else if (isInside(i, stretch, sides[i])) {
+        } else if (walks[i].isInside(stretch)) {
             found.lowest_mm = bands[i].top_z_mm;
             break;
         }
@@ -92,15 +82,15 @@ FormFloor::Stretch FormFloor::stretchOver(const Edge& stretch, std::vector<Side>
     return found;
 }
 
-double FormFloor::lowestOver(const Edge& piece, const Stretch& stretch, std::vector<Side>& sides) const {
+double FormFloor::lowestOver(const Edge& piece, const Stretch& stretch,
+                             std::vector<WalkInside>& walks) const {
     double tip_mm = stretch.lowest_mm;
     for (const std::size_t i : stretch.near) {
         const double top_mm = ground_.must_stand[i].top_z_mm;
         if (top_mm <= tip_mm + kSameHeightMm) break;
         const double limit_mm = form_.radiusAt(top_mm - tip_mm) + guard_mm_;
         const double distance_mm = bands_[i].distanceTo(piece, limit_mm);
-        if (distance_mm <= 0) sides[i].known = false;
-        if (distance_mm <= 0 || isInside(i, piece, sides[i]))
+        if (distance_mm <= 0 || walks[i].isInside(piece))
             tip_mm = top_mm;
         else if (distance_mm < limit_mm)
             tip_mm = std::max(tip_mm, top_mm - form_.heightUnder(distance_mm - guard_mm_));

@@ -10,6 +10,7 @@
 #include "plan/form_work.h"
 #include "plan/site_walls.h"
 #include "stepmill/catalog/cutter_form.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/layers/reserve.h"
 #include "stepmill/plan/edge_breaks.h"
 #include "stepmill/planar/boolean.h"

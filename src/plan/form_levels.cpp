@@ -47,11 +47,6 @@ double onBand(const FormSite& site, double z_mm, double under_mm) {
     return best_mm;
 }
 
-/// The step at a height or just over it.
-double upOnStep(double z_mm) {
-    return std::ceil(z_mm / kHeightStepMm) * kHeightStepMm;
-}
-
 /// How far below `z_mm` the next level may be: down to the first wall that is touched below, or nearer.
 double stepBelow(const std::vector<Demand>& demands, double z_mm, double most_mm) {
     double step_mm = most_mm;
@@ -78,7 +73,7 @@ std::vector<double> wallLevels(const FormSite& site, double corner_mm, double st
     std::vector<double> levels;
     double z_mm = site.ground.stairs.back().top_z_mm;
     while (z_mm > lowest_mm + kSameHeightMm) {
-        double next_mm = std::max(lowest_mm, upOnStep(z_mm - stepBelow(demands, z_mm, most_mm)));
+        double next_mm = std::max(lowest_mm, upOnHeightStep(z_mm - stepBelow(demands, z_mm, most_mm)));
         // The foot of a stair is a floor: there the corner makes the fillet.
         for (const double foot_mm : site.feet_mm)
             if (foot_mm < z_mm - kSameHeightMm && foot_mm > next_mm) next_mm = foot_mm;

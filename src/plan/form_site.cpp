@@ -3,12 +3,12 @@
 #include "plan/form_site.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <tbb/parallel_for.h>
 
 #include "plan/form_stairs.h"
 #include "plan/site_walls.h"
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/layers/section_cutter.h"
 #include "stepmill/plan/grown_feature.h"
@@ -28,10 +28,6 @@ constexpr double kThickestSkinMm = 0.5;
 /// Room around the stairs beyond the cutter's own width [mm].
 constexpr double kRoomMm = 2.0;
 
-double onStep(double z_mm) {
-    return std::round(z_mm / kHeightStepMm) * kHeightStepMm;
-}
-
 /// Halves what is too high for its lean.
 void addBands(const SectionCutter& part, const Heights& heights, double skin_mm, std::vector<Heights>& into) {
     const double height_mm = heights.top_mm - heights.bottom_mm;
@@ -41,7 +37,7 @@ void addBands(const SectionCutter& part, const Heights& heights, double skin_mm,
         into.push_back(heights);
         return;
     }
-    const double middle_mm = onStep((heights.bottom_mm + heights.top_mm) / 2);
+    const double middle_mm = onHeightStep((heights.bottom_mm + heights.top_mm) / 2);
     addBands(part, {heights.bottom_mm, middle_mm}, skin_mm, into);
     addBands(part, {middle_mm, heights.top_mm}, skin_mm, into);
 }

@@ -3,10 +3,10 @@
 #include "plan/form_stairs.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <tbb/parallel_for.h>
 
+#include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/toolpath/swept_region.h"
@@ -56,7 +56,7 @@ class StairMaker {
         const double height_mm = top_mm - bottom_mm;
         if (height_mm < 2 * kThinnestStairMm || isNearlyAll(stands, may_stand, bottom_mm, top_mm))
             return push({bottom_mm, top_mm, std::move(stands)}, into);
-        const double middle_mm = std::round((bottom_mm + top_mm) / 2 / kHeightStepMm) * kHeightStepMm;
+        const double middle_mm = onHeightStep((bottom_mm + top_mm) / 2);
         add(may_stand, bottom_mm, middle_mm, into);
         add(may_stand, middle_mm, top_mm, into);
     }

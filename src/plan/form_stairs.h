@@ -7,9 +7,6 @@
 
 namespace stepmill {
 
-/// Heights of stairs and bands are numbers that programs and plan.json can say [mm].
-inline constexpr double kHeightStepMm = 1e-4;
-
 /// What stands of one layer's stairs, and where the layer ends below.
 struct LayerStairs {
     double foot_mm = 0;

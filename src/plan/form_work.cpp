@@ -10,7 +10,6 @@
 #include "stepmill/access/form_floor.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/unsure_offset.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -82,10 +81,9 @@ Operation formOperation(FormStep& step, const FormGround& ground, const FormShop
     return operation;
 }
 
-/// Ground of one cutter, and how far down it may go there.
+/// Ground of one cutter, and how far down it may go there; nothing where no ground can be.
 struct FormWork::Shallow {
-    CutterForm form;
-    FormFloor floor;
+    std::optional<FormFloor> floor;
     toolpath::ShallowGround ground;
 };
 
@@ -138,14 +136,11 @@ const FormCentres& FormWork::centresOf(const ToolAssembly& tool) {
 const FormWork::Shallow& FormWork::shallowFor(const ToolAssembly& tool) {
     std::unique_ptr<Shallow>& shallow = shallow_[tool.id];
     if (shallow) return *shallow;
-    const CutterForm form(tool);
-    FormFloor floor(site_.ground, tool, shop_.tol);
-    Region centres;
-    if (!shallow_stairs_.empty() && !tool.hasFlanks())
-        centres = offset(site_.ground.window, -form.fullRadiusMm() - shop_.tol.guard_mm, shop_.tol);
-    toolpath::ShallowGround ground(floor, form, centres.empty() ? Region{} : shallow_stairs_, centres,
-                                   shop_.tol);
-    shallow = std::make_unique<Shallow>(Shallow{form, std::move(floor), std::move(ground)});
+    shallow = std::make_unique<Shallow>();
+    if (shallow_stairs_.empty() || tool.hasFlanks()) return *shallow;
+    shallow->floor.emplace(site_.ground, tool, shop_.tol);
+    shallow->ground = toolpath::ShallowGround(*shallow->floor, CutterForm(tool), shallow_stairs_,
+                                              centresOf(tool).withinWindow(), shop_.tol);
     return *shallow;
 }
 
@@ -197,8 +192,10 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
     }
     std::stable_sort(levels.begin(), levels.end(),
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
-    const std::vector<SurfaceWay> lines = toolpath::surfacePasses(
-        shallow.ground, shallow.floor, form, {shop_.scallop_mm, step_over_mm}, shop_.tol);
+    std::vector<SurfaceWay> lines;
+    if (shallow.floor)
+        lines = toolpath::surfacePasses(shallow.ground, *shallow.floor, form,
+                                        {shop_.scallop_mm, step_over_mm}, shop_.tol);
     toolpath::FormPath written = pathOf(tool, levels, lines);
     for (const LevelWays& ways : written.between)
         step.left.cut(ways, form);

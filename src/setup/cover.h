@@ -19,8 +19,8 @@ inline constexpr double kFinishPaysShare = 0.05;
 /// \param bonus  by axis, in the same unit: far below 1 to decide between sets that reach the same, negative
 /// for
 ///               axes that cost more than one setup
-/// \return indices of axes, ascending; empty when nothing is to be removed
 /// \param steps_finished  faces on which flat cutters leave steps are finished from there all the same
+/// \return indices of axes, ascending; empty when nothing is to be removed
 std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus,
                           bool steps_finished = false);
 

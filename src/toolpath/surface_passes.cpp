@@ -10,6 +10,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill::toolpath {
@@ -35,8 +36,6 @@ constexpr double kShortestPieceMm = 0.02;
 constexpr double kStretchMm = 1.0;
 /// Moves rise no more than this over the way that their pieces ask for [mm].
 constexpr double kSmoothMm = 0.003;
-/// Heights of moves are whole numbers of this [mm].
-constexpr double kHeightMm = 1e-4;
 
 double square(double x) {
     return x * x;
@@ -179,7 +178,7 @@ class LineMaker {
             const double before_mm = lowest_mm[i == 0 ? 0 : i - 1];
             const double after_mm = lowest_mm[i == lowest_mm.size() ? i - 1 : i];
             const double tip_mm = std::max(before_mm, after_mm) + kSlopeRiseMm;
-            way.emplace_back(ends[i].x(), ends[i].y(), std::ceil(tip_mm / kHeightMm) * kHeightMm);
+            way.emplace_back(ends[i].x(), ends[i].y(), upOnHeightStep(tip_mm));
         }
         return smoothed(way);
     }

@@ -78,6 +78,8 @@ class FormCentres {
     /// In rooms where the cutter would meet stairs; others have no free centres. Errs inwards by the guard of
     /// paths, and by what a band is high times the sine of the wall's lean. Kept by height.
     const Region& at(double tip_z_mm) const;
+    /// Where all of the cutter stays inside the window, whatever stands there.
+    Region withinWindow() const;
 
   private:
     Region inRoom(std::size_t room, double tip_z_mm) const;

@@ -7,6 +7,7 @@
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/walk_inside.h"
 
 namespace stepmill {
 
@@ -28,12 +29,11 @@ class FormFloor {
     std::vector<double> over(const Vec2& from, const Vec2& to, int pieces) const;
 
   private:
-    struct Side;
     struct Stretch;
-    Stretch stretchOver(const Edge& stretch, std::vector<Side>& sides) const;
-    double lowestOver(const Edge& piece, const Stretch& stretch, std::vector<Side>& sides) const;
+    std::vector<WalkInside> walks() const;
+    Stretch stretchOver(const Edge& stretch, std::vector<WalkInside>& walks) const;
+    double lowestOver(const Edge& piece, const Stretch& stretch, std::vector<WalkInside>& walks) const;
     double holderOver(const Edge& stretch, double tip_mm) const;
-    bool isInside(std::size_t band, const Edge& way, Side& side) const;
 
     const FormGround& ground_;
     const ToolAssembly& tool_;

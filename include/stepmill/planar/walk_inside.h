@@ -16,12 +16,19 @@ class WalkInside {
 
     /// Does the disc come nearer to the boundary than its radius, or is its centre inside?
     bool meets(const Edge& way, double radius_mm) {
-        const bool goes_on = end_ && *end_ == way.from;
-        end_.reset();
         if (edges_->anyNearer(way, radius_mm)) return true;
-        if (!goes_on) inside_ = edges_->box().contains(way.from) && contains(*region_, way.from);
+        const bool inside = isInside(way);
         // A disc of no width may cross the boundary unseen.
-        if (radius_mm > 0) end_ = way.segment.to;
+        if (radius_mm <= 0) end_.reset();
+        return inside;
+    }
+
+    /// Is it inside?
+    /// \pre the way does not meet the boundary
+    bool isInside(const Edge& way) {
+        if (!end_ || *end_ != way.from)
+            inside_ = edges_->box().contains(way.from) && contains(*region_, way.from);
+        end_ = way.segment.to;
         return inside_;
     }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plan/totals.h"
 #include "stepmill/core/enum_words.h"
 #include "stepmill/core/units.h"
 
@@ -20,10 +21,6 @@ constexpr EnumWord<SetupVerdict> kSetupVerdicts[] = {{SetupVerdict::Taken, "take
 /// Plans leave as much where they differ by no more than this share of all that is to be removed: skins and
 /// ridges of form cutters.
 constexpr double kLeavesAlikeShare = 0.002;
-
-double staysMm3(const Plan& plan) {
-    return plan.balance.residual_mm3 + plan.balance.unreachable_mm3;
-}
 
 /// Setups that nothing is known to hold while something is cut.
 auto unheld(const Plan& plan) {
@@ -65,11 +62,12 @@ double SetupWeigher::weight(const Plan& plan) const {
 }
 
 bool SetupWeigher::leavesMore(const Plan& plan, const Plan& than) const {
-    return staysMm3(plan) > staysMm3(than) + kLeavesAlikeShare * plan.balance.stock_minus_part_mm3;
+    return leftMm3(plan.balance) >
+           leftMm3(than.balance) + kLeavesAlikeShare * plan.balance.stock_minus_part_mm3;
 }
 
 bool SetupWeigher::cannotBeat(const Plan& few, const std::vector<Setup>& more) const {
-    return staysMm3(few) <= kLeavesAlikeShare * few.balance.stock_minus_part_mm3 && unheld(few) == 0 &&
+    return leftMm3(few.balance) <= kLeavesAlikeShare * few.balance.stock_minus_part_mm3 && unheld(few) == 0 &&
            weight(few) <= weightOfS(settingUpS(more, machine_, request_.quantity));
 }
 
@@ -90,7 +88,7 @@ SetupChoice SetupWeigher::choiceOf(const Plan& plan, const std::vector<Setup>& s
                                    SetupVerdict verdict) const {
     SetupChoice choice = unplanned(setups, verdict);
     choice.planned = SetupChoice::Planned{
-        plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity), staysMm3(plan)};
+        plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity), leftMm3(plan.balance)};
     return choice;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "plan/totals.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/plan.h"
@@ -30,10 +31,6 @@ double overS(const Plan& plan) {
     for (const CycleOutcome& outcome : plan.cycle.outcomes)
         if (!outcome.isMet() && outcome.isTooLong()) over_s += outcome.time_s - outcome.target.time_s;
     return over_s;
-}
-
-double staysMm3(const Plan& plan) {
-    return plan.balance.residual_mm3 + plan.balance.unreachable_mm3;
 }
 
 /// An operation that a cycle time is for, with the band that it cuts.
@@ -269,7 +266,7 @@ class CycleSearch {
 
     static void judge(const Plan& plan, const Plan& best, std::size_t target, CycleStep& step) {
         step.after_s = plan.cycle.outcomes[target].time_s;
-        step.leaves_more = staysMm3(plan) > staysMm3(best) + kVolumeRoundingMm3;
+        step.leaves_more = leftMm3(plan.balance) > leftMm3(best.balance) + kVolumeRoundingMm3;
         step.taken = overS(plan) < overS(best) - kNoGainS && !step.leaves_more &&
                      plan.setups.size() <= best.setups.size() && plan.threads_missing <= best.threads_missing;
     }

@@ -27,9 +27,11 @@ Element setupsTable(const ReportSubject& subject) {
     return std::move(table).element();
 }
 
-std::string outcomeWords(const TriedReserve& tried) {
-    const std::string verdict = toString(tried.verdict);
-    return tried.verdict == Verdict::Taken ? verdict : "turned down: " + verdict;
+/// Of a reserve or a set of setups.
+template <typename AnyVerdict>
+std::string outcomeWords(AnyVerdict verdict) {
+    const std::string words = toString(verdict);
+    return verdict == AnyVerdict::Taken ? words : "turned down: " + words;
 }
 
 /// A plan with and without it, and each piece of work that it is about.
@@ -45,7 +47,7 @@ Element triedSection(const ReportSubject& subject, const TriedReserve& tried) {
         "details.band",
         Element("summary",
                 fmt::format("{} leaves work for later setups: {} instead of {} with them, {}", tried.setup,
-                            clockTime(tried.with_s), clockTime(tried.before_s), outcomeWords(tried))),
+                            clockTime(tried.with_s), clockTime(tried.before_s), outcomeWords(tried.verdict))),
         std::move(table).element(),
         Element("p.soft",
                 "Times of pieces are estimates, by their share of a feature's volume and "
@@ -60,8 +62,7 @@ Element choicesTable(const ReportSubject& subject) {
                  numbersIn(in.volumeUnit(), "leaves"), "is"});
     for (const SetupChoice& choice : subject.plan.assignment.choices) {
         const std::string axes = axesWords(choice);
-        const bool taken = choice.verdict == SetupVerdict::Taken;
-        const std::string is = taken ? "taken" : "turned down: " + toString(choice.verdict);
+        const std::string is = outcomeWords(choice.verdict);
         if (choice.planned)
             table.row(axes, clockTime(choice.planned->time_s), clockTime(choice.planned->setup_s),
                       in.volume(choice.planned->stays_mm3, 2), is);
