@@ -1,13 +1,12 @@
 // From a part to its plan: the stages of docs/architecture.md in their order.
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "plan/assignment/best_setups.h"
 #include "plan/assignment/cut_where_cheapest.h"
-#include "plan/assignment/setup_choice.h"
 #include "plan/cycle_time/cycle_paces.h"
 #include "plan/form_finishing.h"
 #include "plan/form_setups.h"
@@ -57,11 +56,17 @@ void requireMachinableSize(const Part& part, const std::vector<Setup>& setups, c
     }
 }
 
-/// Roughing takes of the setups that were chosen for the part those along the first one's axis: from other
-/// sides it would see no more than the allowance and the stairs of the first.
+/// Along the axes of an assignment where there is one. Roughing takes of the setups that were chosen for the
+/// part those along the first one's axis: from other sides it would see no more than the allowance and the
+/// stairs of the first.
 std::vector<Setup> setupsFor(const Part& part, const PlanRequest& request) {
-    std::vector<Setup> setups = chooseSetups(part, request.setup);
-    if (!request.roughing || !request.setup.axes.empty() || setups.empty()) return setups;
+    SetupRequest wanted = request.setup;
+    const bool known = request.setup.axes.empty() && request.assignment;
+    if (known) wanted.axes = request.assignment->axes;
+    std::vector<Setup> setups = chooseSetups(part, wanted);
+    for (Setup& setup : setups)
+        setup.chosen = request.setup.axes.empty();
+    if (!request.roughing || known || !request.setup.axes.empty() || setups.empty()) return setups;
     const Vec3 first = setups.front().axis;
     std::erase_if(setups, [&](const Setup& setup) { return setup.axis.cross(first).norm() > kSameAxis; });
     return setups;
@@ -200,11 +205,10 @@ PlanRequest flatBy(PlanRequest request, const Deadline& flat_by) {
 }
 
 /// The plan of these setups, or of some of them.
-/// \param known    where it is known, which of them cuts what
 /// \param flat_by  for flat layers alone
 /// \throws Error(TimedOut) where they are not planned by then
 Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const PlanSources& from,
-            const std::optional<Assignment>& known, const Deadline& flat_by = {}) {
+            const Deadline& flat_by) {
     const UsableLibrary usable =
         usableLibrary(from.library, request.sequence, from.machine, tallestStockMm(setups));
     const SmallerLibraries smaller = smallerLibraries(request, usable.library);
@@ -217,8 +221,11 @@ Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const 
                             from.machine, from.tol,       hold,    from.memory};
     };
     const Stock& stock = setups.front().stock;
-    Assignment assignment = known ? *known : heldByTabs(setups, usable.library, request, from.tol);
-    assignment.steps_finished = request.setup.steps_finished;
+    Assignment assignment =
+        request.assignment ? *request.assignment : heldByTabs(setups, usable.library, request, from.tol);
+    assignment.axes.clear();
+    for (const Setup& setup : setups)
+        assignment.axes.push_back(setup.axis);
     const PlanRequest flat = flatBy(request, flat_by);
     CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - from.part.volume_mm3, shopFor(flat),
                                      from.progress, assignment);
@@ -228,52 +235,30 @@ Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const 
     return plan;
 }
 
-/// Setups are chosen by what reaches and finishes the part in flat layers: form cutters may do without some.
-bool mayDoWithFewer(const PlanRequest& request, const ToolLibrary& library) {
-    return request.setup.axes.empty() && !request.assignment && !request.roughing && request.scallop_mm > 0 &&
-           request.fixtures.setups.empty() && hasFormCutters(library, request.sequence.material);
+/// Setups are chosen by reach; may whole plans choose among others?
+bool mayChooseSetups(const PlanRequest& request) {
+    return request.setup.axes.empty() && !request.assignment && !request.roughing &&
+           request.hold != HoldKind::Tabs && request.fixtures.setups.empty();
 }
 
-/// Few setups whose flat layers are not planned in this share of the time are given up.
-constexpr double kFewSetupsTimeShare = 0.25;
-
-PlanRequest withFewerSetups(PlanRequest request) {
-    request.setup.steps_finished = true;
-    return request;
+/// Form cutters may do without setups for faces that flat ones leave steps on.
+std::vector<Setup> setupsWithForms(const Part& part, const PlanRequest& request, const ToolLibrary& library) {
+    if (request.scallop_mm <= 0 || !hasFormCutters(library, request.sequence.material)) return {};
+    SetupRequest finished_in_steps = request.setup;
+    finished_in_steps.steps_finished = true;
+    return chooseSetups(part, finished_in_steps);
 }
 
-/// The plan of few setups; nothing where it cannot be made in its time: others can.
-std::optional<Plan> planOnFew(const std::vector<Setup>& few, const PlanRequest& request,
-                              const PlanSources& from) {
-    try {
-        return planOn(few, withFewerSetups(request), from, std::nullopt,
-                      Deadline::in(kFewSetupsTimeShare * request.patience.all_tools.secondsLeft()));
-    } catch (const std::exception&) {
-        return std::nullopt;
-    }
-}
-
-/// The better of two plans: of few setups, and of those that finish what the few leave in steps.
-Plan planOnBetter(const std::vector<Setup>& few, const std::vector<Setup>& more, const PlanRequest& request,
-                  const PlanSources& from) {
-    const SetupWeigher weigher(request, from.machine);
-    std::optional<Plan> of_few = planOnFew(few, request, from);
-    if (of_few && weigher.cannotBeat(*of_few, more)) {
-        of_few->assignment.choices = {weigher.choiceOf(*of_few, few, SetupVerdict::Taken),
-                                      SetupWeigher::unplanned(more, SetupVerdict::CannotTakeLess)};
-        return std::move(*of_few);
-    }
-    Plan of_more = planOn(more, request, from, std::nullopt);
-    const std::optional<SetupVerdict> turned_down = of_few ? weigher.against(*of_few, of_more) : std::nullopt;
-    if (turned_down) {
-        of_few->assignment.choices = {weigher.choiceOf(*of_few, few, SetupVerdict::Taken),
-                                      weigher.choiceOf(of_more, more, *turned_down)};
-        return std::move(*of_few);
-    }
-    of_more.assignment.choices = {weigher.choiceOf(of_more, more, SetupVerdict::Taken),
-                                  of_few ? weigher.choiceOf(*of_few, few, weigher.whyNotFew(*of_few, of_more))
-                                         : SetupWeigher::unplanned(few, SetupVerdict::NoTime)};
-    return of_more;
+/// The sets of setups that are weighed, of which the first are those chosen by reach.
+SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibrary& library) {
+    SetupSets sets;
+    sets.chosen = setupsFor(part, request);
+    STEPMILL_CHECK(!sets.chosen.empty(), "a part has at least one setup");
+    if (sets.chosen.size() < 2 || !mayChooseSetups(request)) return sets;
+    sets.with_forms = setupsWithForms(part, request, library);
+    if (sets.with_forms.size() >= sets.chosen.size()) sets.with_forms.clear();
+    sets.others = otherSetups(part, request.setup, sets.chosen);
+    return sets;
 }
 
 }  // namespace
@@ -289,17 +274,13 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
               SequenceMemory& memory) {
     requireMaterial(library, request.sequence.material);
     if (progress) progress("setups", 0);
-    PlanRequest asked = request;
-    asked.setup.steps_finished = request.assignment && request.assignment->steps_finished;
-    const std::vector<Setup> setups = setupsFor(part, asked);
-    STEPMILL_CHECK(!setups.empty(), "a part has at least one setup");
-    requireMachinableSize(part, setups, machine);
+    const SetupSets sets = setupSets(part, request, library);
+    requireMachinableSize(part, sets.chosen, machine);
     const PlanSources from{part, library, machine, tol, progress, memory};
-    std::vector<Setup> few;
-    if (setups.size() > 1 && mayDoWithFewer(request, library))
-        few = setupsFor(part, withFewerSetups(request));
-    Plan plan = !few.empty() && few.size() < setups.size() ? planOnBetter(few, setups, asked, from)
-                                                           : planOn(setups, asked, from, request.assignment);
+    Plan plan =
+        bestPlan(sets, request, machine, [&](const std::vector<Setup>& setups, const Deadline& flat_by) {
+            return planOn(setups, request, from, flat_by);
+        });
     if (progress) progress("done", 1);
     return plan;
 }

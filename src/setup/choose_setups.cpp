@@ -24,7 +24,11 @@ constexpr double kFootprintBonus = 0.01;
 constexpr double kTurnOverBonus = 0.5;
 
 /// What an indexed axis costs over one along the box, in setups: it takes a sine vise and a datum more.
-constexpr double kIndexedCost = 1;
+constexpr int kIndexedCost = 1;
+
+/// Sets that see less than the chosen one by more than what pays for so many setups leave too much, whatever
+/// the plan; of less sight is no judge.
+constexpr double kSeesAlikeSetups = 2;
 
 Box3 boxOfPoints(const setup::Facets& facets, const Eigen::Matrix3d& rotation) {
     Box3 box;
@@ -75,47 +79,112 @@ class SetupMaker {
         const std::vector<Vec3> axes = setup::candidateAxes(part_, request_.forbidden);
         // Which side gets the top margin depends on the first axis, and that on the stock: ask again once.
         // Margins are told for the first axis, so it stays first.
-        Choice choice = choose(axes, stockFor(axes.front()), std::nullopt);
-        const int first = choice.order.front();
+        std::vector<int> order = orderOf(reachOf(axes, stockFor(axes.front()), std::nullopt));
+        const int first = order.front();
         Stock stock = stockFor(axes[first]);
         const bool turned = !stock.bbox_mm.isApprox(stockFor(axes.front()).bbox_mm);
         if (turned || request_.margin.bottom_mm > 0) {
-            choice = choose(axes, stock, axes[first]);
-            const auto found = std::find(choice.order.begin(), choice.order.end(), first);
-            if (found != choice.order.end())
-                std::rotate(choice.order.begin(), found, found + 1);
+            order = orderOf(reachOf(axes, stock, axes[first]));
+            const auto found = std::find(order.begin(), order.end(), first);
+            if (found != order.end())
+                std::rotate(order.begin(), found, found + 1);
             else
-                stock = stockFor(axes[choice.order.front()]);
+                stock = stockFor(axes[order.front()]);
         }
+        return along(order, axes, stock);
+    }
+
+    /// \pre `taken` is what chosen() gave
+    std::vector<std::vector<Setup>> others(const std::vector<Setup>& taken) const {
+        const std::vector<Vec3> axes = setup::candidateAxes(part_, request_.forbidden);
+        const Stock& stock = taken.front().stock;
+        const AxesReach reach = reachOf(axes, stock, taken.front().axis);
+        std::vector<int> order;
+        for (const Setup& setup : taken)
+            order.push_back(indexOf(setup.axis, axes));
+        std::vector<std::vector<int>> found = withoutOneOf(order, reach);
+        for (std::vector<int>& other : setup::otherOrders(order, reach.traits))
+            found.push_back(std::move(other));
+        // Stock over the part is told for the first axis.
+        std::erase_if(found, [&](const std::vector<int>& other) {
+            return !stockFor(axes[other.front()]).bbox_mm.isApprox(stock.bbox_mm);
+        });
+        std::vector<std::vector<Setup>> sets;
+        for (const std::vector<int>& other : found)
+            sets.push_back(along(other, axes, stock));
+        return sets;
+    }
+
+  private:
+    /// What is known of the axes when some of them are chosen.
+    struct AxesReach {
+        std::vector<setup::SampleGroup> groups;
+        std::vector<double> bonus;
+        std::vector<setup::SetupTraits> traits;
+    };
+
+    /// \param first  axis of the first setup, where it is known
+    AxesReach reachOf(const std::vector<Vec3>& axes, const Stock& stock,
+                      const std::optional<Vec3>& first) const {
+        AxesReach reach{
+            setup::sampleReach(part_, mesh_, stock, stock_facets_, axes), bonusOf(stock, axes), {}};
+        if (first && request_.margin.bottom_mm > 0) addTurnOver(axes, *first, reach.bonus);
+        for (const Vec3& axis : axes) {
+            reach.traits.push_back(setup::traitsOf(mesh_.facets, stock, axis));
+            reach.traits.back().indexed = !isBoxDirection(axis);
+        }
+        return reach;
+    }
+
+    std::vector<int> orderOf(const AxesReach& reach) const {
+        std::vector<int> best = setup::bestAxes(reach.groups, reach.bonus, request_.steps_finished);
+        if (best.empty()) best = {0};
+        return setup::machiningOrder(reach.groups, std::move(best), reach.traits);
+    }
+
+    /// The sets chosen where one of these axes is none, as far as they cost no more and see about as much.
+    std::vector<std::vector<int>> withoutOneOf(const std::vector<int>& order, const AxesReach& reach) const {
+        const double seen = setup::worthSeen(order, reach.groups);
+        const int cost = costOf(order, reach);
+        std::vector<std::vector<int>> found;
+        for (const int left_out : order) {
+            AxesReach less = reach;
+            for (setup::SampleGroup& group : less.groups)
+                group.reach[left_out] = setup::Reach::None;
+            std::vector<int> other = orderOf(less);
+            if (costOf(other, reach) > cost) continue;
+            if (seen - setup::worthSeen(other, less.groups) > kSeesAlikeSetups) continue;
+            if (std::find(found.begin(), found.end(), other) == found.end())
+                found.push_back(std::move(other));
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [&](const auto& a, const auto& b) { return costOf(a, reach) < costOf(b, reach); });
+        return found;
+    }
+
+    /// In setups.
+    static int costOf(const std::vector<int>& order, const AxesReach& reach) {
+        int cost = 0;
+        for (const int axis : order)
+            cost += reach.traits[axis].indexed ? 1 + kIndexedCost : 1;
+        return cost;
+    }
+
+    static int indexOf(const Vec3& axis, const std::vector<Vec3>& axes) {
+        const auto found =
+            std::find_if(axes.begin(), axes.end(), [&](const Vec3& one) { return one.isApprox(axis); });
+        STEPMILL_CHECK(found != axes.end(), "an axis that was chosen is among those to choose from");
+        return static_cast<int>(found - axes.begin());
+    }
+
+    std::vector<Setup> along(const std::vector<int>& order, const std::vector<Vec3>& axes,
+                             const Stock& stock) const {
         std::vector<Setup> setups;
-        for (const int index : choice.order) {
+        for (const int index : order) {
             setups.push_back(make(axes[index], stock));
             setups.back().chosen = true;
         }
         return setups;
-    }
-
-  private:
-    struct Choice {
-        std::vector<setup::SampleGroup> groups;
-        std::vector<int> order;  ///< indices of axes
-    };
-
-    /// \param first  axis of the first setup, where it is known
-    Choice choose(const std::vector<Vec3>& axes, const Stock& stock, const std::optional<Vec3>& first) const {
-        Choice choice;
-        choice.groups = setup::sampleReach(part_, mesh_, stock, stock_facets_, axes);
-        std::vector<double> bonus = bonusOf(stock, axes);
-        if (first && request_.margin.bottom_mm > 0) addTurnOver(axes, *first, bonus);
-        std::vector<int> best = setup::bestAxes(choice.groups, bonus, request_.steps_finished);
-        if (best.empty()) best = {0};
-        std::vector<setup::SetupTraits> traits;
-        for (const Vec3& axis : axes) {
-            traits.push_back(setup::traitsOf(mesh_.facets, stock, axis));
-            traits.back().indexed = !isBoxDirection(axis);
-        }
-        choice.order = setup::machiningOrder(choice.groups, std::move(best), traits);
-        return choice;
     }
 
     Stock stockFor(const Vec3& axis) const {
@@ -162,14 +231,25 @@ class SetupMaker {
     setup::Facets stock_facets_;
 };
 
+std::vector<Setup> numbered(std::vector<Setup> setups) {
+    for (std::size_t i = 0; i < setups.size(); ++i)
+        setups[i].id = "S" + std::to_string(i + 1);
+    return setups;
+}
+
 }  // namespace
 
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request) {
     const SetupMaker maker(part, request);
-    std::vector<Setup> setups = request.axes.empty() ? maker.chosen() : maker.asked();
-    for (std::size_t i = 0; i < setups.size(); ++i)
-        setups[i].id = "S" + std::to_string(i + 1);
-    return setups;
+    return numbered(request.axes.empty() ? maker.chosen() : maker.asked());
+}
+
+std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest& request,
+                                            const std::vector<Setup>& chosen) {
+    std::vector<std::vector<Setup>> sets = SetupMaker(part, request).others(chosen);
+    for (std::vector<Setup>& setups : sets)
+        setups = numbered(std::move(setups));
+    return sets;
 }
 
 Setup onStock(const Setup& setup, const Stock& stock) {

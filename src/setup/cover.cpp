@@ -13,9 +13,13 @@ constexpr double kSameWorth = 1e-9;
 /// Parts of planes and holes need some hundreds of visits.
 constexpr int kMostVisits = 20000;
 
+double seenWorth(const SampleGroup& group) {
+    return group.volume_share / kSetupPaysShare + group.faces / kSetupPaysFace;
+}
+
 double worthOf(const SampleGroup& group, Reach reach, bool steps_finished) {
     if (reach == Reach::None) return 0;
-    const double seen = group.volume_share / kSetupPaysShare + group.faces / kSetupPaysFace;
+    const double seen = seenWorth(group);
     const bool finished = reach == Reach::Finished || (steps_finished && reach == Reach::Steps);
     return finished ? seen + group.ruled_share / kFinishPaysShare : seen;
 }
@@ -125,6 +129,14 @@ class Search {
 std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus,
                           bool steps_finished) {
     return Search(groups, bonus, steps_finished).run();
+}
+
+double worthSeen(const std::vector<int>& axes, const std::vector<SampleGroup>& groups) {
+    double worth = 0;
+    for (const SampleGroup& group : groups)
+        if (std::any_of(axes.begin(), axes.end(), [&](int axis) { return group.reach[axis] != Reach::None; }))
+            worth += seenWorth(group);
+    return worth;
 }
 
 }  // namespace stepmill::setup

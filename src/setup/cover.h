@@ -24,4 +24,7 @@ inline constexpr double kFinishPaysShare = 0.05;
 std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus,
                           bool steps_finished = false);
 
+/// What the axes see together, however well, in units of what pays for a setup.
+double worthSeen(const std::vector<int>& axes, const std::vector<SampleGroup>& groups);
+
 }  // namespace stepmill::setup

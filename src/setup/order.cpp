@@ -15,6 +15,28 @@ constexpr double kSameSeat = 0.01;
 /// The seat's facets lie this near the part's lowest point [mm].
 constexpr double kSeatMm = 1e-3;
 
+bool isOpposite(const SetupTraits& a, const SetupTraits& b) {
+    return a.axis.dot(b.axis) < -1 + kUprightSine * kUprightSine;
+}
+
+/// A setup from the other side machines the seat as a floor, one across it as a wall.
+bool isSeatReady(const SetupTraits& own, const std::vector<int>& earlier,
+                 const std::vector<SetupTraits>& traits) {
+    if (own.seat_mm2 <= 0) return false;
+    if (own.seat_is_stock) return true;
+    return std::any_of(earlier.begin(), earlier.end(), [&](int axis) {
+        return std::abs(traits[axis].axis.dot(own.axis)) < kUprightSine || isOpposite(traits[axis], own);
+    });
+}
+
+/// How many axes after the first come before their seat is machined?
+int seatsNotReady(const std::vector<int>& order, const std::vector<SetupTraits>& traits) {
+    int count = 0;
+    for (auto axis = order.begin() + 1; axis < order.end(); ++axis)
+        count += isSeatReady(traits[*axis], {order.begin(), axis}, traits) ? 0 : 1;
+    return count;
+}
+
 class Orderer {
   public:
     Orderer(const std::vector<SampleGroup>& groups, const std::vector<int>& chosen,
@@ -70,16 +92,7 @@ class Orderer {
         return share;
     }
 
-    /// A setup from the other side machines the seat as a floor, one across it as a wall.
-    bool isSeatReady(int axis) const {
-        const SetupTraits& own = traits_[axis];
-        if (own.seat_mm2 <= 0) return false;
-        if (own.seat_is_stock) return true;
-        return std::any_of(order_.begin(), order_.end(), [&](int earlier) {
-            const double along = traits_[earlier].axis.dot(own.axis);
-            return std::abs(along) < kUprightSine || along < -1 + kUprightSine * kUprightSine;
-        });
-    }
+    bool isSeatReady(int axis) const { return setup::isSeatReady(traits_[axis], order_, traits_); }
 
     const std::vector<SampleGroup>& groups_;
     const std::vector<SetupTraits>& traits_;
@@ -120,6 +133,24 @@ std::vector<int> machiningOrder(const std::vector<SampleGroup>& groups, std::vec
         std::erase(chosen, axis);
     }
     return orderer.order();
+}
+
+std::vector<std::vector<int>> otherOrders(const std::vector<int>& order,
+                                          const std::vector<SetupTraits>& traits) {
+    std::vector<std::vector<int>> others;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        for (std::size_t j = i + 1; j < order.size(); ++j) {
+            const SetupTraits& earlier = traits[order[i]];
+            const SetupTraits& later = traits[order[j]];
+            if (!isOpposite(earlier, later) && j > 1) continue;
+            if (earlier.indexed != later.indexed) continue;
+            std::vector<int> other = order;
+            std::swap(other[i], other[j]);
+            if (seatsNotReady(other, traits) <= seatsNotReady(order, traits))
+                others.push_back(std::move(other));
+        }
+    }
+    return others;
 }
 
 }  // namespace stepmill::setup

@@ -25,4 +25,9 @@ SetupTraits traitsOf(const Facets& part_facets, const Stock& stock, const Vec3& 
 std::vector<int> machiningOrder(const std::vector<SampleGroup>& groups, std::vector<int> chosen,
                                 const std::vector<SetupTraits>& traits);
 
+/// Orders beside this one: opposite axes the other way round, and the second axis first; none in which an
+/// indexed axis comes before one along the box, or more axes than now come before their seat is machined.
+std::vector<std::vector<int>> otherOrders(const std::vector<int>& order,
+                                          const std::vector<SetupTraits>& traits);
+
 }  // namespace stepmill::setup

@@ -71,9 +71,8 @@ struct SetupChoice {
 
 /// Which setup cuts what.
 struct Assignment {
-    /// Setups for faces that flat cutters leave steps on elsewhere are done without
-    /// (SetupRequest::steps_finished).
-    bool steps_finished = false;
+    /// The setups' axes in part coordinates, in machining order: asked for, or chosen by whole plans.
+    std::vector<Vec3> axes;
     std::vector<SetupChoice> choices;  ///< the one taken first; empty: there was one
     /// What each of the chosen setups leaves for later ones, by its place; without prisms: nothing.
     std::vector<CutPrisms> reserves;

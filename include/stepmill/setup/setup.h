@@ -101,6 +101,17 @@ struct Setup {
 /// \see docs/algorithms/setups.md
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 
+/// Sets of setups that sight does not tell from the chosen one, for whole plans to be weighed: those chosen
+/// where one of the axes is not to be had, as far as they take no longer to set up and see about as much of
+/// the part, the quickest to set up first; then the chosen ones in other orders, opposite axes the other way
+/// round or the second axis first. None begins on another stock.
+///
+/// \param chosen  what chooseSetups() gave for the request, which asks for no axes
+/// \return  empty where there is no such set
+/// \note  As long as chooseSetups().
+std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest& request,
+                                            const std::vector<Setup>& chosen);
+
 /// The setup on another stock: work offset and box moved to it.
 Setup onStock(const Setup& setup, const Stock& stock);
 

@@ -18,15 +18,15 @@ constexpr EnumWord<SetupVerdict> kSetupVerdicts[] = {{SetupVerdict::Taken, "take
                                                      {SetupVerdict::CannotTakeLess, "can take no less"},
                                                      {SetupVerdict::NoTime, "no time"}};
 
-/// Plans leave as much where they differ by no more than this share of all that is to be removed: skins and
-/// ridges of form cutters.
-constexpr double kLeavesAlikeShare = 0.002;
-
 /// Setups that nothing is known to hold while something is cut.
 auto unheld(const Plan& plan) {
     return std::count_if(plan.setups.begin(), plan.setups.end(), [](const PlannedSetup& setup) {
         return setup.clamping.kind == HoldKind::None && !setup.operations.empty();
     });
+}
+
+bool leavesMore(const Plan& plan, const Plan& than, double alike_share) {
+    return leftMm3(plan.balance) > leftMm3(than.balance) + alike_share * plan.balance.stock_minus_part_mm3;
 }
 
 std::vector<Setup> setupsOf(const Plan& plan) {
@@ -61,27 +61,23 @@ double SetupWeigher::weight(const Plan& plan) const {
     return run + weightOfS(settingUpS(setupsOf(plan), machine_, request_.quantity));
 }
 
-bool SetupWeigher::leavesMore(const Plan& plan, const Plan& than) const {
-    return leftMm3(plan.balance) >
-           leftMm3(than.balance) + kLeavesAlikeShare * plan.balance.stock_minus_part_mm3;
+bool SetupWeigher::cannotBeat(const Plan& plan, const std::vector<Setup>& others, double alike_share) const {
+    return leftMm3(plan.balance) <= alike_share * plan.balance.stock_minus_part_mm3 && unheld(plan) == 0 &&
+           weight(plan) <= weightOfS(settingUpS(others, machine_, request_.quantity));
 }
 
-bool SetupWeigher::cannotBeat(const Plan& few, const std::vector<Setup>& more) const {
-    return leftMm3(few.balance) <= kLeavesAlikeShare * few.balance.stock_minus_part_mm3 && unheld(few) == 0 &&
-           weight(few) <= weightOfS(settingUpS(more, machine_, request_.quantity));
+std::optional<SetupVerdict> SetupWeigher::against(const Plan& plan, const Plan& other,
+                                                  double alike_share) const {
+    if (leavesMore(plan, other, alike_share)) return std::nullopt;
+    if (leavesMore(other, plan, alike_share)) return SetupVerdict::LeavesMore;
+    if (unheld(other) < unheld(plan)) return std::nullopt;
+    if (unheld(other) > unheld(plan)) return SetupVerdict::HeldWorse;
+    return weight(other) < weight(plan) ? std::nullopt : std::optional(SetupVerdict::TakesLonger);
 }
 
-std::optional<SetupVerdict> SetupWeigher::against(const Plan& few, const Plan& more) const {
-    if (leavesMore(few, more)) return std::nullopt;
-    if (leavesMore(more, few)) return SetupVerdict::LeavesMore;
-    if (unheld(more) < unheld(few)) return std::nullopt;
-    if (unheld(more) > unheld(few)) return SetupVerdict::HeldWorse;
-    return weight(more) < weight(few) ? std::nullopt : std::optional(SetupVerdict::TakesLonger);
-}
-
-SetupVerdict SetupWeigher::whyNotFew(const Plan& few, const Plan& more) const {
-    if (leavesMore(few, more)) return SetupVerdict::LeavesMore;
-    return unheld(few) > unheld(more) ? SetupVerdict::HeldWorse : SetupVerdict::TakesLonger;
+SetupVerdict SetupWeigher::whyNot(const Plan& plan, const Plan& better, double alike_share) const {
+    if (leavesMore(plan, better, alike_share)) return SetupVerdict::LeavesMore;
+    return unheld(plan) > unheld(better) ? SetupVerdict::HeldWorse : SetupVerdict::TakesLonger;
 }
 
 SetupChoice SetupWeigher::choiceOf(const Plan& plan, const std::vector<Setup>& setups,

@@ -11,8 +11,8 @@ namespace stepmill {
 /// lot [s].
 double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity);
 
-/// The plan of few setups against that of more, of which some finish what the few leave in steps or to form
-/// cutters. Each is weighed with the time to set it up, or what that costs.
+/// Plans of two sets of setups against each other, each weighed with the time to set it up, or what that
+/// costs.
 class SetupWeigher {
   public:
     /// Keeps `request` and `machine`.
@@ -20,11 +20,12 @@ class SetupWeigher {
 
     /// Can no plan of those setups be better: would setting up alone take as long as this plan does, which
     /// leaves next to nothing?
-    bool cannotBeat(const Plan& few, const std::vector<Setup>& more) const;
-    /// Why the plan of more setups is not taken; nothing: it is better.
-    std::optional<SetupVerdict> against(const Plan& few, const Plan& more) const;
-    /// Why that of few is not, where it is not.
-    SetupVerdict whyNotFew(const Plan& few, const Plan& more) const;
+    /// \param alike_share  plans leave as much that differ by no more than this share of all there is to remove
+    bool cannotBeat(const Plan& plan, const std::vector<Setup>& others, double alike_share) const;
+    /// Why the other plan is not taken in its place; nothing: it is better.
+    std::optional<SetupVerdict> against(const Plan& plan, const Plan& other, double alike_share) const;
+    /// Why the plan is not taken, where it is not.
+    SetupVerdict whyNot(const Plan& plan, const Plan& better, double alike_share) const;
     /// \param axes  asked for; those along which nothing is cut among them
     SetupChoice choiceOf(const Plan& plan, const std::vector<Setup>& setups, SetupVerdict verdict) const;
     /// Setups of which no plan was made.
@@ -33,7 +34,6 @@ class SetupWeigher {
   private:
     double weight(const Plan& plan) const;
     double weightOfS(double setting_up_s) const;
-    bool leavesMore(const Plan& plan, const Plan& than) const;
 
     const PlanRequest& request_;
     const Machine& machine_;

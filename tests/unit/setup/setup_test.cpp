@@ -122,6 +122,47 @@ TEST(ChooseSetups, TakesFourSetupsMostVolumeFirst) {
     EXPECT_EQ(sorted, (Names{"+x", "+y", "+z", "-z"}));
 }
 
+TEST(OtherSetups, AreOtherSidesAndOrdersThatTakeNoLongerToSetUp) {
+    const Part block = samplePart("four_setups.step");
+    const std::vector<stepmill::Setup> chosen = chooseSetups(block, {});
+    const std::vector<std::vector<stepmill::Setup>> others = otherSetups(block, {}, chosen);
+    Names turned = axesOf(chosen);
+    std::iter_swap(std::find(turned.begin(), turned.end(), "+z"),
+                   std::find(turned.begin(), turned.end(), "-z"));
+    bool found = false;
+    for (const std::vector<stepmill::Setup>& other : others) {
+        EXPECT_LE(other.size(), chosen.size());
+        EXPECT_NE(axesOf(other), axesOf(chosen));
+        EXPECT_EQ(other.front().id, "S1");
+        for (const stepmill::Setup& setup : other)
+            EXPECT_TRUE(setup.chosen && !setup.indexed);
+        found |= axesOf(other) == turned;
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST(OtherSetups, TakeTheOtherSideOfAWindowAndNoneThatMissesAPocket) {
+    const auto others = [](const Part& window) {
+        const std::vector<stepmill::Setup> chosen = chooseSetups(window, {});
+        std::vector<Names> names;
+        for (const std::vector<stepmill::Setup>& other : otherSetups(window, {}, chosen))
+            names.push_back(axesOf(other));
+        return names;
+    };
+    const TopoDS_Shape window = cut(box(0, 0, 0, 60, 50, 10), box(20, 10, -1, 20, 30, 12));
+    EXPECT_EQ(others(part(window)), std::vector<Names>{{"-z"}});
+    EXPECT_EQ(others(part(cut(window, box(45, 10, 5, 10, 30, 6)))), std::vector<Names>{});
+}
+
+TEST(OtherSetups, BeginOnTheSameStock) {
+    SetupRequest request;
+    request.margin = {2, 1, 10};
+    const Part block = part(box(0, 0, 0, 60, 50, 30));
+    const std::vector<stepmill::Setup> chosen = chooseSetups(block, request);
+    for (const std::vector<stepmill::Setup>& other : otherSetups(block, request, chosen))
+        EXPECT_EQ(other.front().axis, chosen.front().axis);
+}
+
 TEST(ChooseSetups, IndexesToATiltedHoleLast) {
     const gp_Ax2 tilted(gp_Pnt(15, 25, 32), gp_Dir(1, 0, -1));
     const TopoDS_Shape pocket = box(30, 10, 20, 20, 30, 11);

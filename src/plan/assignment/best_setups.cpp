@@ -1,0 +1,109 @@
+// Which set of setups is taken, by whole plans.
+
+#include "plan/assignment/best_setups.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "plan/assignment/setup_choice.h"
+#include "stepmill/core/units.h"
+
+namespace stepmill {
+namespace {
+
+/// Another set of setups whose flat layers are not planned in this share of the time is given up.
+constexpr double kOthersTimeShare = 0.25;
+
+/// Lots that keep the machine busy for so long are worth the time to weigh other sides and orders: a shift
+/// [s].
+constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
+
+/// What form cutters leave differs by no more than this share of all that is to be removed: skins and ridges.
+constexpr double kFormsLeaveShare = 0.002;
+/// What is cut from one side or another by so much: slabs of a stock tell no less apart.
+constexpr double kSidesLeaveShare = SliceOptions{}.least_gain_share;
+
+class SetupSearch {
+  public:
+    SetupSearch(const PlanRequest& request, const Machine& machine, const PlanOfSetups& plan_of)
+        : request_(request), machine_(machine), weigher_(request, machine), plan_of_(plan_of) {}
+
+    Plan best(const SetupSets& sets) {
+        auto other = sets.others.begin();
+        if (!sets.with_forms.empty())
+            tryOut(sets.with_forms, kFormsLeaveShare);
+        else if (other != sets.others.end() && isSetUpQuicker(*other, sets.chosen))
+            tryOut(*other++, kSidesLeaveShare);
+        if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_share_)) {
+            turned_down_.push_back(SetupWeigher::unplanned(sets.chosen, SetupVerdict::CannotTakeLess));
+            return taken();
+        }
+        offer(plan_of_(sets.chosen, {}), sets.chosen, alike_share_);
+        if (isWorthWeighing())
+            for (; other != sets.others.end(); ++other)
+                tryOut(*other, kSidesLeaveShare);
+        return taken();
+    }
+
+  private:
+    bool isSetUpQuicker(const std::vector<Setup>& setups, const std::vector<Setup>& than) const {
+        return settingUpS(setups, machine_, 1) < settingUpS(than, machine_, 1);
+    }
+    bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
+
+    /// A set that cannot be planned in its time must not lose the plan of another.
+    void tryOut(const std::vector<Setup>& setups, double alike_share) {
+        std::optional<Plan> plan;
+        try {
+            plan =
+                plan_of_(setups, Deadline::in(kOthersTimeShare * request_.patience.all_tools.secondsLeft()));
+        } catch (const std::exception&) {
+            turned_down_.push_back(SetupWeigher::unplanned(setups, SetupVerdict::NoTime));
+            return;
+        }
+        offer(std::move(*plan), setups, alike_share);
+    }
+
+    void offer(Plan plan, const std::vector<Setup>& setups, double alike_share) {
+        alike_share_ = alike_share;
+        const auto no = best_ ? weigher_.against(*best_, plan, alike_share) : std::nullopt;
+        if (no) {
+            turned_down_.push_back(weigher_.choiceOf(plan, setups, *no));
+            return;
+        }
+        if (best_)
+            turned_down_.push_back(
+                weigher_.choiceOf(*best_, setups_, weigher_.whyNot(*best_, plan, alike_share)));
+        best_ = std::move(plan);
+        setups_ = setups;
+    }
+
+    Plan taken() {
+        if (!turned_down_.empty()) {
+            std::vector<SetupChoice>& choices = best_->assignment.choices;
+            choices = {weigher_.choiceOf(*best_, setups_, SetupVerdict::Taken)};
+            choices.insert(choices.end(), turned_down_.begin(), turned_down_.end());
+        }
+        return std::move(*best_);
+    }
+
+    const PlanRequest& request_;
+    const Machine& machine_;
+    const SetupWeigher weigher_;
+    const PlanOfSetups& plan_of_;
+    std::optional<Plan> best_;
+    std::vector<Setup> setups_;  ///< of the best plan, those along which nothing is cut among them
+    double alike_share_ = kSidesLeaveShare;  ///< by which the last two were compared
+    std::vector<SetupChoice> turned_down_;
+};
+
+}  // namespace
+
+Plan bestPlan(const SetupSets& sets, const PlanRequest& request, const Machine& machine,
+              const PlanOfSetups& plan_of) {
+    return SetupSearch(request, machine, plan_of).best(sets);
+}
+
+}  // namespace stepmill

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "stepmill/plan/plan.h"
+
+namespace stepmill {
+
+/// Sets of setups for one part.
+struct SetupSets {
+    std::vector<Setup> chosen;      ///< by what they reach and finish
+    std::vector<Setup> with_forms;  ///< fewer, where form cutters finish what they leave; empty: none are
+    std::vector<std::vector<Setup>> others;  ///< that see about as much, the quickest to set up first
+};
+
+/// Makes the plan of a set of setups.
+/// \param flat_by  planning in flat layers is given up then
+/// \throws Error(TimedOut) where it is
+using PlanOfSetups = std::function<Plan(const std::vector<Setup>&, const Deadline& flat_by)>;
+
+/// The best of whole plans. Setups that are quicker to set up come first: where no plan of those chosen could
+/// be better, none is made. All others are planned where the lot keeps the machine busy for a shift. What was
+/// weighed stands in the plan's choices.
+/// \see docs/algorithms/setups.md, sections 8 and 9
+Plan bestPlan(const SetupSets& sets, const PlanRequest& request, const Machine& machine,
+              const PlanOfSetups& plan_of);
+
+}  // namespace stepmill
