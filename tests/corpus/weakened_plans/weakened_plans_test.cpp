@@ -551,7 +551,7 @@ TEST_P(WholePlan, EndsInNoBugWhateverItsNumbers) {
     collectNumbers(*plan_, Json::json_pointer(), places);
     EXPECT_GT(places.size(), 100U);
     for (const Json::json_pointer& place : places) {
-        for (const double value : {0.0, -1.0, 1.0, 1e-9, 1e6, 1e12, 1e308}) {
+        for (const double value : {0.0, -1.0, 1e-9, 1e308}) {
             Json plan = *plan_;
             plan[place] = value;
             std::ofstream(job() / "plan.json", std::ios::binary) << plan.dump();
