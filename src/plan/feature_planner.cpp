@@ -19,6 +19,7 @@
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/reduced_feature.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 
 namespace stepmill {
 namespace {
@@ -47,14 +48,6 @@ ToolSequence sequenceOrResidual(const Feature& feature, std::string& failure,
     sequence.residual.push_back(
         wholeAsResidual(feature, {Reason::PlanningFailed, failure}, "a report of this part"));
     return sequence;
-}
-
-/// What is chosen from without constant engagement: the others that were asked for, or all others.
-std::vector<Pattern> notAdaptive(std::vector<Pattern> patterns) {
-    std::erase(patterns, Pattern::Adaptive);
-    if (!patterns.empty()) return patterns;
-    return {Pattern::ContourInsideOut, Pattern::ContourOutsideIn, Pattern::StockOffset, Pattern::Zigzag,
-            Pattern::OneWay};
 }
 
 /// Does a caution ask for more than another pattern than that of constant engagement?

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
+#include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {
 
@@ -19,6 +21,9 @@ inline constexpr double kUsualAdaptiveLiftMm = 0.2;
 /// \see docs/algorithms/adaptive.md
 std::optional<CuttingData> adaptiveCutting(const ToolAssembly& tool, const CuttingData& cutting,
                                            double depth_mm);
+
+/// What is chosen from without constant engagement: the others that were asked for, or all others.
+std::vector<Pattern> notAdaptive(std::vector<Pattern> patterns);
 
 /// Feed of adaptive ways over cleared ground: as fast as the machine feeds, and no faster than its rapids.
 double glideFeedMmPerMin(const Machine& machine);

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/spotting.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "stepmill/toolpath/cut_feeds.h"
 
 namespace stepmill {
@@ -93,19 +95,37 @@ double weightOf(const DagTask& task, const Candidate& n, const PathTotals& total
     return weightOf(edgeCost(totals, *n.tool, task.machine), task.options.objective);
 }
 
-/// A path that is the first to cut the feature, at feeds by what it cuts.
+/// Paths over what stands in the feature when the stretch begins, at feeds by what they cut.
 class AsFed {
   public:
-    AsFed(const DagTask& task, const CuttingFacts& facts)
-        : task_(task), model_(facts), ground_(task.ground.feature().target, task.ground.feature().top_z_mm) {}
+    /// \pre the material's cutting is known
+    AsFed(const DagTask& task, const Candidate& n, const Stretch& stretch)
+        : task_(task), n_(n), ground_(standing(task, stretch), stretch.top_z_mm) {}
 
-    PathTotals operator()(const Toolpath& path) const {
-        return measure(withCutFeeds(path, ground_, model_).path, task_.machine);
+    /// Nothing where nothing is known of what the tool's cuts ask for.
+    std::optional<PathTotals> operator()(const Toolpath& path) const {
+        const std::optional<CuttingFacts> facts = factsOf(path);
+        if (!facts) return std::nullopt;
+        return measure(withCutFeeds(path, ground_, CuttingModel(*facts)).path, task_.machine);
     }
 
   private:
+    static Region standing(const DagTask& task, const Stretch& stretch) {
+        const Region& target = task.ground.feature().target;
+        if (stretch.after == nullptr || stretch.after->cleared == nullptr) return target;
+        return subtract(target, stretch.after->cleared->accessible, task.ground.tolerances());
+    }
+
+    std::optional<CuttingFacts> factsOf(const Toolpath& path) const {
+        std::optional<CuttingData> cutting = n_.cutting;
+        if (path.engagement_rad > 0)
+            cutting = adaptiveCutting(*n_.tool, n_.cutting, path.depths * path.step_down_mm);
+        if (!cutting) return std::nullopt;
+        return cuttingFacts(*n_.tool, *cutting, *task_.options.cut_material, task_.machine);
+    }
+
     const DagTask& task_;
-    CuttingModel model_;
+    const Candidate& n_;
     CutGround ground_;
 };
 
@@ -113,32 +133,50 @@ class AsFed {
 /// is quicker: an open face is entered through a full slot only where all ways round take longer.
 Toolpath quickestAsFed(Toolpath path, const DagTask& task, const Candidate& n, const Stretch& stretch,
                        const DecomposedArea& decomposed, const SharedRings& rings) {
-    const bool adaptive = path.engagement_rad > 0;
-    if (!task.options.cut_material || stretch.after != nullptr || adaptive) return path;
-    const std::optional<CuttingFacts> facts =
-        cuttingFacts(*n.tool, n.cutting, *task.options.cut_material, task.machine);
+    if (!task.options.cut_material || stretch.after != nullptr) return path;
     const std::set<Pattern> rivals = rivalPatterns(path, kFedRivalShare);
-    if (!facts || rivals.empty()) return path;
-    const AsFed as_fed(task, *facts);
+    if (rivals.empty()) return path;
+    const AsFed as_fed(task, n, stretch);
     std::vector<FedPattern> compared;
     double least = kNoEdge;
     const auto compare = [&](Toolpath other) {
         if (other.moves.empty()) return;
-        const PathTotals totals = as_fed(other);
-        const double weight = weightOf(task, n, totals);
+        const std::optional<PathTotals> totals = as_fed(other);
+        if (!totals) return;
+        const double weight = weightOf(task, n, *totals);
         compared.insert(weight < least ? compared.begin() : compared.end(),
-                        {other.pattern, totals.motion_time_s});
+                        {other.pattern, totals->motion_time_s});
         if (weight >= least) return;
         least = weight;
         path = std::move(other);
     };
     compare(path);
+    if (compared.empty()) return path;
     for (const Pattern pattern : rivals)
         compare(pathBy(pattern, task, n, stretch, decomposed, rings));
     std::stable_sort(compared.begin() + 1, compared.end(),
                      [](const FedPattern& a, const FedPattern& b) { return a.time_s < b.time_s; });
     path.as_fed = std::move(compared);
     return path;
+}
+
+/// A path of constant engagement, or that of the other patterns where it is quicker when both are fed by what
+/// they cut.
+Toolpath adaptiveAsFed(Toolpath adaptive, const DagTask& task, const Candidate& n, const Stretch& stretch,
+                       const DecomposedArea& decomposed, const SharedRings& rings) {
+    const std::vector<Pattern>& asked = task.options.patterns;
+    if (!task.options.cut_material || asked == std::vector<Pattern>{Pattern::Adaptive}) return adaptive;
+    ClearingTask clearing = clearingTask(task, n, stretch, decomposed, task.options.pattern, rings);
+    clearing.patterns = notAdaptive(asked);
+    Toolpath other = clearArea(clearing, *n.tool, n.cutting, task.machine, task.ground.tolerances());
+    if (other.moves.empty()) return adaptive;
+    other = quickestAsFed(std::move(other), task, n, stretch, decomposed, rings);
+    const AsFed as_fed(task, n, stretch);
+    const std::optional<PathTotals> of_adaptive = as_fed(adaptive);
+    const std::optional<PathTotals> of_other = as_fed(other);
+    const bool stays =
+        !of_adaptive || !of_other || weightOf(task, n, *of_adaptive) <= weightOf(task, n, *of_other);
+    return stays ? adaptive : other;
 }
 
 /// Each region takes its own quickest pattern; the links between the regions may cost more than that saves.
@@ -153,7 +191,8 @@ Toolpath quickestPath(const DagTask& task, const Candidate& n, const Stretch& st
         Toolpath weighed = pathBy(kWeighedPattern, task, n, stretch, decomposed, rings);
         if (weightOf(task, n, weighed.totals) < weightOf(task, n, path.totals)) path = std::move(weighed);
     }
-    return quickestAsFed(std::move(path), task, n, stretch, decomposed, rings);
+    return path.engagement_rad > 0 ? adaptiveAsFed(std::move(path), task, n, stretch, decomposed, rings)
+                                   : quickestAsFed(std::move(path), task, n, stretch, decomposed, rings);
 }
 
 double adaptiveSpeedRpm(const CuttingData& cutting) {

@@ -37,6 +37,13 @@ CuttingData givenSet(const AdaptiveData& set, CuttingData cutting, double depth_
 
 }  // namespace
 
+std::vector<Pattern> notAdaptive(std::vector<Pattern> patterns) {
+    std::erase(patterns, Pattern::Adaptive);
+    if (!patterns.empty()) return patterns;
+    return {Pattern::ContourInsideOut, Pattern::ContourOutsideIn, Pattern::StockOffset, Pattern::Zigzag,
+            Pattern::OneWay};
+}
+
 double glideFeedMmPerMin(const Machine& machine) {
     if (machine.max_feed_mm_per_min <= 0) return machine.rapid_mm_per_min;
     return std::min(machine.max_feed_mm_per_min, machine.rapid_mm_per_min);
