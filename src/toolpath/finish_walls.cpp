@@ -178,7 +178,7 @@ Region leftBy(const Toolpath& path, const Region& region, double floor_z_mm, dou
         from = move.to;
     }
     if (ways.empty()) return region;
-    return subtract(region, sweptRegion(ways, radius_mm + tol.sliver_mm, tol), tol);
+    return notSwept(region, ways, radius_mm + tol.sliver_mm, tol);
 }
 
 }  // namespace stepmill::toolpath

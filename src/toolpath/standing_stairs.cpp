@@ -86,14 +86,14 @@ class SweptWay {
         const std::vector<Path> near = stretchesNear(WalkInside(region, edges), radius_mm, count);
         if (near.empty()) return false;
         const bool around = around_ && 2 * count > edges_.size() && takeAround(region, radius_mm);
-        if (!around) region = subtract(region, toolpath::sweptRegion(near, radius_mm, tol_), tol_);
+        if (!around) region = toolpath::notSwept(region, near, radius_mm, tol_);
         return true;
     }
 
   private:
     /// Of a way without length.
     bool takeDisc(Region& region, double radius_mm) const {
-        Region left = subtract(region, toolpath::sweptRegion({{at_, {}}}, radius_mm, tol_), tol_);
+        Region left = toolpath::notSwept(region, {{at_, {}}}, radius_mm, tol_);
         const bool cuts = area(left) < area(region);
         if (cuts) region = std::move(left);
         return cuts;
@@ -117,10 +117,12 @@ class SweptWay {
     /// of a way that was rounded in a program are not sure.
     bool takeAround(Region& region, double radius_mm) const {
         try {
-            const Region inner = intersect(region, around_->region(), tol_);
-            const Region kept_inside =
-                inner.empty() ? Region{} : intersect(inner, around_->offset(-radius_mm), tol_);
-            region = unite(subtract(region, around_->offset(radius_mm), tol_), kept_inside, tol_);
+            Region ring = around_->offset(radius_mm);
+            // Nowhere do the two come nearer than twice the radius: together they are a region.
+            if (!intersect(region, around_->region(), tol_).empty())
+                for (const Loop& loop : around_->offset(-radius_mm).loops)
+                    ring.loops.push_back(reversed(loop));
+            region = subtract(region, ring, tol_);
             return true;
         } catch (const UnsureOffset&) {
             return false;
@@ -293,7 +295,7 @@ void StandingStairs::cut(const std::vector<SurfaceWay>& ways, const CutterForm& 
             const std::vector<Path> below =
                 waysBelow(ways, slice.z_mm - over_mm, grown(boundingBox(slice.region), radius_mm));
             if (below.empty()) break;
-            slice.region = subtract(slice.region, toolpath::sweptRegion(below, radius_mm, tol_), tol_);
+            slice.region = toolpath::notSwept(slice.region, below, radius_mm, tol_);
             changed = true;
         }
         if (changed) slice.region = toolpath::beyondSkins(slice.region, tol_);

@@ -98,6 +98,13 @@ void addWay(const Path& way, double radius_mm, std::vector<Region>& into) {
     addDisc(way.end(), radius_mm, into);
 }
 
+std::vector<Region> sweptPieces(const std::vector<Path>& ways, double radius_mm) {
+    std::vector<Region> pieces;
+    for (const Path& way : ways)
+        addWay(way, radius_mm, pieces);
+    return pieces;
+}
+
 }  // namespace
 
 std::vector<Region> piecesBeyondSkins(const Region& region, const Tolerances& tol) {
@@ -118,10 +125,12 @@ Region beyondSkins(const Region& region, const Tolerances& tol) {
 }
 
 Region sweptRegion(const std::vector<Path>& ways, double radius_mm, const Tolerances& tol) {
-    std::vector<Region> pieces;
-    for (const Path& way : ways)
-        addWay(way, radius_mm, pieces);
-    return pieces.empty() ? Region{} : unite(pieces, tol);
+    return unite(sweptPieces(ways, radius_mm), tol);
+}
+
+Region notSwept(const Region& region, const std::vector<Path>& ways, double radius_mm,
+                const Tolerances& tol) {
+    return subtract(region, sweptPieces(ways, radius_mm), tol);
 }
 
 }  // namespace stepmill::toolpath

@@ -19,6 +19,7 @@
 namespace stepmill::verify {
 namespace {
 
+using toolpath::notSwept;
 using toolpath::piecesBeyondSkins;
 using toolpath::sweptRegion;
 
@@ -243,7 +244,7 @@ class DepthProver {
         while (level != levels_.begin())
             for (const Path& way : (--level)->second.ways)
                 if (boundingBox(way).intersects(around)) before.push_back(way);
-        if (!before.empty()) left = subtract(left, sweptRegion(chained(before), radius_mm, tol_), tol_);
+        if (!before.empty()) left = notSwept(left, chained(before), radius_mm, tol_);
         return piecesBeyondSkins(left, tol_);
     }
 

@@ -21,6 +21,7 @@
 namespace stepmill::verify {
 namespace {
 
+using toolpath::notSwept;
 using toolpath::sweptRegion;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -148,7 +149,7 @@ class OwnMaterial {
         const std::vector<Path> ways = waysBelow(operation_, cut_until_, index, z_mm, start);
         const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
         if (!ways.empty()) {
-            standing_ = subtract(standing_, sweptRegion(ways, radius_mm, tol_), tol_);
+            standing_ = notSwept(standing_, ways, radius_mm, tol_);
             edges_ = EdgeIndex(standing_);
             cut_at_mm_ = std::max(cut_at_mm_, z_mm);
         }

@@ -27,6 +27,8 @@ Region unite(std::span<const Region> regions, const Tolerances& tol);
 Region intersect(const Region& a, const Region& b, const Tolerances& tol);
 /// Points of `a` not in the interior of `b`.
 Region subtract(const Region& a, const Region& b, const Tolerances& tol);
+/// Points of `a` in the interior of none of `many`: quicker than a difference with their union.
+Region subtract(const Region& a, std::span<const Region> many, const Tolerances& tol);
 
 /// A path cut at a region's boundary. Pieces keep the path's direction and order.
 struct SplitPath {

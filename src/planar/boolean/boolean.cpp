@@ -138,11 +138,17 @@ Region uniteAtOnce(std::span<const Placed> regions, const Tolerances& tol) {
     return apart;
 }
 
-/// Many regions on top of each other cross far more often than their union does. So neighbours first: the
-/// set is halved across its longer side until few are left. Sorts `regions`.
-Region uniteNeighbours(std::span<Placed> regions, const Tolerances& tol) {
-    constexpr std::size_t kAtOnce = 8;
-    if (regions.size() <= kAtOnce) return uniteAtOnce(regions, tol);
+constexpr std::size_t kAtOnce = 8;
+
+std::vector<Placed> placedAll(std::span<const Region> regions, const Tolerances& tol) {
+    std::vector<Placed> placed;
+    for (const Region& region : regions)
+        if (!region.empty()) placed.push_back({&region, grown(boundingBox(region), tol.linear_mm)});
+    return placed;
+}
+
+/// Sorts them along the longer side of where they lie; the first half comes before the second.
+std::pair<std::span<Placed>, std::span<Placed>> halved(std::span<Placed> regions) {
     Box2 all;
     for (const Placed& one : regions)
         all.extend((one.box.min() + one.box.max()) / 2);
@@ -151,12 +157,28 @@ Region uniteNeighbours(std::span<Placed> regions, const Tolerances& tol) {
         return a.box.min()[axis] + a.box.max()[axis] < b.box.min()[axis] + b.box.max()[axis];
     });
     const std::size_t half = regions.size() / 2;
-    const Region halves[] = {uniteNeighbours(regions.first(half), tol),
-                             uniteNeighbours(regions.subspan(half), tol)};
-    std::vector<Placed> both;
-    for (const Region& part : halves)
-        if (!part.empty()) both.push_back({&part, grown(boundingBox(part), tol.linear_mm)});
-    return uniteAtOnce(both, tol);
+    return {regions.first(half), regions.subspan(half)};
+}
+
+/// Many regions on top of each other cross far more often than their union does. So neighbours first: the
+/// set is halved across its longer side until few are left. Sorts `regions`.
+Region uniteNeighbours(std::span<Placed> regions, const Tolerances& tol) {
+    if (regions.size() <= kAtOnce) return uniteAtOnce(regions, tol);
+    const auto [first, second] = halved(regions);
+    const Region halves[] = {uniteNeighbours(first, tol), uniteNeighbours(second, tol)};
+    return uniteAtOnce(placedAll(halves, tol), tol);
+}
+
+/// Neighbours united, as long as more than a few regions would be left. Sorts `regions`.
+void uniteToFew(std::span<Placed> regions, std::size_t few, const Tolerances& tol,
+                std::vector<Region>& left) {
+    if (few <= 1 || regions.size() <= kAtOnce) {
+        left.push_back(uniteNeighbours(regions, tol));
+        return;
+    }
+    const auto [first, second] = halved(regions);
+    uniteToFew(first, few / 2, tol, left);
+    uniteToFew(second, few / 2, tol, left);
 }
 
 }  // namespace
@@ -167,9 +189,7 @@ Region unite(const Region& a, const Region& b, const Tolerances& tol) {
 }
 
 Region unite(std::span<const Region> regions, const Tolerances& tol) {
-    std::vector<Placed> placed;
-    for (const Region& region : regions)
-        if (!region.empty()) placed.push_back({&region, grown(boundingBox(region), tol.linear_mm)});
+    std::vector<Placed> placed = placedAll(regions, tol);
     return planar::ordered(uniteNeighbours(placed, tol));
 }
 
@@ -188,6 +208,23 @@ Region subtract(const Region& a, const Region& b, const Tolerances& tol) {
     if (near_b.empty()) return planar::ordered(a);
     return overlay(
         loopsOf(a, near_b), [](int in_a, int in_b) { return in_a > 0 && in_b <= 0; }, tol);
+}
+
+Region subtract(const Region& a, std::span<const Region> many, const Tolerances& tol) {
+    if (a.empty()) return {};
+    std::vector<Placed> near_a = placedAll(many, tol);
+    const Box2 box = boundingBox(a);
+    std::erase_if(near_a, [&](const Placed& one) { return !one.box.intersects(box); });
+    if (near_a.empty()) return planar::ordered(a);
+    // The last unions are the longest, and cross each other no more than `a`.
+    std::vector<Region> few;
+    uniteToFew(near_a, kAtOnce, tol, few);
+    OperandLoops loops;
+    appendLoops(a, 0, loops);
+    for (const Region& one : few)
+        appendLoops(one, 1, loops);
+    return overlay(
+        loops, [](int in_a, int in_b) { return in_a > 0 && in_b <= 0; }, tol);
 }
 
 }  // namespace stepmill

@@ -183,6 +183,25 @@ TEST(BooleanOracles, EveryResultEdgeLiesOnAnOperandsBoundary) {
     }
 }
 
+TEST(SubtractLaws, ManyAtOnceLeaveWhatTheirUnionDoes) {
+    const Tolerances tol;
+    for (unsigned seed = 1; seed <= 300 && !HasFailure(); ++seed) {
+        const PairKind kind = seed % 2 ? PairKind::Scattered : PairKind::Lattice;
+        PairMaker shapes(seed, kind);
+        const Region a = shapes.region();
+        std::vector<Region> many;
+        for (unsigned i = 0; i < seed % 60; ++i)
+            many.push_back(shapes.region());
+        const Region united = unite(many, tol);
+        SCOPED_TRACE(drawing(seed, a, united));
+        const Region left = subtract(a, many, tol);
+        expectValid(left);
+        const double slack = slackMm2(kind, a, united);
+        EXPECT_NEAR(area(left), area(subtract(a, united, tol)), slack);
+        EXPECT_LE(area(intersect(left, united, tol)), slack);
+    }
+}
+
 TEST(SplitLaws, PiecesAddUpAndLieWhereTheyAreSaidToLie) {
     const Tolerances tol;
     for (unsigned seed = 1; seed <= 2000 && !HasFailure(); ++seed) {
