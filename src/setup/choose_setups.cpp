@@ -1,6 +1,7 @@
 // Which ways up the part is machined, in which order, and from what.
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "setup/candidates.h"
@@ -100,8 +101,8 @@ class SetupMaker {
         const Stock& stock = taken.front().stock;
         const AxesReach reach = reachOf(axes, stock, taken.front().axis);
         std::vector<int> order;
-        for (const Setup& setup : taken)
-            order.push_back(indexOf(setup.axis, axes));
+        std::transform(taken.begin(), taken.end(), std::back_inserter(order),
+                       [&](const Setup& setup) { return indexOf(setup.axis, axes); });
         std::vector<std::vector<int>> found = withoutOneOf(order, reach);
         for (std::vector<int>& other : setup::otherOrders(order, reach.traits))
             found.push_back(std::move(other));
@@ -110,8 +111,8 @@ class SetupMaker {
             return !stockFor(axes[other.front()]).bbox_mm.isApprox(stock.bbox_mm);
         });
         std::vector<std::vector<Setup>> sets;
-        for (const std::vector<int>& other : found)
-            sets.push_back(along(other, axes, stock));
+        std::transform(found.begin(), found.end(), std::back_inserter(sets),
+                       [&](const std::vector<int>& other) { return along(other, axes, stock); });
         return sets;
     }
 

@@ -55,6 +55,10 @@ class SetupSearch {
 
     /// A set that cannot be planned in its time must not lose the plan of another.
     void tryOut(const std::vector<Setup>& setups, double alike_share) {
+        if (request_.patience.all_tools.passed()) {
+            turned_down_.push_back(SetupWeigher::unplanned(setups, SetupVerdict::NoTime));
+            return;
+        }
         std::optional<Plan> plan;
         try {
             plan =

@@ -47,6 +47,10 @@ bool dips(const ClearingTask& task) {
     return task.top_z_mm - task.floor_z_mm > task.free_reach_mm;
 }
 
+bool isQuicker(const PatternTime& one, const PatternTime& other) {
+    return one.time_s < other.time_s * (1 - kSavedShare);
+}
+
 RegionCutter::RegionCutter(const DepthTask& task, const PassMaker& passes, const Toolpath& frame,
                            double ramp_angle_rad, const Machine& machine)
     : task_(task), passes_(passes), frame_(frame), ramp_angle_rad_(ramp_angle_rad), machine_(machine) {}
@@ -75,8 +79,7 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
         RegionCut made = cut(component, entry, variant, passes);
         if (made.blocks.empty()) continue;
         weighed.weighed.push_back(made.time);
-        const bool better =
-            !best || wanted == variant.pattern || made.time.time_s < best->time.time_s * (1 - kSavedShare);
+        const bool better = !best || wanted == variant.pattern || isQuicker(made.time, best->time);
         if (better) best = std::move(made);
     }
     if (!best) return best;

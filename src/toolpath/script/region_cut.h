@@ -17,6 +17,9 @@ struct RegionCut {
     PatternTime time;
 };
 
+/// Is the one taken for the other: does it save more than rounding?
+bool isQuicker(const PatternTime& one, const PatternTime& other);
+
 /// The components' cuts: every pattern is weighed by the moves it really takes.
 class RegionCutter {
   public:

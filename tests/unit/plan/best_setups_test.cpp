@@ -121,6 +121,16 @@ TEST_F(SetupSearchOf, ATrialThatCannotBePlannedLosesNothing) {
     EXPECT_FALSE(plan.assignment.choices[1].planned);
 }
 
+TEST_F(SetupSearchOf, NoOtherIsPlannedWhenTheTimeIsOver) {
+    sets_.others = {along({kX, kZ})};
+    request_.quantity = 1000;
+    request_.patience.all_tools = Deadline::in(-1);
+    const Plan plan = best();
+    EXPECT_EQ(planned_, 1);
+    ASSERT_EQ(plan.assignment.choices.size(), 2U);
+    EXPECT_EQ(plan.assignment.choices[1].verdict, SetupVerdict::NoTime);
+}
+
 TEST_F(SetupSearchOf, TheChosenSetFailsAsItDoes) {
     chosen_ = {-1, 0};
     EXPECT_THROW(best(), Error);

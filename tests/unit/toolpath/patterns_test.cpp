@@ -7,6 +7,7 @@
 #include "support/clearing_tasks.h"
 #include "support/raster_simulator.h"
 #include "support/tolerances.h"
+#include "toolpath/script/region_cut.h"
 
 namespace stepmill {
 namespace {
@@ -159,6 +160,37 @@ TEST(SlotFeed, SlowsFullWidthCutsAndRampsAlone) {
     }
     EXPECT_GT(slots, 0);
     EXPECT_GT(feeds, 0);
+}
+
+/// Minutes of a cutting layer as [Li2001, Table 1] prints them.
+struct PrintedLayer {
+    double stock_offset = 0;
+    double parallel = 0;
+    double best = 0;
+};
+constexpr PrintedLayer kPrintedLayers[] = {
+    {17.68, 15.99, 15.99}, {17.79, 16.33, 16.33}, {18.59, 17.38, 17.38}, {18.56, 17.30, 17.30},
+    {18.08, 17.21, 17.21}, {18.15, 17.33, 17.33}, {18.29, 16.74, 16.74}, {18.34, 17.33, 17.33},
+    {17.46, 17.29, 17.29}, {16.99, 16.89, 16.89}, {15.77, 16.62, 15.77}, {14.23, 14.51, 14.23},
+    {12.68, 13.92, 12.68}, {11.83, 13.33, 11.83}};
+/// Sum of its column "Best pattern", and the loss of the pattern that its rules select [%].
+constexpr double kPrintedBest = 224.31;
+constexpr double kPrintedLossPercent = 0.50;
+/// The sum was printed by rows with more digits.
+constexpr double kPrintedRounding = 14 * 0.005;
+
+TEST(Patterns, OfThePapersLayersTheBestIsTakenInEach) {
+    double sum = 0;
+    for (const PrintedLayer& layer : kPrintedLayers) {
+        PatternTime taken{Pattern::StockOffset, 0, 60 * layer.stock_offset};
+        const PatternTime parallel{Pattern::Zigzag, 0, 60 * layer.parallel};
+        if (toolpath::isQuicker(parallel, taken)) taken = parallel;
+        EXPECT_DOUBLE_EQ(taken.time_s, 60 * layer.best);
+        sum += taken.time_s / 60;
+    }
+    EXPECT_NEAR(sum, kPrintedBest, kPrintedRounding);
+    // The paper's rules choose before they cut, and lose half a percent.
+    EXPECT_LT(sum, kPrintedBest * (1 + kPrintedLossPercent / 100));
 }
 
 }  // namespace
