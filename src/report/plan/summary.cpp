@@ -55,14 +55,22 @@ std::string formLines(const Plan& plan) {
 /// What became of the setups that were weighed and not taken; empty where there was no choice.
 std::string choiceLines(const Assignment& assignment) {
     std::string text;
+    int untried = 0;
     for (const SetupChoice& choice : assignment.choices) {
         if (choice.verdict == SetupVerdict::Taken) continue;
+        if (choice.verdict == SetupVerdict::NoTime) {
+            ++untried;
+            continue;
+        }
         text += fmt::format("setups {} instead: {}", report::axesWords(choice), toString(choice.verdict));
         if (choice.planned)
             text += fmt::format(", {} and {} to set up", clockTime(choice.planned->time_s),
                                 clockTime(choice.planned->setup_s));
         text += "\n";
     }
+    if (untried > 0)
+        text += fmt::format("{} other {} of setups: no time to plan {}\n", untried,
+                            untried == 1 ? "set" : "sets", untried == 1 ? "it" : "them");
     return text;
 }
 
