@@ -117,9 +117,9 @@ Element booksSection(const InspectedBooks& books) {
     add("features", books.features_mm3);
     for (const ReasonVolume& left : books.left)
         add("stays: " + toString(left.reason), left.volume_mm3);
-    return Element(
-        "section", Element("h2", "Volume books"), std::move(table).element(),
-        Element("p.soft", fmt::format("Not accounted for: {:.1e} of stock minus part.", books.gapShare())));
+    return Element("section", Element("h2", "Volume books"), std::move(table).element(),
+                   Element("p.soft", fmt::format("Not accounted for: {} of stock minus part.",
+                                                 gapWords(books.gapShare()))));
 }
 
 std::optional<Element> notesSection(const Inspection& inspection) {

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "report/inspect/inspect_words.h"
+#include "report/page/words.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/report/inspection.h"
 
@@ -92,7 +93,7 @@ std::string booksBlock(const InspectedBooks& books) {
                                    books.stock_minus_part_mm3 / 1000, books.features_mm3 / 1000);
     for (const ReasonVolume& left : books.left)
         text += fmt::format(" + {} {:.4f}", toString(left.reason), left.volume_mm3 / 1000);
-    return text + fmt::format(" (gap {:.1e})\n", books.gapShare());
+    return text + fmt::format(" (gap {})\n", report::gapWords(books.gapShare()));
 }
 
 }  // namespace

@@ -28,6 +28,11 @@ std::string timesBound(double value_s, double bound_s) {
     return bound_s > 0 ? fixed(value_s / bound_s, 2) : std::string("-");
 }
 
+std::string gapWords(double share) {
+    constexpr double kRounding = 1e-12;
+    return share <= kRounding ? "0" : fmt::format("{:.1e}", share);
+}
+
 std::string axesWords(const SetupChoice& choice) {
     std::string words;
     for (const Vec3& axis : choice.axes)

@@ -25,6 +25,9 @@ std::string clockTime(double seconds);
 /// How often the bound goes into a time: "2.31"; "-" without a bound.
 std::string timesBound(double value_s, double bound_s);
 
+/// What books do not account for, as a share: "8.4e-05"; "0" where that is what sums of doubles round.
+std::string gapWords(double share);
+
 /// "+z, -y".
 std::string axesWords(const SetupChoice& choice);
 

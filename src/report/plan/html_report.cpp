@@ -143,8 +143,9 @@ Element booksSection(const Plan& plan, const Measures& in) {
                 table.row("left by " + planned.feature.id + takerWords(residual), toString(residual.reason),
                           in.volume(residual.volume_mm3, 4),
                           in.volume(residual.stays_mm3.value_or(residual.volume_mm3), 4));
-    return Element("section", Element("h2", "Volume books"), std::move(table).element(),
-                   Element("p.soft", fmt::format("Unaccounted: {:.2e} of stock - part.", books.gapShare())))
+    return Element(
+               "section", Element("h2", "Volume books"), std::move(table).element(),
+               Element("p.soft", fmt::format("Unaccounted: {} of stock - part.", gapWords(books.gapShare()))))
         .at(Anchor("part", "books"));
 }
 

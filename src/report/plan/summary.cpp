@@ -107,9 +107,9 @@ std::string summaryText(const Plan& plan) {
     text += over.empty() ? "\n" : "; " + over + "\n";
     const VolumeBalance& books = plan.balance;
     text += fmt::format(
-        "books: stock - part {:.3f} cm3 = planned {:.3f} + stays {:.3f} + out of reach {:.3f} (gap {:.1e})\n",
+        "books: stock - part {:.3f} cm3 = planned {:.3f} + stays {:.3f} + out of reach {:.3f} (gap {})\n",
         books.stock_minus_part_mm3 / 1000, books.planned_mm3 / 1000, books.residual_mm3 / 1000,
-        books.unreachable_mm3 / 1000, books.gapShare());
+        books.unreachable_mm3 / 1000, report::gapWords(books.gapShare()));
     for (const Warning& warning : plan.warnings)
         text += fmt::format("warning: {}{}: {}\n", plainLine(warning.subject),
                             warning.count > 1 ? fmt::format(" and {} more", warning.count - 1) : "",
