@@ -10,7 +10,9 @@ namespace stepmill {
 namespace {
 
 /// So many edges are evaluated before it is asked anew which others may pay: enough for the cores of a
-/// machine, few enough that what the first ones weigh rules most others out.
+/// machine, few enough that what the first ones weigh rules most others out. The first of a feature are fewer:
+/// before them nothing rules any out, and a narrow tool's path over all of a wide feature is long to make.
+constexpr std::size_t kEdgesAtFirst = 2;
 constexpr std::size_t kEdgesAtATime = 8;
 
 /// Takes the edges with the least bounds out of `open`; they keep their order.
@@ -61,23 +63,22 @@ class DagSearch {
     bool hasSurrogates(int n) const { return task_.tools[n].hasSurrogates(); }
     bool aloneIsKnown() const { return task_.alone_weight < kNoEdge; }
 
-    /// Evaluates every tool that does the whole feature alone: that gives a complete path to beat.
+    /// The tools that do the whole feature alone give a complete path to beat. Those that would beat it if
+    /// their change were not paid for are evaluated too: another feature may pay for it.
     void evaluateToolsAlone() {
-        EdgeList edges;
-        for (int n = 0; n <= last_; ++n) {
-            if (!task_.ends[n] || hasSurrogates(n) || !table_.exists(kSource, n)) continue;
-            if (aloneIsKnown())
-                table_.leaveOut(kSource, n);
-            else
-                edges.emplace_back(kSource, n);
-        }
-        table_.evaluate(edges, kNoEdge);
+        const auto does_all = [&](int n) { return task_.ends[n] && !hasSurrogates(n); };
+        const double change =
+            weightOf(machineCost(task_.machine.tool_change_s, task_.machine), task_.options.objective);
+        if (!aloneIsKnown()) return evaluate(kSource, kSource, does_all, change);
+        for (int n = 0; n <= last_; ++n)
+            if (does_all(n) && table_.exists(kSource, n)) table_.leaveOut(kSource, n);
     }
 
     /// Evaluates the edges from these nodes to the tools wanted, a few at a time and the most promising
     /// first: what they weigh bounds the paths through the others, and shortens the path to beat.
+    /// \param allowed  an edge may weigh so much more than that path lets it
     template <typename Wanted>
-    void evaluate(int m_first, int m_last, const Wanted& wanted) {
+    void evaluate(int m_first, int m_last, const Wanted& wanted, double allowed = 0) {
         EdgeList open;
         for (int m = m_first; m <= m_last; ++m)
             for (int n = m + 1; n <= last_; ++n)
@@ -85,8 +86,9 @@ class DagSearch {
         while (!open.empty()) {
             const double known = weightToBeat();
             table_.bound();
-            leaveOutHopeless(known, open);
-            pruned_ += table_.evaluate(takeMostPromising(table_, kEdgesAtATime, open), known);
+            leaveOutHopeless(known + allowed, open);
+            const std::size_t at_once = known < kNoEdge ? kEdgesAtATime : kEdgesAtFirst;
+            pruned_ += table_.evaluate(takeMostPromising(table_, at_once, open), known);
         }
     }
 
