@@ -6,6 +6,10 @@ namespace stepmill::layers {
 
 namespace {
 
+/// Derivatives whose product is so small beside the square of the longer one meet in a cone's apex or a
+/// sphere's pole, where rounding alone would say where the normal points.
+constexpr double kSingularShare = 1e-7;
+
 /// Volume between a facet and the surface, from the surface's point over the facet's middle: exact where
 /// the gap is a parabola. Facets that lie much farther off than meshing allows tell nothing.
 double bumpOf(const MeshFace& face, const MeshTriangle& triangle, const std::vector<Vec3>& nodes) {
@@ -35,7 +39,8 @@ Vec3 normalAt(const MeshFace& face, const gp_Pnt2d& uv) {
     face.surface->D1(uv.X(), uv.Y(), p, du, dv);
     const gp_Vec n = du.Crossed(dv);
     const double length = n.Magnitude();
-    if (length < 1e-15) return Vec3::Zero();
+    const double longer = std::max(du.Magnitude(), dv.Magnitude());
+    if (length <= kSingularShare * longer * longer) return Vec3::Zero();
     return (face.reversed ? -1 : 1) / length * Vec3(n.X(), n.Y(), n.Z());
 }
 
