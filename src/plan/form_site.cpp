@@ -82,9 +82,10 @@ class LeaningWalls : public SiteWalls {
     std::vector<Obstacle> stairs_;
 };
 
-/// A layer with what of the stock stands beside its part.
+/// A layer, or a part of one in which fixtures end, with what stands beside its part.
 struct StandingLayer {
     const Layer* layer = nullptr;
+    Heights heights;
     bool cut = false;
     Region beside;  ///< stock beyond the layer's part, and fixtures
 };
@@ -128,6 +129,20 @@ class SiteMaker {
         return sections.empty() ? Region{} : unite(sections, tol_);
     }
 
+    /// A layer in pieces, from below, in each of which the same fixtures stand.
+    std::vector<Heights> betweenFixtures(const Layer& layer) const {
+        std::vector<double> ends{layer.bottom_z_mm, layer.top_z_mm};
+        for (const Fixture& fixture : from_.setup.fixtures)
+            for (const double z_mm : {fixture.bottom_z_mm, fixture.top_z_mm})
+                if (z_mm > layer.bottom_z_mm && z_mm < layer.top_z_mm) ends.push_back(z_mm);
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+        std::vector<Heights> pieces;
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+            pieces.push_back({ends[i], ends[i + 1]});
+        return pieces;
+    }
+
     /// From below.
     void findStanding() {
         const StockSections after(from_.setup, from_.after, tol_);
@@ -136,15 +151,22 @@ class SiteMaker {
             const Layer& layer = layers[i];
             const Region stock = after.between(layer.bottom_z_mm, layer.top_z_mm);
             const Region left = toolpath::beyondSkins(subtract(stock, layer.part, tol_), tol_);
-            standing_.push_back({&layer, walls_.cuts(layer),
-                                 unite(left, fixturesBetween(layer.bottom_z_mm, layer.top_z_mm), tol_)});
+            for (const Heights& heights : betweenFixtures(layer)) {
+                const Region fixtures = fixturesBetween(heights.bottom_mm, heights.top_mm);
+                standing_.push_back({&layer, heights, walls_.cuts(layer), unite(left, fixtures, tol_)});
+            }
         }
     }
 
     std::vector<Heights> bandsOf(const StandingLayer& standing, double skin_mm) const {
-        const Layer& layer = *standing.layer;
-        if (!standing.cut) return {{layer.bottom_z_mm, layer.top_z_mm}};
-        return walls_.bandsOf(layer, skin_mm);
+        if (!standing.cut) return {standing.heights};
+        std::vector<Heights> bands;
+        for (const Heights& band : walls_.bandsOf(*standing.layer, skin_mm)) {
+            const Heights within{std::max(band.bottom_mm, standing.heights.bottom_mm),
+                                 std::min(band.top_mm, standing.heights.top_mm)};
+            if (within.bottom_mm < within.top_mm) bands.push_back(within);
+        }
+        return bands;
     }
 
     struct LayerBand {
@@ -209,11 +231,11 @@ class SiteMaker {
             const bool same = !from_above.empty() && feature::sameRegion(with, shadow, tol_);
             shadow = std::move(with);
             if (same) {
-                from_above.back().bottom_z_mm = standing.layer->bottom_z_mm;
+                from_above.back().bottom_z_mm = standing.heights.bottom_mm;
                 from_above.back().section = shadow;
                 continue;
             }
-            from_above.push_back({standing.layer->bottom_z_mm, standing.layer->top_z_mm, shadow});
+            from_above.push_back({standing.heights.bottom_mm, standing.heights.top_mm, shadow});
         }
         site_.ground.obstacles = onGrownStock({from_above.rbegin(), from_above.rend()},
                                               growthOf(from_.setup.stock, from_.setup.part_to_setup), tol_);
