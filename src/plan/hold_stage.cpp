@@ -109,6 +109,9 @@ StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
         stock.upright.push_back(layer.stock_air_mm3 <= 0);
     }
     stock.removed = featurePrisms(stage.found);
+    for (const FaceTrace& trace : layers.traces)
+        if (trace.stand == FaceStand::Leaning && !trace.region.empty())
+            stock.leaning.push_back({trace.region, trace.top_z_mm, trace.bottom_z_mm});
     const auto highest = std::find_if(layers.layers.begin(), layers.layers.end(),
                                       [](const Layer& layer) { return !layer.part.empty(); });
     if (break_edges_mm > 0 && highest != layers.layers.end())

@@ -14,6 +14,10 @@ namespace {
 
 /// Less length than this holds nothing [mm].
 constexpr double kLeastLengthMm = 5;
+/// The tip of a form cutter goes so far below the ground it cuts, where the jaws can leave it room [mm].
+constexpr double kTipBelowMm = 5;
+/// ... which then still hold this share of the height that they could.
+constexpr double kLeastHeldShare = 0.5;
 /// Holds within this share are as good as each other.
 constexpr double kSameHold = 1e-6;
 /// Directions this near are one.
@@ -169,10 +173,10 @@ class ViseFinder {
         return grips;
     }
 
-    /// Lowest cutting that comes to the jaw on this side, over the stock's bottom.
-    double lowestCut(const Vec2& out, double offset_mm) const {
+    /// The lowest of these that comes to the jaw on this side, over the stock's bottom.
+    double lowestOf(const std::vector<Prism>& prisms, const Vec2& out, double offset_mm) const {
         double lowest = 1e300;
-        for (const Prism& prism : stock_.removed)
+        for (const Prism& prism : prisms)
             if (furthest(prism.region, out) > offset_mm - kPlaneMm)
                 lowest = std::min(lowest, prism.bottom_z_mm - bottom_mm_);
         return lowest;
@@ -207,8 +211,23 @@ class ViseFinder {
                                           std::clamp(spare_mm, 0.0, kGripOverlapMm));
         }
         if (use == ViseUse::GripSides) return clear_mm;
-        const double cut_mm = std::min(lowestCut(across, grip.right_mm), lowestCut(-across, grip.left_mm));
-        return std::min(clear_mm, cut_mm - vise_.jaw_clearance_mm);
+        return std::min(clear_mm, lowestBeside(stock_.removed, across, grip) - vise_.jaw_clearance_mm);
+    }
+
+    double lowestBeside(const std::vector<Prism>& prisms, const Vec2& across, const Grip& grip) const {
+        return std::min(lowestOf(prisms, across, grip.right_mm), lowestOf(prisms, -across, grip.left_mm));
+    }
+
+    /// Jaws that leave form cutters room at the outside, if these still hold enough of what the highest would.
+    std::optional<JawTop> jawTopBelowTips(const Vec2& across, const Grip& grip, ViseUse use) const {
+        const double highest_mm = highestJaws(across, grip, use);
+        const std::optional<JawTop> highest = jawTop(grip, highest_mm, use);
+        const double tips_mm =
+            lowestBeside(stock_.leaning, across, grip) - kTipBelowMm - vise_.jaw_clearance_mm;
+        if (use != ViseUse::Free || tips_mm >= highest_mm || !highest) return highest;
+        const std::optional<JawTop> lower = jawTop(grip, tips_mm, use);
+        const auto depth = [&](const JawTop& top) { return top.over_bottom_mm - grip.from_mm; };
+        return lower && depth(*lower) >= kLeastHeldShare * depth(*highest) ? lower : highest;
     }
 
     /// The highest jaws that hold enough; of sides that are cut above them the lowest.
@@ -245,7 +264,7 @@ class ViseFinder {
                     fmt::format("it opens {:.4g} mm, the stock is {:.4g} mm wide", vise_.opening_mm, opening);
             return;
         }
-        const std::optional<JawTop> top = jawTop(grip, highestJaws(across, grip, use), use);
+        const std::optional<JawTop> top = jawTopBelowTips(across, grip, use);
         if (!top || (use == ViseUse::GripSides && !canBeTurnedOver(heldTo(*top, use)))) {
             why_ = whyNoTop(grip, highestJaws(across, grip, use));
             return;

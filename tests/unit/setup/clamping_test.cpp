@@ -13,7 +13,7 @@ using test::kTol;
 const Region kBlock = makeRectangle(Vec2(0, 0), Vec2(80, 50));
 
 Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
-    return suggestClamping({arriving, std::vector<bool>(arriving.size(), true), removed}, {}, kTol);
+    return suggestClamping({arriving, std::vector<bool>(arriving.size(), true), removed, {}}, {}, kTol);
 }
 
 }  // namespace
@@ -28,11 +28,22 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
     EXPECT_NEAR(clamping.seat_mm2, 80 * 50, 1e-6);
 }
 
+TEST(SuggestClamping, LeavesFormCuttersRoomUnderChamfersIfItHoldsEnoughSo) {
+    const auto depthUnder = [](const Region& chamfer, double from_mm, double to_mm) {
+        return suggestClamping({{{kBlock, 0, -30}}, {true}, {}, {{chamfer, to_mm, from_mm}}}, {}, kTol).depth_mm;
+    };
+    const Region on_side = makeRectangle(Vec2(0, 0), Vec2(80, 1));
+    EXPECT_NEAR(depthUnder(on_side, -1, 0), 22, 1e-9);  // 29 less 5 below and 2 clear
+    EXPECT_NEAR(depthUnder(makeRectangle(Vec2(0, 20), Vec2(80, 21)), -1, 0), 28, 1e-9);
+    // What leans nearly down to the bottom leaves nothing to hold below it.
+    EXPECT_NEAR(depthUnder(on_side, -28, 0), 28, 1e-9);
+}
+
 TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
     HoldWish wish;
     wish.growth_mm = 1.5;
     const Clamping clamping = suggestClamping(
-        {{{kBlock, 0, -30}}, {true}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}}}, wish, kTol);
+        {{{kBlock, 0, -30}}, {true}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}}, {}}, wish, kTol);
     ASSERT_EQ(clamping.fixtures.size(), 2U);
     double side = 0;
     for (const Fixture& jaw : clamping.fixtures) {
@@ -83,7 +94,7 @@ TEST(SuggestClamping, GripsAboveNarrowPadsAtTheBottom) {
 namespace {
 
 StockToHold upright(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
-    return {arriving, std::vector<bool>(arriving.size(), true), removed};
+    return {arriving, std::vector<bool>(arriving.size(), true), removed, {}};
 }
 
 const Region kRing = subtract(kBlock, makeRectangle(Vec2(5, 5), Vec2(75, 45)), kTol);
@@ -205,7 +216,7 @@ TEST(SuggestClamping, ScrewsThroughItsOwnHolesIntoAPlate) {
     EXPECT_EQ(screwed.fixtures.front().bottom_z_mm, 0);
     HoldWish wish;
     wish.kind = HoldKind::Screws;
-    EXPECT_EQ(suggestClamping({{{kBlock, 0, -30}}, {true}, {}}, wish, kTol).kind, HoldKind::None);
+    EXPECT_EQ(suggestClamping({{{kBlock, 0, -30}}, {true}, {}, {}}, wish, kTol).kind, HoldKind::None);
 }
 
 TEST(SuggestClamping, HasNothingForAPartWithoutASeat) {
