@@ -9,6 +9,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/drawing/drawing.h"
 #include "stepmill/part/part.h"
+#include "stepmill/part/square_up.h"
 
 namespace py = pybind11;
 
@@ -34,7 +35,10 @@ std::vector<Part> load(const fs::path& file, const std::string& unit,
     if (isDrawing(file) || drawing.given()) return {readDrawing(file, drawing)};
     ReadOptions options;
     options.unit = unit;
-    return readStep(file, options);
+    std::vector<Part> parts = readStep(file, options);
+    for (Part& part : parts)
+        part = squaredUp(std::move(part));
+    return parts;
 }
 
 void bindPart(py::module_& module) {

@@ -11,6 +11,7 @@
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/core/error.h"
 #include "stepmill/layers/fixture_solids.h"
+#include "stepmill/part/square_up.h"
 
 namespace stepmill {
 
@@ -290,7 +291,9 @@ std::optional<Part> onlyRealPart(const std::vector<Part>& parts) {
     return only;
 }
 
-std::vector<Part> chooseParts(const PlanOptions& options) {
+namespace {
+
+std::vector<Part> solidsToPlan(const PlanOptions& options) {
     if (isDrawn(options.part_file, options.drawing))
         return {
             readDrawnPart(options.part_file, options.drawing, options.unit, options.limits.maxFileBytes())};
@@ -320,6 +323,15 @@ std::vector<Part> chooseParts(const PlanOptions& options) {
         if (part.solid_index == wanted) return {std::move(part)};
     throw Error(ErrorCode::Usage, "--solid",
                 fmt::format("{} has solids 0 to {}, not {}", options.part_file, parts.size() - 1, wanted));
+}
+
+}  // namespace
+
+std::vector<Part> chooseParts(const PlanOptions& options) {
+    std::vector<Part> parts = solidsToPlan(options);
+    for (Part& part : parts)
+        part = squaredUp(std::move(part));
+    return parts;
 }
 
 }  // namespace stepmill

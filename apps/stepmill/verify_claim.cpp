@@ -6,6 +6,7 @@
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
 #include "stepmill/layers/fixture_solids.h"
+#include "stepmill/part/square_up.h"
 #include "stepmill/verify/claim.h"
 
 namespace stepmill {
@@ -80,7 +81,8 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
     ClaimSources sources;
     sources.part = isDrawn(options.part_file, options.drawing)
                        ? readDrawnPart(options.part_file, options.drawing, request.unit, max_bytes)
-                       : onlySolid(options.part_file, readOptions(request.solid, request.unit, max_bytes));
+                       : squaredUp(onlySolid(options.part_file,
+                                             readOptions(request.solid, request.unit, max_bytes)));
     sources.library = library;
     if (!options.stock_file.empty())
         sources.stock = onlySolid(options.stock_file, readOptions(-1, "", max_bytes));

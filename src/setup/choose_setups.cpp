@@ -12,6 +12,7 @@
 #include "setup/solid_stock.h"
 #include "stepmill/core/error.h"
 #include "stepmill/part/part_shape.h"
+#include "stepmill/part/square_up.h"
 
 namespace stepmill {
 
@@ -64,8 +65,9 @@ class SetupMaker {
         STEPMILL_CHECK(part.shape, "a part to set up has a shape");
         mesh_ = setup::coarseFaceFacets(part.shape->solid);
         if (!request.stock_part) return;
-        setup::checkContained(part, mesh_.facets, *request.stock_part);
-        stock_facets_ = setup::coarseFacets(request.stock_part->shape->solid);
+        stock_part_ = turnedLike(*request.stock_part, part);
+        setup::checkContained(part, mesh_.facets, *stock_part_);
+        stock_facets_ = setup::coarseFacets(stock_part_->shape->solid);
     }
 
     std::vector<Setup> asked() const {
@@ -189,9 +191,9 @@ class SetupMaker {
     }
 
     Stock stockFor(const Vec3& axis) const {
-        Stock stock = request_.stock_part ? setup::stepStock(*request_.stock_part)
-                                          : setup::boxStock(part_, request_, setup::cleanAxis(axis));
-        if (!request_.stock_part) setup::addBoxShape(stock);
+        Stock stock = stock_part_ ? setup::stepStock(*stock_part_)
+                                  : setup::boxStock(part_, request_, setup::cleanAxis(axis));
+        if (!stock_part_) setup::addBoxShape(stock);
         stock.tolerance_mm = request_.stock_tolerance_mm;
         return stock;
     }
@@ -229,6 +231,7 @@ class SetupMaker {
     const Part& part_;
     const SetupRequest& request_;
     setup::FaceFacets mesh_;
+    std::optional<Part> stock_part_;  ///< in part coordinates; nothing: a box
     setup::Facets stock_facets_;
 };
 

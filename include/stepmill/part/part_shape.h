@@ -17,6 +17,8 @@ namespace stepmill {
 /// or moves it makes a copy of its own.
 struct PartShape {
     TopoDS_Shape solid;
+    /// From coordinates of the file to those of the part.
+    Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
 };
 
 /// Wraps a solid made elsewhere (tests, sample parts) as a Part with its box, volume and faces.
