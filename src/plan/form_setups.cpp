@@ -131,12 +131,16 @@ void warnOfRawFaces(const PlannedSetup& setup, std::vector<Warning>& warnings) {
 
 }  // namespace
 
+bool finishesForms(const PlanningShop& shop) {
+    const PlanRequest& request = shop.request;
+    return request.scallop_mm > 0 && !request.roughing &&
+           hasFormCutters(shop.library, request.sequence.material);
+}
+
 std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,
                                     const PlanningShop& shop, const Progress& progress,
                                     std::vector<Warning>& warnings) {
-    const PlanRequest& request = shop.request;
-    const bool finishes = request.scallop_mm > 0 && !request.roughing;
-    if (!finishes || !hasFormCutters(shop.library, request.sequence.material)) return setups;
+    if (!finishesForms(shop)) return setups;
     const FormKind walls{formGroundId, &PlannedSetup::form, "leaning walls of ",
                          "leaning walls stay as flat layers leave them", finishForms};
     FormSetups(walls, shop, warnings).addTo(setups, stages, progress);

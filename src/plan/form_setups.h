@@ -8,6 +8,9 @@
 
 namespace stepmill {
 
+/// Are leaning walls finished where setups see any?
+bool finishesForms(const PlanningShop& shop);
+
 /// The setups with form operations after all others, where the library has cutters for them. A wall that
 /// leans to two setups is finished in the first.
 std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std::vector<PlannedStage>& stages,

@@ -23,6 +23,8 @@ constexpr double kThinnestStairMm = 0.1;
 /// ... and thick enough where no more than this volume, or than this share of what may stand, is left out.
 constexpr double kLeftOutMm3 = 0.01;
 constexpr double kLeftOutShare = 0.02;
+/// Where less of what may stand does so all the way up, setups before have cut through the rest [share].
+constexpr double kLittleShare = 0.25;
 
 /// Volume of a layer that tools from above see and flat ones leave.
 double seenFromAboveMm3(const Layer& layer) {
@@ -66,14 +68,16 @@ class StairMaker {
         const double height_mm = top_mm - bottom_mm;
         const Region unsure = subtract(may_stand, stands, tol_);
         if (area(unsure) * height_mm <= kLeftOutMm3) return true;
-        const Region part = partBetween(bottom_mm, top_mm);
+        const std::vector<Region> parts = partsBetween(bottom_mm, top_mm);
+        const bool little_stands = area(stands) < kLittleShare * area(may_stand);
+        const Region part = little_stands ? common(parts) : unite(parts, tol_);
         const double left_out_mm2 = area(subtract(unsure, part, tol_));
         return left_out_mm2 * height_mm <= kLeftOutMm3 ||
                left_out_mm2 <= kLeftOutShare * area(subtract(may_stand, part, tol_));
     }
 
-    /// The part at all heights between, whatever levels lie there.
-    Region partBetween(double bottom_mm, double top_mm) const {
+    /// The part from level to level.
+    std::vector<Region> partsBetween(double bottom_mm, double top_mm) const {
         std::vector<Region> sections;
         double low_mm = bottom_mm;
         std::vector<double> tops = part_.levelsBetween(bottom_mm, top_mm);
@@ -82,7 +86,16 @@ class StairMaker {
             sections.push_back(part_.partBetween(low_mm, high_mm));
             low_mm = high_mm;
         }
-        return unite(sections, tol_);
+        return sections;
+    }
+
+    /// Where setups before have cut under what leans, the part at some height says nothing: of one that is
+    /// chamfered on both sides the edges above still stand.
+    Region common(const std::vector<Region>& sections) const {
+        Region all = sections.front();
+        for (const Region& section : sections)
+            all = intersect(all, section, tol_);
+        return all;
     }
 
     void push(Obstacle stair, std::vector<Obstacle>& into) const {
@@ -112,6 +125,11 @@ std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutte
                       [&](std::size_t i) { all[i] = maker.of(layers[layers.size() - 1 - i]); });
     std::erase_if(all, [](const LayerStairs& one) { return one.stairs.empty(); });
     return all;
+}
+
+bool mayHaveStairs(const LayerStack& layers) {
+    return std::any_of(layers.layers.begin(), layers.layers.end(),
+                       [](const Layer& layer) { return seenFromAboveMm3(layer) >= kLeastHiddenMm3; });
 }
 
 }  // namespace stepmill

@@ -20,4 +20,7 @@ struct LayerStairs {
 std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutter& part,
                                   const Tolerances& tol);
 
+/// May a setup that sees these layers have stairs at all?
+bool mayHaveStairs(const LayerStack& layers);
+
 }  // namespace stepmill

@@ -18,6 +18,7 @@
 #include "stepmill/plan/plan.h"
 #include "stepmill/plan/usable_library.h"
 #include "stepmill/plan/warning_order.h"
+#include "stepmill/setup/leaning_area.h"
 
 namespace stepmill {
 namespace {
@@ -133,17 +134,27 @@ Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine
     return plan;
 }
 
+/// Drops setups that waited for form cutters in vain.
+void dropIdle(std::vector<PlannedSetup>& setups, std::vector<PlannedStage>& stages) {
+    for (std::size_t i = stages.size(); i-- > 0;) {
+        if (!stages[i].for_forms || !setups[i].operations.empty()) continue;
+        setups.erase(setups.begin() + static_cast<std::ptrdiff_t>(i));
+        stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+}
+
 /// The plan of these setups: leaning walls finished, feeds by what is cut, times and books.
 Plan finished(CutSetups cut, const Part& part, const Stock& stock, const UsableLibrary& usable,
               const PlanningShop& shop, const Progress& progress) {
     const PlanRequest& request = shop.request;
     const Machine& machine = shop.machine;
     const Tolerances& tol = shop.tol;
-    const std::vector<PlannedStage>& stages = cut.stages;
+    std::vector<PlannedStage>& stages = cut.stages;
     Warnings form_warnings;
     const double stock_minus_part_mm3 = stock.volume_mm3 - part.volume_mm3;
     std::vector<PlannedSetup> operating =
         withForms(std::move(cut.setups), stages, shop, progress, form_warnings);
+    dropIdle(operating, stages);
     operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
     operating = withBrokenEdges(std::move(operating), stages, shop, progress, form_warnings);
     Plan plan = planOf(part, request, machine, stock);
@@ -241,12 +252,21 @@ bool mayChooseSetups(const PlanRequest& request) {
            request.hold != HoldKind::Tabs && request.fixtures.setups.empty();
 }
 
-/// Form cutters may do without setups for faces that flat ones leave steps on.
+/// Form cutters may do without setups for faces that flat ones leave steps on, or with some that hold the part
+/// better.
 std::vector<Setup> setupsWithForms(const Part& part, const PlanRequest& request, const ToolLibrary& library) {
     if (request.scallop_mm <= 0 || !hasFormCutters(library, request.sequence.material)) return {};
     SetupRequest finished_in_steps = request.setup;
     finished_in_steps.steps_finished = true;
     return chooseSetups(part, finished_in_steps);
+}
+
+/// Fewer are quicker to set up. As many may be held better: of two, which soon are planned, that is tried.
+bool areWorthPlanning(const std::vector<Setup>& setups, const std::vector<Setup>& others) {
+    if (setups.size() < others.size()) return true;
+    const bool same = std::is_permutation(setups.begin(), setups.end(), others.begin(), others.end(),
+                                          [](const Setup& a, const Setup& b) { return a.axis == b.axis; });
+    return !same && setups.size() == others.size() && setups.size() <= 2;
 }
 
 /// The sets of setups that are weighed, of which the first are those chosen by reach.
@@ -256,7 +276,8 @@ SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibr
     STEPMILL_CHECK(!sets.chosen.empty(), "a part has at least one setup");
     if (sets.chosen.size() < 2 || !mayChooseSetups(request)) return sets;
     sets.with_forms = setupsWithForms(part, request, library);
-    if (sets.with_forms.size() >= sets.chosen.size()) sets.with_forms.clear();
+    if (!areWorthPlanning(sets.with_forms, sets.chosen)) sets.with_forms.clear();
+    sets.forms_leave_mm3 = request.scallop_mm * leaningAreaMm2(part, sets.with_forms);
     sets.others = otherSetups(part, request.setup, sets.chosen);
     return sets;
 }

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "plan/earlier_operations.h"
+#include "plan/form_finishing.h"
+#include "plan/form_setups.h"
 #include "plan/loose_pieces.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
@@ -95,9 +97,10 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
     std::vector<PlannedStage> stages;
     SetupWalk walk(setups, shop.request.slicing, shop.tol, reserves);
     const auto no_time = [&] { return !stages.empty() && shop.request.patience.few_tools.passed(); };
+    const bool forms = finishesForms(shop);
     bool last_in_vain = false;
     while (!no_time()) {
-        std::optional<Stage> stage = walk.next();
+        std::optional<Stage> stage = walk.next(forms);
         if (!stage) break;
         holdStage(*stage, shop.request.fixtures, shop.hold, shop.tol);
         if (const auto& leaves = shop.request.roughing)
@@ -112,7 +115,9 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         // Its features would be a long list of what there was no time for.
         last_in_vain = in_vain && no_time();
         if (last_in_vain) break;
-        if (in_vain && repeatsResiduals(planned.setup, stages)) continue;
+        planned.for_forms = in_vain && repeatsResiduals(planned.setup, stages);
+        // Flat faces that lean to all other setups are finished there too: no reason to index.
+        if (planned.for_forms && (!forms || stage->setup.indexed)) continue;
         planned.setup.names = std::move(names);
         planned.loose = loosePieces(*stage, planned.removed, shop.tol);
         append(planned.warnings, looseWarnings(planned.loose, stage->setup.id));

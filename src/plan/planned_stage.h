@@ -23,6 +23,8 @@ struct PlannedStage {
     Stock left;                     ///< after its feature operations
     std::vector<LoosePiece> loose;  ///< of that
     std::vector<Warning> warnings;
+    /// Chosen for what flat layers cut, and these cut nothing new: it stays if form cutters find work in it.
+    bool for_forms = false;
 };
 
 /// Every setup on the stock that the paths of those before it leave. What setups would cut that there is no

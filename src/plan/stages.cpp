@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "plan/form_stairs.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/layers/reserve.h"
 #include "stepmill/layers/stock_after.h"
@@ -138,7 +139,7 @@ SetupWalk::SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, con
     if (!setups_.empty()) left_ = setups_.front().stock;
 }
 
-std::optional<Stage> SetupWalk::next() {
+std::optional<Stage> SetupWalk::next(bool leaning_too) {
     while (next_ < setups_.size()) {
         const Setup& planned = setups_[next_++];
         const bool first = cut_ == 0;
@@ -149,7 +150,9 @@ std::optional<Stage> SetupWalk::next() {
         if (place < reserves_.size()) reserve = seenFrom(setup, reserves_[place]);
         Stage stage = makeStage(std::move(setup), std::move(reserve), slicing_, tol_);
         stage.place = place;
-        if (first || !planned.chosen || !stage.found.features.empty()) return stage;
+        const bool cuts =
+            !stage.found.features.empty() || (leaning_too && mayHaveStairs(stage.layers));
+        if (first || !planned.chosen || cuts) return stage;
     }
     return std::nullopt;
 }

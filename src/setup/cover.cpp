@@ -28,7 +28,7 @@ double worthOf(const SampleGroup& group, Reach reach, bool steps_finished) {
 class Search {
   public:
     Search(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus, bool steps_finished)
-        : bonus_(bonus) {
+        : bonus_(bonus), exact_(steps_finished) {
         worth_.assign(bonus.size(), std::vector<double>(groups.size(), 0.0));
         for (std::size_t axis = 0; axis < bonus.size(); ++axis)
             for (std::size_t g = 0; g < groups.size(); ++g)
@@ -69,7 +69,7 @@ class Search {
     double mostWorth(const std::vector<double>& held, const std::vector<std::pair<double, int>>& axes) const {
         double sum = 0;
         for (const auto& [by, axis] : axes)
-            sum += bonus_[axis];
+            sum += exact_ ? std::max(0.0, bonus_[axis]) : bonus_[axis];
         for (std::size_t g = 0; g < held.size(); ++g) {
             double most = 0;
             for (const auto& [by, axis] : axes)
@@ -117,6 +117,7 @@ class Search {
     }
 
     const std::vector<double>& bonus_;
+    bool exact_;  ///< else dear axes that could follow make the search give up sooner
     std::vector<std::vector<double>> worth_;  ///< by axis, by group
     std::vector<int> chosen_;
     std::vector<int> best_;

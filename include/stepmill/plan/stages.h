@@ -67,9 +67,10 @@ class SetupWalk {
     SetupWalk(std::vector<Setup> setups, const SliceOptions& slicing, const Tolerances& tol,
               std::vector<CutPrisms> reserves = {});
 
-    /// The next setup; nothing after the last.
+    /// The next setup; nothing after the last. Passes over those that were chosen and have nothing to cut.
+    /// \param leaning_too  not over those that see walls which lean
     /// \throws what slice and recogniseFeatures do
-    std::optional<Stage> next();
+    std::optional<Stage> next(bool leaning_too = false);
     /// How many setups it has not looked at yet.
     std::size_t setupsLeft() const { return setups_.size() - next_; }
 

@@ -20,10 +20,11 @@ constexpr double kOthersTimeShare = 0.25;
 /// [s].
 constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 
-/// What form cutters leave differs by no more than this share of all that is to be removed: skins and ridges.
+/// What form cutters leave, skins and ridges, differs by no more than this share of all that is to be removed,
+/// or than ridges as high as allowed on all that leans.
 constexpr double kFormsLeaveShare = 0.002;
 /// What is cut from one side or another by so much: slabs of a stock tell no less apart.
-constexpr double kSidesLeaveShare = SliceOptions{}.least_gain_share;
+constexpr Alike kSidesAlike{SliceOptions{}.least_gain_share, 0};
 
 class SetupSearch {
   public:
@@ -33,17 +34,17 @@ class SetupSearch {
     Plan best(const SetupSets& sets) {
         auto other = sets.others.begin();
         if (!sets.with_forms.empty())
-            tryOut(sets.with_forms, kFormsLeaveShare);
+            tryOut(sets.with_forms, {kFormsLeaveShare, sets.forms_leave_mm3});
         else if (other != sets.others.end() && isSetUpQuicker(*other, sets.chosen))
-            tryOut(*other++, kSidesLeaveShare);
-        if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_share_)) {
+            tryOut(*other++, kSidesAlike);
+        if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_)) {
             turned_down_.push_back(SetupWeigher::unplanned(sets.chosen, SetupVerdict::CannotTakeLess));
             return taken();
         }
-        offer(plan_of_(sets.chosen, {}), sets.chosen, alike_share_);
+        offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
         if (isWorthWeighing())
             for (; other != sets.others.end(); ++other)
-                tryOut(*other, kSidesLeaveShare);
+                tryOut(*other, kSidesAlike);
         return taken();
     }
 
@@ -54,7 +55,7 @@ class SetupSearch {
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
 
     /// A set that cannot be planned in its time must not lose the plan of another.
-    void tryOut(const std::vector<Setup>& setups, double alike_share) {
+    void tryOut(const std::vector<Setup>& setups, const Alike& alike) {
         if (request_.patience.all_tools.passed()) {
             turned_down_.push_back(SetupWeigher::unplanned(setups, SetupVerdict::NoTime));
             return;
@@ -67,19 +68,19 @@ class SetupSearch {
             turned_down_.push_back(SetupWeigher::unplanned(setups, SetupVerdict::NoTime));
             return;
         }
-        offer(std::move(*plan), setups, alike_share);
+        offer(std::move(*plan), setups, alike);
     }
 
-    void offer(Plan plan, const std::vector<Setup>& setups, double alike_share) {
-        alike_share_ = alike_share;
-        const auto no = best_ ? weigher_.against(*best_, plan, alike_share) : std::nullopt;
+    void offer(Plan plan, const std::vector<Setup>& setups, const Alike& alike) {
+        alike_ = alike;
+        const auto no = best_ ? weigher_.against(*best_, plan, alike) : std::nullopt;
         if (no) {
             turned_down_.push_back(weigher_.choiceOf(plan, setups, *no));
             return;
         }
         if (best_)
             turned_down_.push_back(
-                weigher_.choiceOf(*best_, setups_, weigher_.whyNot(*best_, plan, alike_share)));
+                weigher_.choiceOf(*best_, setups_, weigher_.whyNot(*best_, plan, alike)));
         best_ = std::move(plan);
         setups_ = setups;
     }
@@ -99,7 +100,7 @@ class SetupSearch {
     const PlanOfSetups& plan_of_;
     std::optional<Plan> best_;
     std::vector<Setup> setups_;  ///< of the best plan, those along which nothing is cut among them
-    double alike_share_ = kSidesLeaveShare;  ///< by which the last two were compared
+    Alike alike_ = kSidesAlike;  ///< by which the last two were compared
     std::vector<SetupChoice> turned_down_;
 };
 

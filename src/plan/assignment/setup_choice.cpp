@@ -25,8 +25,12 @@ auto unheld(const Plan& plan) {
     });
 }
 
-bool leavesMore(const Plan& plan, const Plan& than, double alike_share) {
-    return leftMm3(plan.balance) > leftMm3(than.balance) + alike_share * plan.balance.stock_minus_part_mm3;
+double alikeMm3(const Plan& plan, const Alike& alike) {
+    return std::max(alike.mm3, alike.share * plan.balance.stock_minus_part_mm3);
+}
+
+bool leavesMore(const Plan& plan, const Plan& than, const Alike& alike) {
+    return leftMm3(plan.balance) > leftMm3(than.balance) + alikeMm3(plan, alike);
 }
 
 std::vector<Setup> setupsOf(const Plan& plan) {
@@ -61,22 +65,22 @@ double SetupWeigher::weight(const Plan& plan) const {
     return run + weightOfS(settingUpS(setupsOf(plan), machine_, request_.quantity));
 }
 
-bool SetupWeigher::cannotBeat(const Plan& plan, const std::vector<Setup>& others, double alike_share) const {
-    return leftMm3(plan.balance) <= alike_share * plan.balance.stock_minus_part_mm3 && unheld(plan) == 0 &&
+bool SetupWeigher::cannotBeat(const Plan& plan, const std::vector<Setup>& others, const Alike& alike) const {
+    return leftMm3(plan.balance) <= alikeMm3(plan, alike) && unheld(plan) == 0 &&
            weight(plan) <= weightOfS(settingUpS(others, machine_, request_.quantity));
 }
 
 std::optional<SetupVerdict> SetupWeigher::against(const Plan& plan, const Plan& other,
-                                                  double alike_share) const {
-    if (leavesMore(plan, other, alike_share)) return std::nullopt;
-    if (leavesMore(other, plan, alike_share)) return SetupVerdict::LeavesMore;
+                                                  const Alike& alike) const {
+    if (leavesMore(plan, other, alike)) return std::nullopt;
+    if (leavesMore(other, plan, alike)) return SetupVerdict::LeavesMore;
     if (unheld(other) < unheld(plan)) return std::nullopt;
     if (unheld(other) > unheld(plan)) return SetupVerdict::HeldWorse;
     return weight(other) < weight(plan) ? std::nullopt : std::optional(SetupVerdict::TakesLonger);
 }
 
-SetupVerdict SetupWeigher::whyNot(const Plan& plan, const Plan& better, double alike_share) const {
-    if (leavesMore(plan, better, alike_share)) return SetupVerdict::LeavesMore;
+SetupVerdict SetupWeigher::whyNot(const Plan& plan, const Plan& better, const Alike& alike) const {
+    if (leavesMore(plan, better, alike)) return SetupVerdict::LeavesMore;
     return unheld(plan) > unheld(better) ? SetupVerdict::HeldWorse : SetupVerdict::TakesLonger;
 }
 

@@ -11,6 +11,12 @@ namespace stepmill {
 /// lot [s].
 double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity);
 
+/// Plans leave as much that differ by no more than the larger of these.
+struct Alike {
+    double share = 0;  ///< of all there is to remove
+    double mm3 = 0;
+};
+
 /// Plans of two sets of setups against each other, each weighed with the time to set it up, or what that
 /// costs.
 class SetupWeigher {
@@ -20,12 +26,11 @@ class SetupWeigher {
 
     /// Can no plan of those setups be better: would setting up alone take as long as this plan does, which
     /// leaves next to nothing?
-    /// \param alike_share  plans leave as much that differ by no more than this share of all there is to remove
-    bool cannotBeat(const Plan& plan, const std::vector<Setup>& others, double alike_share) const;
+    bool cannotBeat(const Plan& plan, const std::vector<Setup>& others, const Alike& alike) const;
     /// Why the other plan is not taken in its place; nothing: it is better.
-    std::optional<SetupVerdict> against(const Plan& plan, const Plan& other, double alike_share) const;
+    std::optional<SetupVerdict> against(const Plan& plan, const Plan& other, const Alike& alike) const;
     /// Why the plan is not taken, where it is not.
-    SetupVerdict whyNot(const Plan& plan, const Plan& better, double alike_share) const;
+    SetupVerdict whyNot(const Plan& plan, const Plan& better, const Alike& alike) const;
     /// \param axes  asked for; those along which nothing is cut among them
     SetupChoice choiceOf(const Plan& plan, const std::vector<Setup>& setups, SetupVerdict verdict) const;
     /// Setups of which no plan was made.

@@ -64,7 +64,7 @@ class SetupSearchOf : public testing::Test {
 
     PlanRequest request_;
     Machine machine_;
-    SetupSets sets_{along({kZ, kX}), {}, {}};
+    SetupSets sets_{along({kZ, kX}), {}, 0, {}};
     Outcome chosen_;
     Outcome few_;
     Outcome from_x_;

@@ -34,6 +34,13 @@ TEST(BestAxes, FindsThePairThatAGreedyChoiceMisses) {
     EXPECT_EQ(bestAxes(groups, {0, 0, 0}), (std::vector<int>{1, 2}));
 }
 
+TEST(BestAxes, AxesThatCostMoreDoNotHideABetterPair) {
+    // The first two and the next two see all; dear axes that see much as well must not end the search early.
+    const std::vector<SampleGroup> groups = {group({F, F, N, F, F, F, N, F}, 0.3), group({N, F, F, N, F, N, F, F}, 0.3),
+                                             group({F, N, F, F, N, F, F, N}, 0.4)};
+    EXPECT_EQ(bestAxes(groups, {0, 0, 0.01, 0.01, -1, -1, -1, -1}, true), (std::vector<int>{2, 3}));
+}
+
 TEST(BestAxes, LeavesOutAnAxisThatDoesNotPay) {
     const std::vector<SampleGroup> groups = {group({F, N}, 1 - kSetupPaysShare / 2),
                                              group({N, F}, kSetupPaysShare / 2)};
