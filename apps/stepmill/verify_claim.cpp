@@ -79,10 +79,10 @@ std::vector<ProofFailure> claimFailures(const ClaimOptions& options, const PlanR
     requireGiven("--fixtures", options.fixtures_file, request.fixtures, max_bytes);
     requireGiven("--holes", options.holes_file, request.holes, max_bytes);
     ClaimSources sources;
-    sources.part = isDrawn(options.part_file, options.drawing)
-                       ? readDrawnPart(options.part_file, options.drawing, request.unit, max_bytes)
-                       : squaredUp(onlySolid(options.part_file,
-                                             readOptions(request.solid, request.unit, max_bytes)));
+    sources.part =
+        isDrawn(options.part_file, options.drawing)
+            ? readDrawnPart(options.part_file, options.drawing, request.unit, max_bytes)
+            : squaredUp(onlySolid(options.part_file, readOptions(request.solid, request.unit, max_bytes)));
     sources.library = library;
     if (!options.stock_file.empty())
         sources.stock = onlySolid(options.stock_file, readOptions(-1, "", max_bytes));

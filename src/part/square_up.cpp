@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <fmt/format.h>
 #include <gp_Trsf.hxx>
 
 #include "part/measure.h"
@@ -24,6 +24,9 @@ constexpr double kAlongRad = 1e-6;
 constexpr double kSameRad = 1e-4;
 /// A direction counts that has at least this share of what the largest has.
 constexpr double kWorthShare = 1e-3;
+/// A part that has one axis already is turned about it where its frame holds this share of all that lies
+/// across: of a hexagon no side is worth more than another.
+constexpr double kFrameShare = 0.5;
 /// Turns by less are none [sine].
 constexpr double kNoTurn = 1e-12;
 
@@ -119,16 +122,32 @@ Turn shortestTurn(const Vec3& along) {
     return Eigen::Quaterniond::FromTwoVectors(along, to).toRotationMatrix();
 }
 
+/// Does most of what lies across the first direction lie along the second or across both?
+bool isMostlySquare(const std::vector<Lie>& lies, const Vec3& first, const Vec3& second) {
+    double across_mm2 = 0;
+    double square_mm2 = 0;
+    for (const Lie& lie : lies) {
+        if (!isAcross(lie.along, first, kSameRad)) continue;
+        across_mm2 += lie.area_mm2;
+        if (isAlong(lie.along, second, kSameRad) || isAcross(lie.along, second, kSameRad))
+            square_mm2 += lie.area_mm2;
+    }
+    return square_mm2 >= kFrameShare * across_mm2;
+}
+
 std::optional<Turn> squaringTurn(const TopoDS_Shape& solid) {
     const std::vector<Lie> lies = liesOf(solid);
-    if (lies.empty() || axesWithFaces(lies) > 1) return std::nullopt;
+    const int axes = axesWithFaces(lies);
+    if (lies.empty() || axes > 1) return std::nullopt;
     const Vec3 first = lies.front().along.normalized();
-    const auto across = std::find_if(lies.begin(), lies.end(), [&](const Lie& lie) {
-        return isAcross(lie.along, first, kSameRad);
-    });
-    const Turn turn = across == lies.end()
-                          ? shortestTurn(first)
-                          : leastTurn(first, (across->along - across->along.dot(first) * first).normalized());
+    const auto across = std::find_if(lies.begin(), lies.end(),
+                                     [&](const Lie& lie) { return isAcross(lie.along, first, kSameRad); });
+    Turn turn = shortestTurn(first);
+    if (across != lies.end()) {
+        const Vec3 second = (across->along - across->along.dot(first) * first).normalized();
+        if (axes == 1 && !isMostlySquare(lies, first, second)) return std::nullopt;
+        turn = leastTurn(first, second);
+    }
     if ((turn - Turn::Identity()).norm() < kNoTurn) return std::nullopt;
     return turn;
 }
@@ -164,10 +183,11 @@ Part squaredUp(Part part) {
         return fmt::format("{:.6g},{:.6g},{:.6g}", (*by)(i, 0), (*by)(i, 1), (*by)(i, 2));
     };
     part.remarks.push_back(
-        {kForTheRecord,
-         fmt::format("the part stands askew in its file and is turned to lie along the axes: its x, y and z are "
-                     "{}, {} and {} of the file",
-                     row(0), row(1), row(2))});
+        {kTurned,
+         fmt::format(
+             "the part stands askew in its file and is turned to lie along the axes: its x, y and z are "
+             "{}, {} and {} of the file",
+             row(0), row(1), row(2))});
     return part;
 }
 

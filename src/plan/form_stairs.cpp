@@ -127,9 +127,11 @@ std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutte
     return all;
 }
 
-bool mayHaveStairs(const LayerStack& layers) {
-    return std::any_of(layers.layers.begin(), layers.layers.end(),
-                       [](const Layer& layer) { return seenFromAboveMm3(layer) >= kLeastHiddenMm3; });
+double mostStairsMm3(const LayerStack& layers) {
+    double sum = 0;
+    for (const Layer& layer : layers.layers)
+        sum += seenFromAboveMm3(layer);
+    return sum;
 }
 
 }  // namespace stepmill

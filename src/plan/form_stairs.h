@@ -20,7 +20,10 @@ struct LayerStairs {
 std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutter& part,
                                   const Tolerances& tol);
 
-/// May a setup that sees these layers have stairs at all?
-bool mayHaveStairs(const LayerStack& layers);
+/// A setup for form cutters alone pays where they take this share of all that is to be removed.
+inline constexpr double kPaysForASetupShare = 1e-3;
+
+/// What stairs a setup that sees these layers may have at most [mm3].
+double mostStairsMm3(const LayerStack& layers);
 
 }  // namespace stepmill

@@ -10,6 +10,7 @@
 #include "plan/cycle_time/cycle_paces.h"
 #include "plan/form_finishing.h"
 #include "plan/form_setups.h"
+#include "plan/form_stairs.h"
 #include "plan/make_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/stick_outs.h"
@@ -27,6 +28,9 @@ using Warnings = std::vector<Warning>;
 
 /// Sine of the angle below which two axes are parallel.
 constexpr double kSameAxis = 1e-6;
+
+/// Form cutters have little to finish where less of a part's surface leans than this share: broken edges.
+constexpr double kLittleLeansShare = 0.1;
 
 void requireMaterial(const ToolLibrary& library, const std::string& material) {
     for (const ToolAssembly& tool : library.tools) {
@@ -134,10 +138,15 @@ Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine
     return plan;
 }
 
-/// Drops setups that waited for form cutters in vain.
-void dropIdle(std::vector<PlannedSetup>& setups, std::vector<PlannedStage>& stages) {
+/// Drops setups that waited for form cutters which find next to nothing in them.
+void dropIdle(std::vector<PlannedSetup>& setups, std::vector<PlannedStage>& stages,
+              double stock_minus_part_mm3) {
     for (std::size_t i = stages.size(); i-- > 0;) {
-        if (!stages[i].for_forms || !setups[i].operations.empty()) continue;
+        double taken_mm3 = 0;
+        for (const Operation& operation : setups[i].operations)
+            for (const ReasonVolume& taken : operation.takes)
+                taken_mm3 += taken.volume_mm3;
+        if (!stages[i].for_forms || taken_mm3 >= kPaysForASetupShare * stock_minus_part_mm3) continue;
         setups.erase(setups.begin() + static_cast<std::ptrdiff_t>(i));
         stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -154,7 +163,7 @@ Plan finished(CutSetups cut, const Part& part, const Stock& stock, const UsableL
     const double stock_minus_part_mm3 = stock.volume_mm3 - part.volume_mm3;
     std::vector<PlannedSetup> operating =
         withForms(std::move(cut.setups), stages, shop, progress, form_warnings);
-    dropIdle(operating, stages);
+    dropIdle(operating, stages, stock_minus_part_mm3);
     operating = withFormsOfTheBooks(std::move(operating), stages, stock_minus_part_mm3, shop, form_warnings);
     operating = withBrokenEdges(std::move(operating), stages, shop, progress, form_warnings);
     Plan plan = planOf(part, request, machine, stock);
@@ -252,8 +261,8 @@ bool mayChooseSetups(const PlanRequest& request) {
            request.hold != HoldKind::Tabs && request.fixtures.setups.empty();
 }
 
-/// Form cutters may do without setups for faces that flat ones leave steps on, or with some that hold the part
-/// better.
+/// Form cutters may do without setups for faces that flat ones leave steps on, or with some that hold the
+/// part better.
 std::vector<Setup> setupsWithForms(const Part& part, const PlanRequest& request, const ToolLibrary& library) {
     if (request.scallop_mm <= 0 || !hasFormCutters(library, request.sequence.material)) return {};
     SetupRequest finished_in_steps = request.setup;
@@ -261,12 +270,15 @@ std::vector<Setup> setupsWithForms(const Part& part, const PlanRequest& request,
     return chooseSetups(part, finished_in_steps);
 }
 
-/// Fewer are quicker to set up. As many may be held better: of two, which soon are planned, that is tried.
-bool areWorthPlanning(const std::vector<Setup>& setups, const std::vector<Setup>& others) {
+/// Fewer are quicker to set up. As many may be held better: of two, where little is left to form cutters,
+/// that is tried.
+bool areWorthPlanning(const std::vector<Setup>& setups, const std::vector<Setup>& others,
+                      const LeaningArea& area) {
     if (setups.size() < others.size()) return true;
     const bool same = std::is_permutation(setups.begin(), setups.end(), others.begin(), others.end(),
                                           [](const Setup& a, const Setup& b) { return a.axis == b.axis; });
-    return !same && setups.size() == others.size() && setups.size() <= 2;
+    return !same && setups.size() == others.size() && setups.size() <= 2 &&
+           area.leaning_mm2 < kLittleLeansShare * area.surface_mm2;
 }
 
 /// The sets of setups that are weighed, of which the first are those chosen by reach.
@@ -276,8 +288,9 @@ SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibr
     STEPMILL_CHECK(!sets.chosen.empty(), "a part has at least one setup");
     if (sets.chosen.size() < 2 || !mayChooseSetups(request)) return sets;
     sets.with_forms = setupsWithForms(part, request, library);
-    if (!areWorthPlanning(sets.with_forms, sets.chosen)) sets.with_forms.clear();
-    sets.forms_leave_mm3 = request.scallop_mm * leaningAreaMm2(part, sets.with_forms);
+    const LeaningArea area = leaningArea(part, sets.with_forms);
+    if (!areWorthPlanning(sets.with_forms, sets.chosen, area)) sets.with_forms.clear();
+    sets.forms_leave_mm3 = request.scallop_mm * area.leaning_mm2;
     sets.others = otherSetups(part, request.setup, sets.chosen);
     return sets;
 }

@@ -150,8 +150,9 @@ std::optional<Stage> SetupWalk::next(bool leaning_too) {
         if (place < reserves_.size()) reserve = seenFrom(setup, reserves_[place]);
         Stage stage = makeStage(std::move(setup), std::move(reserve), slicing_, tol_);
         stage.place = place;
-        const bool cuts =
-            !stage.found.features.empty() || (leaning_too && mayHaveStairs(stage.layers));
+        const bool pays =
+            leaning_too && mostStairsMm3(stage.layers) >= kPaysForASetupShare * planned.removable_mm3;
+        const bool cuts = !stage.found.features.empty() || pays;
         if (first || !planned.chosen || cuts) return stage;
     }
     return std::nullopt;

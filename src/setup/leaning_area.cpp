@@ -18,19 +18,20 @@ bool isFlatAlong(double along) {
 
 }  // namespace
 
-double leaningAreaMm2(const Part& part, const std::vector<Setup>& setups) {
-    double sum_mm2 = 0;
+LeaningArea leaningArea(const Part& part, const std::vector<Setup>& setups) {
+    LeaningArea area;
     for (const setup::Facet& facet : setup::coarseFacets(part.shape->solid)) {
         const Vec3 twice = (facet[1] - facet[0]).cross(facet[2] - facet[0]);
         if (twice.norm() == 0) continue;
         const Vec3 normal = twice.normalized();
+        area.surface_mm2 += twice.norm() / 2;
         const auto leans = [&](const Setup& setup) { return normal.dot(setup.axis) > kFlatSine; };
         const auto is_flat = [&](const Setup& setup) { return isFlatAlong(normal.dot(setup.axis)); };
         if (std::any_of(setups.begin(), setups.end(), leans) &&
             std::none_of(setups.begin(), setups.end(), is_flat))
-            sum_mm2 += twice.norm() / 2;
+            area.leaning_mm2 += twice.norm() / 2;
     }
-    return sum_mm2;
+    return area;
 }
 
 }  // namespace stepmill

@@ -218,7 +218,8 @@ class ViseFinder {
         return std::min(lowestOf(prisms, across, grip.right_mm), lowestOf(prisms, -across, grip.left_mm));
     }
 
-    /// Jaws that leave form cutters room at the outside, if these still hold enough of what the highest would.
+    /// Jaws that leave form cutters room at the outside, if these still hold enough of what the highest
+    /// would.
     std::optional<JawTop> jawTopBelowTips(const Vec2& across, const Grip& grip, ViseUse use) const {
         const double highest_mm = highestJaws(across, grip, use);
         const std::optional<JawTop> highest = jawTop(grip, highest_mm, use);

@@ -68,7 +68,7 @@ class SetupWalk {
               std::vector<CutPrisms> reserves = {});
 
     /// The next setup; nothing after the last. Passes over those that were chosen and have nothing to cut.
-    /// \param leaning_too  not over those that see walls which lean
+    /// \param leaning_too  not over those that see enough walls which lean to pay for a setup
     /// \throws what slice and recogniseFeatures do
     std::optional<Stage> next(bool leaning_too = false);
     /// How many setups it has not looked at yet.

@@ -78,7 +78,7 @@ struct StockToHold {
     std::vector<Prism> removed;  ///< all the setup cuts where nothing is kept from it
     /// From where to where walls lean under sky: form cutters finish them, with their tips below.
     std::vector<Prism> leaning;
-    double under_part_mm = 0;    ///< height of the stock that lies below all of the part
+    double under_part_mm = 0;  ///< height of the stock that lies below all of the part
     /// Height over the stock's bottom above which cutters go round it, whatever they cut of it [mm].
     double round_above_mm = std::numeric_limits<double>::infinity();
 };
@@ -96,8 +96,8 @@ struct HoldWish {
 ///    which the setup cuts nowhere along the jaws' height and the clearance over them, that face each other
 ///    over enough length and no farther apart than the vise opens. Of several pairs the one with the largest
 ///    area held, of equal ones the smaller opening. The stock stands on the lowest parallels that keep the
-///    jaws clear, and below leaning ground at its outside by a tip's length if the vise still holds enough so;
-///    on some where anything is cut through it.
+///    jaws clear, and below leaning ground at its outside by a tip's length if the vise still holds enough
+///    so; on some where anything is cut through it.
 /// 2. The vise on stock below the part, which is not cut in this setup.
 /// 3. Soft jaws, where the lowest outline goes up far enough and is not cut.
 /// 4. Screws through two holes or more that the stock arrives with, whose heads no cutter comes near.

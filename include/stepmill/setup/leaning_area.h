@@ -6,9 +6,15 @@
 
 namespace stepmill {
 
-/// Area of the part's faces that stand up and lie flat along none of these setups' axes but lean under one of
-/// them [mm2]: what form cutters finish in ridges. Measured on coarse facets, so within some percent; 0 without
-/// setups. Takes milliseconds.
-double leaningAreaMm2(const Part& part, const std::vector<Setup>& setups);
+/// How much of a part leans to its setups.
+struct LeaningArea {
+    double leaning_mm2 = 0;
+    double surface_mm2 = 0;  ///< of all faces
+};
+
+/// The part's faces that stand up and lie flat along none of these setups' axes but lean under one of them:
+/// what form cutters finish in ridges. Measured on coarse facets, so within some percent; without setups
+/// nothing leans. Takes milliseconds.
+LeaningArea leaningArea(const Part& part, const std::vector<Setup>& setups);
 
 }  // namespace stepmill

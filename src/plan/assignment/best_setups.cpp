@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plan/assignment/setup_choice.h"
+#include "plan/totals.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -20,8 +21,8 @@ constexpr double kOthersTimeShare = 0.25;
 /// [s].
 constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 
-/// What form cutters leave, skins and ridges, differs by no more than this share of all that is to be removed,
-/// or than ridges as high as allowed on all that leans.
+/// What form cutters leave, skins and ridges, differs by no more than this share of all that is to be
+/// removed, or than ridges as high as allowed on all that leans.
 constexpr double kFormsLeaveShare = 0.002;
 /// What is cut from one side or another by so much: slabs of a stock tell no less apart.
 constexpr Alike kSidesAlike{SliceOptions{}.least_gain_share, 0};
@@ -33,8 +34,9 @@ class SetupSearch {
 
     Plan best(const SetupSets& sets) {
         auto other = sets.others.begin();
-        if (!sets.with_forms.empty())
-            tryOut(sets.with_forms, {kFormsLeaveShare, sets.forms_leave_mm3});
+        const Alike ridges{kFormsLeaveShare, sets.forms_leave_mm3};
+        if (sets.with_forms.size() == 1)
+            tryOut(sets.with_forms, ridges);
         else if (other != sets.others.end() && isSetUpQuicker(*other, sets.chosen))
             tryOut(*other++, kSidesAlike);
         if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_)) {
@@ -42,6 +44,7 @@ class SetupSearch {
             return taken();
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
+        if (sets.with_forms.size() > 1 && mayBeBetter(sets.with_forms)) tryOut(sets.with_forms, ridges);
         if (isWorthWeighing())
             for (; other != sets.others.end(); ++other)
                 tryOut(*other, kSidesAlike);
@@ -51,6 +54,12 @@ class SetupSearch {
   private:
     bool isSetUpQuicker(const std::vector<Setup>& setups, const std::vector<Setup>& than) const {
         return settingUpS(setups, machine_, 1) < settingUpS(than, machine_, 1);
+    }
+    /// Setups of the best plan in which nothing was left to cut need not be set up.
+    bool mayBeBetter(const std::vector<Setup>& with_forms) const {
+        const VolumeBalance& books = best_->balance;
+        return with_forms.size() <= best_->setups.size() ||
+               leftMm3(books) > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
 
@@ -79,8 +88,7 @@ class SetupSearch {
             return;
         }
         if (best_)
-            turned_down_.push_back(
-                weigher_.choiceOf(*best_, setups_, weigher_.whyNot(*best_, plan, alike)));
+            turned_down_.push_back(weigher_.choiceOf(*best_, setups_, weigher_.whyNot(*best_, plan, alike)));
         best_ = std::move(plan);
         setups_ = setups;
     }

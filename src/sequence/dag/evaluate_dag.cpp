@@ -10,8 +10,9 @@ namespace stepmill {
 namespace {
 
 /// So many edges are evaluated before it is asked anew which others may pay: enough for the cores of a
-/// machine, few enough that what the first ones weigh rules most others out. The first of a feature are fewer:
-/// before them nothing rules any out, and a narrow tool's path over all of a wide feature is long to make.
+/// machine, few enough that what the first ones weigh rules most others out. The first of a feature are
+/// fewer: before them nothing rules any out, and a narrow tool's path over all of a wide feature is long to
+/// make.
 constexpr std::size_t kEdgesAtFirst = 2;
 constexpr std::size_t kEdgesAtATime = 8;
 

@@ -172,8 +172,7 @@ TEST(SlopeCauses, ADrillPointIsOneWhereverItsConeIsToldFrom) {
     // At the apex derivatives vanish but for rounding, which must not say where the cone looks.
     for (const double z : {12.0, 12.3, 11.7}) {
         const gp_Ax2 down(gp_Pnt(15, 15, z), gp_Dir(0, 0, -1));
-        const TopoDS_Shape point =
-            BRepPrimAPI_MakeCone(down, 2.5, 0, 2.5 / std::tan(degToRad(59))).Shape();
+        const TopoDS_Shape point = BRepPrimAPI_MakeCone(down, 2.5, 0, 2.5 / std::tan(degToRad(59))).Shape();
         const TopoDS_Shape drilled = cut(cut(box(0, 0, 0, 30, 30, 30), cylinder(15, 15, z, 2.5, 30)), point);
         const LayerStack stack = sliced(drilled);
         EXPECT_EQ(count(stack, SlopeCause::DrillPoint), 1) << z;

@@ -1,9 +1,10 @@
 #include "stepmill/part/square_up.h"
 
-#include <BRepBuilderAPI_Transform.hxx>
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <gp_Ax1.hxx>
 
+#include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
 #include "support/occt_solids.h"
 
@@ -36,7 +37,7 @@ TEST(SquaredUp, LaysAPartAlongTheAxesThatStandsAskew) {
     expectSize(squared, {60, 40, 20});
     EXPECT_NEAR(squared.volume_mm3, kPlateMm3, 1e-3);
     ASSERT_EQ(squared.remarks.size(), 1U);
-    EXPECT_EQ(squared.remarks.front().code, kForTheRecord);
+    EXPECT_EQ(squared.remarks.front().code, kTurned);
     // Once along the axes it stays.
     EXPECT_TRUE(squaredUp(makePart(squared.shape->solid, "again")).remarks.empty());
 }
@@ -55,6 +56,19 @@ TEST(SquaredUp, LeavesPartsOfWhichFacesLookAlongTwoAxes) {
                   turnedBy(test::box(-40, -40, 0, 200, 200, 100), gp_Dir(0, 1, 0), 0.3).shape->solid),
         "wedge");
     EXPECT_TRUE(squaredUp(wedge).remarks.empty());
+}
+
+TEST(SquaredUp, LeavesAHexagonThatStandsUpright) {
+    TopoDS_Shape head = test::cylinder(0, 0, 0, 12, 8);
+    for (int i = 0; i < 6; ++i) {
+        gp_Trsf turn;
+        turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp::DZ()), 0.1 + i * kPi / 3);
+        const TopoDS_Shape beside = test::box(9, -50, -1, 50, 100, 20);
+        head = test::cut(head, BRepBuilderAPI_Transform(beside, turn, true).Shape());
+    }
+    EXPECT_TRUE(squaredUp(makePart(head, "hexagon")).remarks.empty());
+    // Lying askew it is set upright all the same.
+    EXPECT_NEAR(squaredUp(turnedBy(head, gp_Dir(1, 0.3, 0), 0.4)).bbox_mm.sizes().z(), 8, 1e-6);
 }
 
 TEST(SquaredUp, TurnsARoundPartToTheNextAxis) {

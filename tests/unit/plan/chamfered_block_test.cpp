@@ -1,8 +1,8 @@
-#include <BRepFilletAPI_MakeChamfer.hxx>
+#include <gtest/gtest.h>
 #include <BRep_Tool.hxx>
+#include <BRepFilletAPI_MakeChamfer.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <gtest/gtest.h>
 
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"

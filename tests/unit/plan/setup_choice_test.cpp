@@ -61,14 +61,14 @@ TEST_F(SetupChoiceOf, AnIndexedSetupTakesItsOwnTime) {
 
 TEST_F(SetupChoiceOf, RidgesAsHighAsAllowedCountAsNothing) {
     const Alike with_ridges{kAlike.share, 0.02 * kRemovedMm3};
-    EXPECT_EQ(weigher_.against(planOf(3, 90, 0), planOf(1, 10, 0.01 * kRemovedMm3), with_ridges), std::nullopt);
+    EXPECT_EQ(weigher_.against(planOf(3, 90, 0), planOf(1, 10, 0.01 * kRemovedMm3), with_ridges),
+              std::nullopt);
     EXPECT_EQ(weigher_.against(planOf(3, 90, 0), planOf(1, 10, 0.03 * kRemovedMm3), with_ridges),
               SetupVerdict::LeavesMore);
 }
 
 TEST_F(SetupChoiceOf, MoreSetupsAreTakenWhereTheyLeaveMuchLess) {
-    EXPECT_EQ(weigher_.against(planOf(1, 10, 0.01 * kRemovedMm3), planOf(3, 90, 0), kAlike),
-              std::nullopt);
+    EXPECT_EQ(weigher_.against(planOf(1, 10, 0.01 * kRemovedMm3), planOf(3, 90, 0), kAlike), std::nullopt);
     EXPECT_EQ(weigher_.whyNot(planOf(1, 10, 0.01 * kRemovedMm3), planOf(3, 90, 0), kAlike),
               SetupVerdict::LeavesMore);
     EXPECT_EQ(weigher_.against(planOf(1, 10, 0), planOf(3, 90, 0.01 * kRemovedMm3), kAlike),

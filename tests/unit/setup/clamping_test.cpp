@@ -30,7 +30,8 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
 
 TEST(SuggestClamping, LeavesFormCuttersRoomUnderChamfersIfItHoldsEnoughSo) {
     const auto depthUnder = [](const Region& chamfer, double from_mm, double to_mm) {
-        return suggestClamping({{{kBlock, 0, -30}}, {true}, {}, {{chamfer, to_mm, from_mm}}}, {}, kTol).depth_mm;
+        return suggestClamping({{{kBlock, 0, -30}}, {true}, {}, {{chamfer, to_mm, from_mm}}}, {}, kTol)
+            .depth_mm;
     };
     const Region on_side = makeRectangle(Vec2(0, 0), Vec2(80, 1));
     EXPECT_NEAR(depthUnder(on_side, -1, 0), 22, 1e-9);  // 29 less 5 below and 2 clear

@@ -36,7 +36,8 @@ TEST(BestAxes, FindsThePairThatAGreedyChoiceMisses) {
 
 TEST(BestAxes, AxesThatCostMoreDoNotHideABetterPair) {
     // The first two and the next two see all; dear axes that see much as well must not end the search early.
-    const std::vector<SampleGroup> groups = {group({F, F, N, F, F, F, N, F}, 0.3), group({N, F, F, N, F, N, F, F}, 0.3),
+    const std::vector<SampleGroup> groups = {group({F, F, N, F, F, F, N, F}, 0.3),
+                                             group({N, F, F, N, F, N, F, F}, 0.3),
                                              group({F, N, F, F, N, F, F, N}, 0.4)};
     EXPECT_EQ(bestAxes(groups, {0, 0, 0.01, 0.01, -1, -1, -1, -1}, true), (std::vector<int>{2, 3}));
 }
