@@ -21,7 +21,7 @@ std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutte
                                   const Tolerances& tol);
 
 /// A setup for form cutters alone pays where they take this share of all that is to be removed.
-inline constexpr double kPaysForASetupShare = 1e-3;
+inline constexpr double kPaysForASetupShare = 2e-3;
 
 /// What stairs a setup that sees these layers may have at most [mm3].
 double mostStairsMm3(const LayerStack& layers);
