@@ -89,6 +89,13 @@ bool repeatsResiduals(const PlannedSetup& setup, const std::vector<PlannedStage>
     });
 }
 
+/// Is the part turned over for it, as for the lower edges of a block?
+bool turnsOverAny(const Setup& setup, const std::vector<PlannedStage>& earlier) {
+    return std::any_of(earlier.begin(), earlier.end(), [&](const PlannedStage& stage) {
+        return stage.setup.setup.axis.isApprox(-setup.axis);
+    });
+}
+
 }  // namespace
 
 std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std::vector<CutPrisms>& reserves,
@@ -116,8 +123,7 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         last_in_vain = in_vain && no_time();
         if (last_in_vain) break;
         planned.for_forms = in_vain && repeatsResiduals(planned.setup, stages);
-        // Flat faces that lean to all other setups are finished there too: no reason to index.
-        if (planned.for_forms && (!forms || stage->setup.indexed)) continue;
+        if (planned.for_forms && !(forms && turnsOverAny(stage->setup, stages))) continue;
         planned.setup.names = std::move(names);
         planned.loose = loosePieces(*stage, planned.removed, shop.tol);
         append(planned.warnings, looseWarnings(planned.loose, stage->setup.id));
