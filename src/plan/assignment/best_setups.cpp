@@ -37,7 +37,7 @@ class SetupSearch {
         const Alike ridges{kFormsLeaveShare, sets.forms_leave_mm3};
         if (sets.with_forms.size() == 1)
             tryOut(sets.with_forms, ridges);
-        else if (other != sets.others.end() && isSetUpQuicker(*other, sets.chosen))
+        else if (sets.with_forms.empty() && other != sets.others.end() && isSetUpQuicker(*other, sets.chosen))
             tryOut(*other++, kSidesAlike);
         if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_)) {
             turned_down_.push_back(SetupWeigher::unplanned(sets.chosen, SetupVerdict::CannotTakeLess));
