@@ -75,7 +75,7 @@ class Cover {
     };
 
     /// A quick look for material on a way that is blocked; most of those that are asked for are.
-    bool meetsAtOnce(const Near& near) {
+    bool meetsAtOnce(const Near& near) const {
         const double rim_mm = kLookedAtShare * disc_.innerMm();
         for (const double share : {1.0, 0.5, 0.0}) {
             const Vec2 at = pointAt(disc_.way, share);
@@ -90,17 +90,14 @@ class Cover {
         return false;
     }
 
-    bool isMaterial(const Vec2& p, const Near& near) {
-        const auto covers = [&](const Edge& edge) {
+    bool isMaterial(const Vec2& p, const Near& near) const {
+        const auto covers = [&](std::size_t i) {
+            const Edge& edge = *edges_[i];
             return edge.box.squaredExteriorDistance(p) <= radius_mm_ * radius_mm_ &&
                    distanceTo(p, edge) <= radius_mm_;
         };
-        if (last_cover_ != nullptr && covers(*last_cover_)) return false;
-        for (std::size_t i = near.swept.begin; i < near.cleared.end; ++i) {
-            if (!covers(*edges_[i])) continue;
-            last_cover_ = edges_[i];
-            return false;
-        }
+        for (std::size_t i = near.swept.begin; i < near.cleared.end; ++i)
+            if (covers(i)) return false;
         return target_.contains(p) && (near.off_cleared || !cleared_.contains(p));
     }
 
@@ -117,7 +114,6 @@ class Cover {
         const double reach = square.half_mm * std::numbers::sqrt2;
         const double off_way = distanceTo(p, disc_.way);
         if (off_way - reach >= disc_.innerMm()) return true;
-        if (last_cover_ != nullptr && distanceTo(p, *last_cover_) + reach <= radius_mm_) return true;
         Near within;
         const double to_swept_mm = toNearest(p, near.swept, reach, within.swept);
         if (to_swept_mm + reach <= radius_mm_) return true;
@@ -159,7 +155,6 @@ class Cover {
             const double distance_mm = distanceTo(p, *edges_[i]);
             least_mm = std::min(least_mm, distance_mm);
             if (distance_mm - reach_mm < radius_mm_) edges_.push_back(edges_[i]);
-            if (distance_mm + reach_mm <= radius_mm_) last_cover_ = edges_[i];
         }
         near.end = edges_.size();
         return least_mm;
@@ -169,8 +164,6 @@ class Cover {
     double radius_mm_;  ///< of the discs that have been there
     const IndexedRegion& target_;
     const IndexedRegion& cleared_;
-    /// The edge whose discs covered what was looked at before: mostly they cover what is next to it as well.
-    const Edge* last_cover_ = nullptr;
     /// Those of the square that is looked at and of the larger ones around it, one after another: a square's
     /// own go when it is done.
     std::vector<const Edge*> edges_;
