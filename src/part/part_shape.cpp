@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <Standard_OutOfMemory.hxx>
 #include <TopoDS.hxx>
 
@@ -19,6 +20,21 @@ void guardOcct(ErrorCode code, const std::string& subject, const std::function<v
         const std::string kind = failure.DynamicType()->Name();
         throw Error(code, subject,
                     "the geometry kernel failed: " + kind + (text && *text ? std::string(": ") + text : ""));
+    }
+}
+
+std::optional<Vec3> axisOf(const TopoDS_Face& face) {
+    const BRepAdaptor_Surface surface(face, Standard_False);
+    const auto vec = [](const gp_Dir& d) { return Vec3(d.X(), d.Y(), d.Z()); };
+    switch (surface.GetType()) {
+        case GeomAbs_Plane:
+            return vec(surface.Plane().Axis().Direction());
+        case GeomAbs_Cylinder:
+            return vec(surface.Cylinder().Axis().Direction());
+        case GeomAbs_Cone:
+            return vec(surface.Cone().Axis().Direction());
+        default:
+            return std::nullopt;
     }
 }
 

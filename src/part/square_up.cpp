@@ -6,7 +6,6 @@
 #include <optional>
 
 #include <fmt/format.h>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <gp_Trsf.hxx>
 
@@ -37,21 +36,6 @@ struct Lie {
     double largest_mm2 = 0;  ///< of its faces: that one says where it points
 };
 
-std::optional<Vec3> lieOf(const TopoDS_Face& face) {
-    const BRepAdaptor_Surface surface(face, Standard_False);
-    const auto vec = [](const gp_Dir& d) { return Vec3(d.X(), d.Y(), d.Z()); };
-    switch (surface.GetType()) {
-        case GeomAbs_Plane:
-            return vec(surface.Plane().Axis().Direction());
-        case GeomAbs_Cylinder:
-            return vec(surface.Cylinder().Axis().Direction());
-        case GeomAbs_Cone:
-            return vec(surface.Cone().Axis().Direction());
-        default:
-            return std::nullopt;
-    }
-}
-
 bool isAlong(const Vec3& a, const Vec3& b, double angle_rad) {
     return a.cross(b).norm() < angle_rad;
 }
@@ -64,7 +48,7 @@ bool isAcross(const Vec3& a, const Vec3& b, double angle_rad) {
 std::vector<Lie> liesOf(const TopoDS_Shape& solid) {
     std::vector<Lie> lies;
     for (const TopoDS_Face& face : facesOf(solid)) {
-        const std::optional<Vec3> along = lieOf(face);
+        const std::optional<Vec3> along = axisOf(face);
         if (!along) continue;
         const double mm2 = areaOf(face);
         auto known = std::find_if(lies.begin(), lies.end(),

@@ -34,31 +34,15 @@ bool among(const Vec3& axis, const std::vector<Vec3>& axes) {
     return std::any_of(axes.begin(), axes.end(), [&](const Vec3& other) { return same(axis, other); });
 }
 
-Vec3 vec(const gp_Dir& d) {
-    return {d.X(), d.Y(), d.Z()};
-}
-
 /// Outward normal of a plane; both senses of the axis of a cylinder or cone.
 std::vector<Vec3> directionsOf(const TopoDS_Face& face) {
+    const std::optional<Vec3> axis = axisOf(face);
+    if (!axis) return {};
     const BRepAdaptor_Surface surface(face, Standard_False);
-    switch (surface.GetType()) {
-        case GeomAbs_Plane: {
-            // A plane's own frame may be left-handed; then its surface normal is opposite to its axis.
-            const gp_Pln plane = surface.Plane();
-            const bool turned = plane.Direct() == (face.Orientation() == TopAbs_REVERSED);
-            return {vec(plane.Axis().Direction()) * (turned ? -1 : 1)};
-        }
-        case GeomAbs_Cylinder: {
-            const Vec3 axis = vec(surface.Cylinder().Axis().Direction());
-            return {axis, -axis};
-        }
-        case GeomAbs_Cone: {
-            const Vec3 axis = vec(surface.Cone().Axis().Direction());
-            return {axis, -axis};
-        }
-        default:
-            return {};
-    }
+    if (surface.GetType() != GeomAbs_Plane) return {*axis, -*axis};
+    // A plane's own frame may be left-handed; then its surface normal is opposite to its axis.
+    const bool turned = surface.Plane().Direct() == (face.Orientation() == TopAbs_REVERSED);
+    return {*axis * (turned ? -1 : 1)};
 }
 
 double areaOf(const TopoDS_Face& face) {

@@ -3,8 +3,10 @@
 // Only for the modules that speak OCCT: part, setup, layers, and report's pictures.
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "stepmill/core/error.h"
@@ -20,6 +22,10 @@ struct PartShape {
     /// From coordinates of the file to those of the part.
     Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
 };
+
+/// The normal of a plane, as its own frame has it, or the axis of a cylinder or cone; nothing for other
+/// surfaces.
+std::optional<Vec3> axisOf(const TopoDS_Face& face);
 
 /// Wraps a solid made elsewhere (tests, sample parts) as a Part with its box, volume and faces.
 /// \param solid  in mm; its coordinates become the part's
