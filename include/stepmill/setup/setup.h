@@ -57,7 +57,7 @@ struct SetupRequest {
     std::vector<double> stock_sizes_mm;
     /// How much larger on every side the blank may be than it is said to be [mm].
     double stock_tolerance_mm = 0;
-    /// A solid to start from instead of a box, in the part's coordinates.
+    /// A solid to start from instead of a box, in the coordinates of the part's file.
     std::optional<Part> stock_part;
 };
 
