@@ -138,17 +138,22 @@ Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine
     return plan;
 }
 
-/// Drops setups that waited for form cutters which find next to nothing in them.
+double takenByFormsMm3(const PlannedSetup& setup) {
+    double sum = 0;
+    for (const Operation& operation : setup.operations)
+        for (const ReasonVolume& taken : operation.takes)
+            sum += taken.volume_mm3;
+    return sum;
+}
+
+/// Drops the last setups if they waited for form cutters which find next to nothing in them. One before
+/// others stays, so that setups are numbered without a gap.
 void dropIdle(std::vector<PlannedSetup>& setups, std::vector<PlannedStage>& stages,
               double stock_minus_part_mm3) {
-    for (std::size_t i = stages.size(); i-- > 0;) {
-        double taken_mm3 = 0;
-        for (const Operation& operation : setups[i].operations)
-            for (const ReasonVolume& taken : operation.takes)
-                taken_mm3 += taken.volume_mm3;
-        if (!stages[i].for_forms || taken_mm3 >= kPaysForASetupShare * stock_minus_part_mm3) continue;
-        setups.erase(setups.begin() + static_cast<std::ptrdiff_t>(i));
-        stages.erase(stages.begin() + static_cast<std::ptrdiff_t>(i));
+    while (stages.back().for_forms &&
+           takenByFormsMm3(setups.back()) < kPaysForASetupShare * stock_minus_part_mm3) {
+        setups.pop_back();
+        stages.pop_back();
     }
 }
 

@@ -9,10 +9,9 @@ namespace stepmill {
 
 /// Sets of setups for one part.
 struct SetupSets {
-    std::vector<Setup> chosen;  ///< by what they reach and finish
-    std::vector<Setup>
-        with_forms;  ///< other ones and no more, where form cutters finish what they leave; empty: none are
-    double forms_leave_mm3 = 0;              ///< what those may leave for it, as ridges
+    std::vector<Setup> chosen;               ///< by what they reach and finish
+    std::vector<Setup> with_forms;           ///< others, no more of them, for form cutters; empty: none are
+    double forms_leave_mm3 = 0;              ///< what those may leave, as ridges
     std::vector<std::vector<Setup>> others;  ///< that see about as much, the quickest to set up first
 };
 
