@@ -4,8 +4,6 @@
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepLib.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
-#include <HLRBRep_Algo.hxx>
-#include <HLRBRep_HLRToShape.hxx>
 #include <HLRBRep_PolyAlgo.hxx>
 #include <HLRBRep_PolyHLRToShape.hxx>
 #include <TopExp_Explorer.hxx>
@@ -40,16 +38,6 @@ void append(std::vector<Polyline>& to, const TopoDS_Shape& edges, double deflect
         to.push_back(std::move(line));
 }
 
-template <typename Shapes>
-Lines sharpAndOutlines(Shapes& shapes, double deflection_mm) {
-    Lines lines;
-    append(lines.visible, shapes.VCompound(), deflection_mm);
-    append(lines.visible, shapes.OutLineVCompound(), deflection_mm);
-    append(lines.hidden, shapes.HCompound(), deflection_mm);
-    append(lines.hidden, shapes.OutLineHCompound(), deflection_mm);
-    return lines;
-}
-
 }  // namespace
 
 gp_Trsf toTrsf(const Eigen::Isometry3d& transform) {
@@ -60,24 +48,19 @@ gp_Trsf toTrsf(const Eigen::Isometry3d& transform) {
     return trsf;
 }
 
-Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm) {
-    Handle(HLRBRep_Algo) algorithm = new HLRBRep_Algo();
-    algorithm->Add(solid);
-    algorithm->Projector(projector);
-    algorithm->Update();
-    algorithm->Hide();
-    HLRBRep_HLRToShape shapes(algorithm);
-    return sharpAndOutlines(shapes, deflection_mm);
-}
-
-Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm) {
+Lines hiddenLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm) {
     Handle(HLRBRep_PolyAlgo) algorithm = new HLRBRep_PolyAlgo();
     algorithm->Load(solid);
     algorithm->Projector(projector);
     algorithm->Update();
     HLRBRep_PolyHLRToShape shapes;
     shapes.Update(algorithm);
-    return sharpAndOutlines(shapes, deflection_mm);
+    Lines lines;
+    append(lines.visible, shapes.VCompound(), deflection_mm);
+    append(lines.visible, shapes.OutLineVCompound(), deflection_mm);
+    append(lines.hidden, shapes.HCompound(), deflection_mm);
+    append(lines.hidden, shapes.OutLineHCompound(), deflection_mm);
+    return lines;
 }
 
 TopoDS_Shape solidIn(const PartShape& shape, const Eigen::Isometry3d& part_to_setup) {

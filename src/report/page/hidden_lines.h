@@ -19,14 +19,9 @@ struct Lines {
     std::vector<Polyline> hidden;
 };
 
-/// Of the exact surfaces: grows with the square of the faces.
-/// \pre the solid has no facets, which would
-/// disturb it
-Lines exactLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
-
-/// Of the facets.
-/// \pre the solid has them
-Lines facetLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
+/// Of the solid's facets: exact surfaces take seconds where two cylinders cross.
+/// \pre the solid has facets
+Lines hiddenLines(const TopoDS_Shape& solid, const HLRAlgo_Projector& projector, double deflection_mm);
 
 /// A rigid motion as the kernel takes it.
 gp_Trsf toTrsf(const Eigen::Isometry3d& transform);

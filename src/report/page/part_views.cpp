@@ -16,8 +16,6 @@ namespace stepmill {
 namespace report {
 namespace {
 
-/// Exact hidden lines grow with the square of the faces; beyond this many the facets do.
-constexpr int kMostFacesForExactLines = 120;
 /// Chord error of drawn curves as a share of the part's size.
 constexpr double kDrawingDeflection = 5e-4;
 
@@ -59,15 +57,11 @@ std::vector<PartDrawing> drawAll(const FacetedPart& faceted, const Eigen::Isomet
                                  const std::vector<int>& tints) {
     const Part& part = faceted.part();
     const double deflection_mm = kDrawingDeflection * part.bbox_mm.diagonal().norm();
-    const bool exact = static_cast<int>(part.faces.size()) <= kMostFacesForExactLines;
-    // Facets would disturb exact hidden lines.
-    const TopoDS_Shape smooth = exact ? solidIn(part, Eigen::Isometry3d::Identity()) : TopoDS_Shape();
     std::vector<PartDrawing> drawings;
     for (const Eye& eye : eyes()) {
         const gp_Ax2 plane = planeOf(eye, part_to_setup);
         const HLRAlgo_Projector projector(plane);
-        const Lines lines = exact ? exactLines(smooth, projector, deflection_mm)
-                                  : facetLines(faceted.solid(), projector, deflection_mm);
+        const Lines lines = hiddenLines(faceted.solid(), projector, deflection_mm);
         const Shading shading = tints.empty() ? Shading{} : shade(faceted.solid(), plane, tints);
         drawings.push_back({eye.title, drawn(lines, shading, std::string(eye.title) + " view")});
     }

@@ -67,7 +67,7 @@ std::string drawSmall(const Part& part) {
     const BRepMesh_IncrementalMesh facets(solid, deflection_mm, false, kAngularDeflection);
     const HLRAlgo_Projector from_above_a_corner(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, -1, 1), gp_Dir(1, 1, 0)));
     const std::vector<Polyline> visible =
-        report::facetLines(solid, from_above_a_corner, deflection_mm).visible;
+        report::hiddenLines(solid, from_above_a_corner, deflection_mm).visible;
     const Raster raster(visible);
     const std::set<Stroke> strokes = report::strokesOf(visible, [&](const Vec2& p) { return raster.dot(p); });
     SvgPath path(1);
