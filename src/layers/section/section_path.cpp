@@ -5,6 +5,7 @@
 #include <Geom_CylindricalSurface.hxx>
 
 #include "layers/section/section_points.h"
+#include "layers/section/tidy_loop.h"
 
 namespace stepmill::layers {
 
@@ -26,8 +27,9 @@ PlaneCurve lineOf(const MeshFace& face, double z_mm) {
 }
 
 /// A lying cylinder shows a line on either side of its axis. Which one, the ends on the edges tell; a
-/// loop cannot run over this face alone.
-PlaneCurve lineOfLying(const FaceRun& run, const Ends& ends, double z_mm) {
+/// loop cannot run over this face alone. None so near to its ridge that facets need not show both lines, as
+/// theirs is a little lower: there a run passes over the strip between them.
+std::optional<PlaneCurve> lineOfLying(const FaceRun& run, const Ends& ends, double z_mm, double near_mm) {
     const auto cylinder = Handle(Geom_CylindricalSurface)::DownCast(run.face->surface);
     const gp_Pnt centre = cylinder->Location();
     const double dz = z_mm - centre.Z();
@@ -38,17 +40,29 @@ PlaneCurve lineOfLying(const FaceRun& run, const Ends& ends, double z_mm) {
     const double middle = curve.normal.dot(Vec2(centre.X(), centre.Y()));
     const double side_from = curve.normal.dot(ends.from) - middle;
     const double side_to = curve.normal.dot(ends.to) - middle;
-    if (side_from * side_to < 0 && std::min(std::abs(side_from), std::abs(side_to)) > 0.5 * half) {
-        // The ridge of the facets is a little lower than the cylinder's: a run that passes over it turns
-        // back on the other side. Between its ends lies a strip thinner than the distance to the level.
-        const Vec2 along = (ends.to - ends.from).normalized();
-        curve.normal = leftOf(along);
-        curve.offset = curve.normal.dot(ends.from);
-        return curve;
-    }
+    const bool turns_back =
+        side_from * side_to < 0 && std::min(std::abs(side_from), std::abs(side_to)) > 0.5 * half;
+    const bool at_ridge = cylinder->Radius() - std::abs(dz) <= near_mm;
+    if (turns_back || (at_ridge && ends.from != ends.to)) return std::nullopt;
     const double side = side_from + side_to;
     curve.offset = middle + (side < 0 ? -half : half);
     return curve;
+}
+
+/// What closes the loop where a run passes over such a strip. A bore that a lying hole opens there is still
+/// round; else the chord will do.
+PlaneCurve acrossStrip(const PlaneCurve& before, const PlaneCurve& after, const Ends& ends) {
+    if (before.kind == PlaneCurve::Kind::Circle && after.kind == PlaneCurve::Kind::Circle &&
+        sameCircle(before.arc, after.arc)) {
+        PlaneCurve round = before;
+        round.turn = sweepAngle(before.project(ends.from), before.project(ends.to), before.arc);
+        return round;
+    }
+    PlaneCurve chord;
+    chord.kind = PlaneCurve::Kind::Line;
+    chord.normal = leftOf(Vec2((ends.to - ends.from).normalized()));
+    chord.offset = chord.normal.dot(ends.from);
+    return chord;
 }
 
 PlaneCurve circleOf(const FaceRun& run, double z_mm) {
@@ -66,10 +80,12 @@ PlaneCurve circleOf(const FaceRun& run, double z_mm) {
     return curve;
 }
 
-PlaneCurve curveOf(const SolidMesh& mesh, const FaceRun& run, const Ends& ends, double z_mm) {
+/// None for a run that passes over the strip at a lying cylinder's ridge.
+std::optional<PlaneCurve> curveOf(const SolidMesh& mesh, const FaceRun& run, const Ends& ends, double z_mm,
+                                  const Tolerances& tol) {
     if (run.face->kind == FaceKind::Plane) return lineOf(*run.face, z_mm);
     if (run.face->kind == FaceKind::Turned) return circleOf(run, z_mm);
-    if (run.face->kind == FaceKind::Lying) return lineOfLying(run, ends, z_mm);
+    if (run.face->kind == FaceKind::Lying) return lineOfLying(run, ends, z_mm, tol.gouge_mm);
     PlaneCurve curve;
     curve.points = pointsOnSurface(mesh, run.crossings, z_mm);
     return curve;
@@ -79,14 +95,21 @@ PlaneCurve curveOf(const SolidMesh& mesh, const FaceRun& run, const Ends& ends, 
 
 Loop joinRuns(const SolidMesh& mesh, const std::vector<FaceRun>& runs, double z_mm, const Tolerances& tol) {
     if (runs.size() == 1 && runs.front().whole_loop)
-        return wholeLoop(curveOf(mesh, runs.front(), {}, z_mm), tol.curve_fit_mm);
+        return wholeLoop(curveOf(mesh, runs.front(), {}, z_mm, tol).value(), tol.curve_fit_mm);
     const std::size_t n = runs.size();
     std::vector<Vec2> on_edge;  // point i lies between run i - 1 and run i
     for (const FaceRun& run : runs)
         on_edge.push_back(pointOnEdge(mesh, run.crossings.front().side_in, z_mm));
-    std::vector<PlaneCurve> curves;
+    const auto endsOf = [&](std::size_t i) { return Ends{on_edge[i], on_edge[(i + 1) % n]}; };
+    std::vector<std::optional<PlaneCurve>> known;
     for (std::size_t i = 0; i < n; ++i)
-        curves.push_back(curveOf(mesh, runs[i], {on_edge[i], on_edge[(i + 1) % n]}, z_mm));
+        known.push_back(curveOf(mesh, runs[i], endsOf(i), z_mm, tol));
+    std::vector<PlaneCurve> curves;
+    for (std::size_t i = 0; i < n; ++i) {
+        const PlaneCurve before = known[(i + n - 1) % n].value_or(PlaneCurve{});
+        const PlaneCurve after = known[(i + 1) % n].value_or(PlaneCurve{});
+        curves.push_back(known[i] ? *known[i] : acrossStrip(before, after, endsOf(i)));
+    }
     return joinCurves(curves, on_edge, tol.curve_fit_mm);
 }
 

@@ -6,12 +6,12 @@
 
 namespace stepmill::layers {
 
-namespace {
-
 bool sameCircle(const Arc& a, const Arc& b) {
     return a.ccw == b.ccw && (a.centre - b.centre).norm() <= kJointMm &&
            std::abs(a.radius_mm - b.radius_mm) <= kJointMm;
 }
+
+namespace {
 
 /// Can the two edges from `from` over `via` to `to` be one?
 bool oneCurve(const Vec2& from, const Segment& first, const Segment& second) {

@@ -9,6 +9,9 @@ namespace stepmill::layers {
 /// Points closer than two grid steps are one.
 inline constexpr double kJointMm = 2e-6;
 
+/// Equal but for the grid.
+bool sameCircle(const Arc& a, const Arc& b);
+
 /// A closed loop of segments (each from the end of the one before, cyclic): pieces of nothing dropped,
 /// pieces of one line or circle merged, begun at its least point; whole circles as two half arcs.
 Loop tidyLoop(std::vector<Segment> segments);
