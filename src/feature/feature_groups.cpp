@@ -3,6 +3,7 @@
 #include "feature/feature_groups.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "stepmill/feature/region_compare.h"
@@ -14,6 +15,8 @@ namespace {
 /// A feature whose components change with the stock holds at most this share of air: feeding through it costs
 /// less than a feature, and its tools, for every slab.
 constexpr double kMostAirShare = 0.6;
+/// Nor does it go on behind air that is longer than so many times its own width: there a drill runs off.
+constexpr double kLongestGapWidths = 2;
 
 class Grouper {
   public:
@@ -140,7 +143,8 @@ class Grouper {
         if (component.parents.size() != 1) return false;
         const int parent = component.parents.front();
         const RemovalComponent& over = forest_.components[parent];
-        return over.children.size() == 1 && identical(groups_[group_of_[parent]].target, over.region) &&
+        return over.layer + 1 == component.layer && over.children.size() == 1 &&
+               identical(groups_[group_of_[parent]].target, over.region) &&
                sameRegion(over.region, component.region, tol_);
     }
 
@@ -167,12 +171,24 @@ class Grouper {
         }
         std::sort(group.components.begin(), group.components.end());
         group.target = unite(grounds, tol_);
+        if (gapOver(floor, cluster.above) > kLongestGapWidths * widthOf(group.target)) return std::nullopt;
         if (holdsMuchAir(group) || !comesAfterWhatItWaitsFor(group)) return std::nullopt;
         const Region kept = intersect(group.target, floor.shadow, tol_);
         if (!isSliver(kept, tol_)) return std::nullopt;
         if (!kept.empty()) group.target = subtract(group.target, floor.shadow, tol_);
         return group;
     }
+
+    /// Air between the layer and the lowest of the groups above it [mm].
+    double gapOver(const Layer& layer, const std::vector<int>& above) const {
+        double lowest_mm = std::numeric_limits<double>::infinity();
+        for (const int group : above)
+            lowest_mm = std::min(lowest_mm, bottomLayer(groups_[group]).bottom_z_mm);
+        return lowest_mm - layer.top_z_mm;
+    }
+
+    /// Of a circle its diameter, of a slot twice its width.
+    static double widthOf(const Region& ground) { return 4 * area(ground) / perimeter(ground); }
 
     bool holdsMuchAir(const FeatureGroup& group) const {
         double volume_mm3 = 0;

@@ -40,9 +40,13 @@ std::vector<Vec2> holeCentres(const Feature& feature) {
     return centres;
 }
 
+double radiusOfCircles(const Region& circles) {
+    if (circles.empty()) return 0;
+    return std::sqrt(area(circles) / static_cast<double>(circles.loops.size()) / kPi);
+}
+
 double holeRadiusMm(const Feature& feature) {
-    if (feature.target.empty()) return 0;
-    return std::sqrt(area(feature.target) / static_cast<double>(feature.target.loops.size()) / kPi);
+    return radiusOfCircles(feature.target);
 }
 
 namespace feature {

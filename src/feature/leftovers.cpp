@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
@@ -181,6 +182,18 @@ std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& l
     return volumes;
 }
 
+/// A drill goes on through what is left where its hole ends in another one, if the part leaves all of it free
+/// there.
+void keepUnderHoles(RemovalForest& forest, const LayerStack& layers, const Tolerances& tol) {
+    for (RemovalComponent& component : forest.components) {
+        if (!component.left || component.hole < 0) continue;
+        const RemovalComponent& hole = forest.components[component.hole];
+        if (hole.left) continue;
+        const Region& shadow = layers.layers[component.layer].shadow;
+        component.left = !isSliver(intersect(hole.region, shadow, tol), tol);
+    }
+}
+
 }  // namespace
 
 void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolerances& tol) {
@@ -216,6 +229,7 @@ void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolera
             if (volumes[lump] < least_mm3) forest.components[i].left = true;
         }
     }
+    keepUnderHoles(forest, layers, tol);
     // A crumb over a lump that stays in would be cut with it.
     for (int i = count; i-- > 0;) {
         RemovalComponent& component = forest.components[i];

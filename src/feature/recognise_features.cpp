@@ -10,6 +10,7 @@
 #include "feature/unplanned.h"
 #include "stepmill/feature/describe_boundary.h"
 #include "stepmill/feature/feature.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -17,6 +18,9 @@ namespace {
 
 using feature::RemovalComponent;
 using feature::RemovalForest;
+
+/// Ground that is free so deep below is no floor [mm].
+constexpr double kOpenBelowMm = 1;
 
 class Recogniser {
   public:
@@ -67,7 +71,7 @@ class Recogniser {
         made.target = group.target;
         made.obstruction = standing_.above(last.layer, removed_.back());
         made.obstacles = standing_.obstacles(last.layer, removed_.back());
-        made.through = nothingBelow(made.target, last.layer);
+        made.through = opensBelow(made.target, last.layer);
         made.area_mm2 = area(made.target);
         for (const int index : group.components)
             made.volume_mm3 += feature::volumeMm3(forest_.components[index], layers_);
@@ -99,12 +103,20 @@ class Recogniser {
         return all;
     }
 
-    bool nothingBelow(const Region& floor, int above) const {
+    /// Is there nothing right below the floor? Under a hole the part leaves a drill room to come out, as
+    /// where it ends in another hole.
+    bool opensBelow(const Region& floor, int above) const {
+        const double floor_mm = layers_.layers[above].bottom_z_mm;
+        const bool hole = isFullCircles(floor);
+        const double room_mm = hole ? outOfHoleMm(radiusOfCircles(floor)) : kOpenBelowMm;
         const auto meets = [&](const Region& region) {
             return area(intersect(floor, region, tol_)) > tol_.area_mm2;
         };
         return std::none_of(layers_.layers.begin() + above + 1, layers_.layers.end(),
-                            [&](const Layer& layer) { return meets(layer.stock) || meets(layer.part); });
+                            [&](const Layer& layer) {
+                                const bool near = layer.top_z_mm > floor_mm - room_mm;
+                                return near && (meets(layer.part) || (!hole && meets(layer.stock)));
+                            });
     }
 
     const LayerStack& layers_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
@@ -28,7 +29,7 @@ void addLayer(RemovalForest& forest, const Layer& layer, int index, const Tolera
         }
         const bool open = touchesStockBoundary(region, layer.stock, tol);
         forest.of_layer.back().push_back(static_cast<int>(forest.components.size()));
-        forest.components.push_back({index, std::move(region), area_mm2, open, false, false, {}, {}, 1});
+        forest.components.push_back({index, std::move(region), area_mm2, open, false, false, -1, {}, {}, 1});
     }
 }
 
@@ -75,6 +76,46 @@ void linkToParents(RemovalForest& forest, int child, const std::vector<int>& abo
         component.parents.size() == 1 && component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol);
 }
 
+/// Lies the component in the hole?
+bool isIn(const RemovalComponent& hole, const RemovalComponent& component, const Tolerances& tol) {
+    return grown(boundingBox(hole.region), tol.sliver_mm).contains(boundingBox(component.region)) &&
+           isSliver(subtract(component.region, hole.region, tol), tol);
+}
+
+/// Components that go on with a hole, by that; empty for those that are none.
+using InHoles = std::vector<std::vector<int>>;
+
+/// Links a component under air to the lowest ones of the hole over it.
+void linkToHole(RemovalForest& forest, int index, const std::vector<int>& in_hole) {
+    const int layer = forest.components[index].layer;
+    int over = -1;
+    for (auto member = in_hole.rbegin(); member != in_hole.rend(); ++member) {
+        const int at = forest.components[*member].layer;
+        if (at == layer) continue;
+        if (over >= 0 && at != over) return;
+        over = at;
+        link(forest, *member, index);
+    }
+}
+
+/// Finds the hole that a component goes on with. Where earlier setups left air over it, it goes on behind
+/// that.
+void findHole(RemovalForest& forest, int index, InHoles& holes, const Tolerances& tol) {
+    RemovalComponent& component = forest.components[index];
+    const std::vector<int>& parents = component.parents;
+    if (parents.empty()) {
+        for (int hole = 0; hole < index && component.hole < 0; ++hole)
+            if (!holes[hole].empty() && isIn(forest.components[hole], component, tol)) component.hole = hole;
+        if (component.hole >= 0) linkToHole(forest, index, holes[component.hole]);
+    } else if (const int hole = forest.components[parents.front()].hole; hole >= 0) {
+        const bool one = std::all_of(parents.begin(), parents.end(),
+                                     [&](int parent) { return forest.components[parent].hole == hole; });
+        if (one && isIn(forest.components[hole], component, tol)) component.hole = hole;
+    }
+    if (component.hole < 0 && isFullCircles(component.region)) component.hole = index;
+    if (component.hole >= 0) holes[component.hole].push_back(index);
+}
+
 }  // namespace
 
 double volumeMm3(const RemovalComponent& component, const LayerStack& layers) {
@@ -95,6 +136,9 @@ RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol
         for (const int child : forest.of_layer[i])
             linkToParents(forest, child, forest.of_layer[i - 1], tol);
     }
+    InHoles holes(forest.components.size());
+    for (std::size_t i = 0; i < forest.components.size(); ++i)
+        findHole(forest, static_cast<int>(i), holes, tol);
     return forest;
 }
 

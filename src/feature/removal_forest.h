@@ -16,7 +16,10 @@ struct RemovalComponent {
     bool open = false;           ///< part of its boundary is the stock's own: a cutter can come in there
     bool inside_parent = false;  ///< lies within its only parent, as it always does in a box of stock
     bool left = false;           ///< no feature takes it: not worth a pass after earlier setups
-    std::vector<int> parents;    ///< components of the layer above that it overlaps
+    /// The full circle it lies in, itself or one above with nothing but its like and air between: a hole goes
+    /// on through it, also where it crosses another. -1: none.
+    int hole = -1;
+    std::vector<int> parents;  ///< components of the layer above that it overlaps, or the hole's next above
     std::vector<int> children;
     double stock_share =
         1;  ///< of its area that is stock half-way up the layer, where the stock's walls lean

@@ -12,11 +12,6 @@
 namespace stepmill {
 namespace {
 
-/// How far the full diameter of a drill leaves a through hole at the far side [mm].
-constexpr double kBreakThroughMm = 0.5;
-/// Point angle of the bluntest drill that is common [deg]; longer points are sharper.
-constexpr double kSharpestPointDeg = 90;
-
 double pointLengthMm(double drill_radius_mm, double point_angle_deg) {
     return drill_radius_mm / std::tan(degToRad(point_angle_deg / 2));
 }
@@ -139,7 +134,7 @@ double drillTipZ(const Feature& feature, const ToolAssembly& drill) {
 }
 
 double deepestDrillTipZ(const Feature& feature) {
-    return feature.floor_z_mm - pointLengthMm(holeRadiusMm(feature), kSharpestPointDeg) - kBreakThroughMm;
+    return feature.floor_z_mm - outOfHoleMm(holeRadiusMm(feature));
 }
 
 double drilledToZ(const Feature& feature, const ToolAssembly& drill) {
