@@ -61,8 +61,11 @@ std::vector<ResidualPrism> leftIn(const PlannedSetup& setup) {
     std::vector<ResidualPrism> left = residualPrisms(setup.features);
     for (const Unplanned& entry : setup.unplanned)
         if (isLeftUncut(entry.reason))
-            left.push_back(
-                {entry.reason, entry.volume_mm3, {entry.region, entry.top_z_mm, entry.bottom_z_mm}, nullptr});
+            left.push_back({entry.reason,
+                            entry.volume_mm3,
+                            {entry.region, entry.top_z_mm, entry.bottom_z_mm},
+                            nullptr,
+                            nullptr});
     return left;
 }
 

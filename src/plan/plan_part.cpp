@@ -291,7 +291,8 @@ SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibr
     SetupSets sets;
     sets.chosen = setupsFor(part, request);
     STEPMILL_CHECK(!sets.chosen.empty(), "a part has at least one setup");
-    if (sets.chosen.size() < 2 || !mayChooseSetups(request)) return sets;
+    sets.more_may_follow = mayChooseSetups(request);
+    if (sets.chosen.size() < 2 || !sets.more_may_follow) return sets;
     sets.with_forms = setupsWithForms(part, request, library);
     const LeaningArea area = leaningArea(part, sets.with_forms);
     if (!areWorthPlanning(sets.with_forms, sets.chosen, area)) sets.with_forms.clear();

@@ -43,8 +43,11 @@ std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& fea
             const bool whole = height >= planned.feature.depth_mm() || planned.sequence.steps.empty();
             const double floor =
                 &residual == below || whole ? planned.feature.floor_z_mm : planned.sequence.floor_z_mm;
-            prisms.push_back(
-                {residual.reason, residual.volume_mm3, {residual.region, floor + height, floor}, &residual});
+            prisms.push_back({residual.reason,
+                              residual.volume_mm3,
+                              {residual.region, floor + height, floor},
+                              &residual,
+                              &planned});
         }
     }
     return prisms;

@@ -13,6 +13,7 @@ struct ResidualPrism {
     double volume_mm3 = 0;
     Prism prism;
     const Residual* of = nullptr;  ///< null: allowance or held stock, which are no feature's
+    const PlannedFeature* feature = nullptr;
 };
 std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& features);
 

@@ -9,6 +9,7 @@
 #include "setup/cover.h"
 #include "setup/frame.h"
 #include "setup/order.h"
+#include "setup/ray_tree.h"
 #include "setup/solid_stock.h"
 #include "stepmill/core/error.h"
 #include "stepmill/part/part_shape.h"
@@ -116,6 +117,26 @@ class SetupMaker {
         std::transform(found.begin(), found.end(), std::back_inserter(sets),
                        [&](const std::vector<int>& other) { return along(other, axes, stock); });
         return sets;
+    }
+
+    std::vector<std::pair<std::vector<Setup>, double>> withOneMore(
+        const std::vector<Setup>& setups, const std::vector<UnreachedPlace>& places) const {
+        const setup::RayTree tree(mesh_.facets);
+        std::vector<std::pair<std::vector<Setup>, double>> found;
+        for (const Vec3& axis : setup::candidateAxes(part_, request_.forbidden)) {
+            const auto is_along = [&](const Setup& setup) { return setup.axis.isApprox(axis); };
+            if (!isBoxDirection(axis) || std::any_of(setups.begin(), setups.end(), is_along)) continue;
+            double free_mm3 = 0;
+            for (const UnreachedPlace& place : places)
+                if (!tree.blocked(place.at, axis)) free_mm3 += place.volume_mm3;
+            if (free_mm3 <= 0) continue;
+            found.emplace_back(setups, free_mm3);
+            found.back().first.push_back(make(axis, setups.front().stock));
+            found.back().first.back().chosen = true;
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const auto& a, const auto& b) { return a.second > b.second; });
+        return found;
     }
 
   private:
@@ -253,6 +274,15 @@ std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest
     std::vector<std::vector<Setup>> sets = SetupMaker(part, request).others(chosen);
     for (std::vector<Setup>& setups : sets)
         setups = numbered(std::move(setups));
+    return sets;
+}
+
+std::vector<std::pair<std::vector<Setup>, double>> withOneMore(const Part& part, const SetupRequest& request,
+                                                               const std::vector<Setup>& setups,
+                                                               const std::vector<UnreachedPlace>& places) {
+    auto sets = SetupMaker(part, request).withOneMore(setups, places);
+    for (auto& [more, free_mm3] : sets)
+        more = numbered(std::move(more));
     return sets;
 }
 

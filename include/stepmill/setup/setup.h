@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "stepmill/catalog/fixture.h"
@@ -111,6 +112,20 @@ std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 /// \note  As long as chooseSetups().
 std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest& request,
                                             const std::vector<Setup>& chosen);
+
+/// Where something stays that no tool of some setups got to.
+struct UnreachedPlace {
+    Vec3 at;  ///< in part coordinates
+    double volume_mm3 = 0;
+};
+
+/// The setups with one more behind them: along each direction of the part's box that is not among theirs and
+/// from which the part leaves some of the places free.
+///
+/// \return  each with the volume at those places, the most first; empty where no direction frees any
+std::vector<std::pair<std::vector<Setup>, double>> withOneMore(const Part& part, const SetupRequest& request,
+                                                               const std::vector<Setup>& setups,
+                                                               const std::vector<UnreachedPlace>& places);
 
 /// The setup on another stock: work offset and box moved to it.
 Setup onStock(const Setup& setup, const Stock& stock);

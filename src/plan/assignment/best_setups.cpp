@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "plan/assignment/setup_choice.h"
+#include "plan/assignment/unreached_places.h"
 #include "plan/totals.h"
 #include "stepmill/core/units.h"
 
@@ -48,10 +49,23 @@ class SetupSearch {
         if (isWorthWeighing())
             for (; other != sets.others.end(); ++other)
                 tryOut(*other, kSidesAlike);
+        if (sets.more_may_follow) addSetups();
         return taken();
     }
 
   private:
+    /// Adds setups while each takes half of what its side is free to.
+    void addSetups() {
+        for (bool added = true; added;) {
+            const auto more = withOneMore(best_->part, request_.setup, setups_, unreachedPlaces(*best_));
+            added = false;
+            for (auto set = more.begin(); set != more.end() && !added; ++set) {
+                tryOut(set->first, {0, set->second / 2});
+                added = setups_.size() == set->first.size();
+            }
+        }
+    }
+
     bool isSetUpQuicker(const std::vector<Setup>& setups, const std::vector<Setup>& than) const {
         return settingUpS(setups, machine_, 1) < settingUpS(than, machine_, 1);
     }

@@ -13,6 +13,7 @@ struct SetupSets {
     std::vector<Setup> with_forms;           ///< others, no more of them, for form cutters; empty: none are
     double forms_leave_mm3 = 0;              ///< what those may leave, as ridges
     std::vector<std::vector<Setup>> others;  ///< that see about as much, the quickest to set up first
+    bool more_may_follow = false;            ///< setups for what tools did not get to
 };
 
 /// Makes the plan of a set of setups.
@@ -21,9 +22,10 @@ struct SetupSets {
 using PlanOfSetups = std::function<Plan(const std::vector<Setup>&, const Deadline& flat_by)>;
 
 /// The best of whole plans. Setups that are quicker to set up come first: where no plan of those chosen could
-/// be better, none is made. All others are planned where the lot keeps the machine busy for a shift. What was
-/// weighed stands in the plan's choices.
-/// \see docs/algorithms/setups.md, sections 8 and 9
+/// be better, none is made. All others are planned where the lot keeps the machine busy for a shift. At last
+/// setups are added from sides that are free to what the tools did not get to. What was weighed stands in the
+/// plan's choices.
+/// \see docs/algorithms/setups.md, sections 8 to 10
 Plan bestPlan(const SetupSets& sets, const PlanRequest& request, const Machine& machine,
               const PlanOfSetups& plan_of);
 

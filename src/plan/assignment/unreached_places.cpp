@@ -1,0 +1,55 @@
+// Where other setups may cut what stays.
+
+#include "plan/assignment/unreached_places.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "plan/residual_prisms.h"
+
+namespace stepmill {
+namespace {
+
+/// What stays is worth another setup from this share of all that is to be removed, ...
+constexpr double kPaysShare = 1e-3;
+/// ... or of its feature: half a small hole is worth its setup, ...
+constexpr double kPaysFeatureShare = 0.5;
+/// ... if it is worth a warning [mm3].
+constexpr double kLeastMm3 = 1;
+
+bool mayBeReachedElsewhere(const StayReason& reason) {
+    return reason == Reason::TooDeep || reason == Reason::HolderCollision || reason == Reason::NoWayIn ||
+           reason == Reason::Fixture;
+}
+
+/// A point well inside the region, where its middle is that.
+std::optional<Vec2> middleOf(const Region& region) {
+    for (const Region& component : components(region))
+        if (const Vec2 middle = centroid(component); contains(component, middle)) return middle;
+    return std::nullopt;
+}
+
+/// What of a residual makes a setup of its own pay.
+double paysFromMm3(const ResidualPrism& left, const Plan& plan) {
+    return std::max(kLeastMm3, std::min(kPaysShare * plan.balance.stock_minus_part_mm3,
+                                        kPaysFeatureShare * left.feature->feature.volume_mm3));
+}
+
+}  // namespace
+
+std::vector<UnreachedPlace> unreachedPlaces(const Plan& plan) {
+    std::vector<UnreachedPlace> places;
+    for (const PlannedSetup& planned : plan.setups)
+        for (const ResidualPrism& left : residualPrisms(planned.features)) {
+            const double stays_mm3 = left.of->stays_mm3.value_or(0);
+            if (!mayBeReachedElsewhere(left.reason) || stays_mm3 < paysFromMm3(left, plan)) continue;
+            const std::optional<Vec2> middle = middleOf(left.prism.region);
+            if (!middle) continue;
+            const double z_mm = (left.prism.top_z_mm + left.prism.bottom_z_mm) / 2;
+            const Vec3 at = planned.setup.part_to_setup.inverse() * Vec3(middle->x(), middle->y(), z_mm);
+            places.push_back({at, stays_mm3});
+        }
+    return places;
+}
+
+}  // namespace stepmill
