@@ -33,9 +33,17 @@ double takeAir(std::vector<Unplanned>& unplanned, const Layer& layer, double air
     return air_mm3;
 }
 
+/// What a slab of the part covers beyond that of the stock: hulls of the same wall, cut in an earlier setup,
+/// that end differently [mm3].
+double beyondStockMm3(const Layer& layer, const Tolerances& tol) {
+    if (layer.stock_air_mm3 <= 0 || layer.vertical_walls) return 0;
+    return area(subtract(layer.part, layer.stock, tol)) * layer.height_mm();
+}
+
 /// What the slabs of the stock cover beyond the stock is no material: first where walls lean, which is where
-/// it comes from, then under overhangs; the rest lies in features.
-double netOfAir(FeatureSet& found, const LayerStack& layers) {
+/// it comes from, then under overhangs; the rest lies in features. Nor is what the part's slabs cover beyond
+/// the stock's hidden by walls.
+double netOfAir(FeatureSet& found, const LayerStack& layers, const Tolerances& tol) {
     double hull_mm3 = 0;
     double air_mm3 = 0;
     for (const Layer& layer : layers.layers) {
@@ -48,8 +56,11 @@ double netOfAir(FeatureSet& found, const LayerStack& layers) {
     double left_mm3 = 0;
     for (const Layer& layer : layers.layers) {
         double air = scale * layer.stock_air_mm3;
-        for (const bool hidden : {false, true})
+        double beyond = beyondStockMm3(layer, tol);
+        for (const bool hidden : {false, true}) {
             air = takeAir(found.unplanned, layer, air, hidden);
+            beyond = takeAir(found.unplanned, layer, beyond, hidden);
+        }
         left_mm3 += air;
     }
     std::erase_if(found.unplanned, [](const Unplanned& entry) { return entry.volume_mm3 <= 0; });
@@ -105,7 +116,7 @@ Stage makeStage(Setup setup, std::vector<Prism> reserve, const SliceOptions& sli
     stage.layers = withReserve(slice(stage.setup, tol, slicing), stage.reserve, tol);
     stage.found = recogniseFeatures(stage.layers, tol);
     nameReserve(stage.found.unplanned, stage.reserve, tol);
-    stage.air_mm3 = netOfAir(stage.found, stage.layers);
+    stage.air_mm3 = netOfAir(stage.found, stage.layers, tol);
     return stage;
 }
 
