@@ -19,9 +19,6 @@ namespace {
 using feature::RemovalComponent;
 using feature::RemovalForest;
 
-/// Ground that is free so deep below is no floor [mm].
-constexpr double kOpenBelowMm = 1;
-
 class Recogniser {
   public:
     Recogniser(const LayerStack& layers, const Tolerances& tol)
@@ -103,19 +100,20 @@ class Recogniser {
         return all;
     }
 
-    /// Is there nothing right below the floor? Under a hole the part leaves a drill room to come out, as
-    /// where it ends in another hole.
+    /// Is there nothing below the floor? A hole is through, too, where the part leaves a drill room to come
+    /// out below it, as where it ends in another hole.
     bool opensBelow(const Region& floor, int above) const {
         const double floor_mm = layers_.layers[above].bottom_z_mm;
         const bool hole = isFullCircles(floor);
-        const double room_mm = hole ? outOfHoleMm(radiusOfCircles(floor)) : kOpenBelowMm;
+        const double out_mm =
+            hole ? floor_mm - outOfHoleMm(radiusOfCircles(floor)) : layers_.stock_bottom_z_mm;
         const auto meets = [&](const Region& region) {
             return area(intersect(floor, region, tol_)) > tol_.area_mm2;
         };
         return std::none_of(layers_.layers.begin() + above + 1, layers_.layers.end(),
                             [&](const Layer& layer) {
-                                const bool near = layer.top_z_mm > floor_mm - room_mm;
-                                return near && (meets(layer.part) || (!hole && meets(layer.stock)));
+                                if (layer.top_z_mm <= out_mm) return false;
+                                return meets(layer.part) || (!hole && meets(layer.stock));
                             });
     }
 

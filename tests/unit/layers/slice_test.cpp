@@ -193,6 +193,28 @@ TEST(Slice, PartsStockThatWasCutBeforeOnlyWhereItMatters) {
     EXPECT_NEAR(hull_mm3 - air_mm3, setup.stock.volume_mm3, options.least_gain_share * setup.removable_mm3);
 }
 
+TEST(Slice, ABoreStaysRoundWhereALyingHoleOpensIt) {
+    const auto along_y = [](double x, double radius) {
+        return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, -1, 20), gp::DY()), radius, 80).Shape();
+    };
+    const gp_Ax2 along_x(gp_Pnt(-1, 20, 20), gp::DX());
+    const TopoDS_Shape bores =
+        cut(cut(box(0, 0, 0, 90, 60, 40), cylinder(20, 20, -1, 4, 50)), cylinder(63, 40, -1, 3, 50));
+    // Through the middle of the first, narrower; its ridge along the side of the second, wider.
+    const TopoDS_Shape crossed = cut(cut(bores, along_y(20, 2.5)), along_y(60, 5));
+    const TopoDS_Shape thrice = cut(crossed, BRepPrimAPI_MakeCylinder(along_x, 3, 100).Shape());
+    for (const SliceOptions& options : {SliceOptions{}, test::allLevels()})
+        for (const Layer& layer : sliced(thrice, Vec3::UnitZ(), options).layers) {
+            ASSERT_EQ(layer.shadow.loops.size(), 3U);
+            for (std::size_t bore : {1, 2}) {
+                const std::vector<Segment>& edges = layer.shadow.loops[bore].segments;
+                EXPECT_EQ(edges.size(), 2U) << layer.top_z_mm;
+                for (const Segment& edge : edges)
+                    EXPECT_TRUE(edge.arc) << layer.top_z_mm;
+            }
+        }
+}
+
 TEST(LayerStack, AnswersByHeight) {
     const LayerStack stack = sliced(cut(box(0, 0, 0, 100, 80, 30), box(20, 10, 18, 50, 40, 12)));
     const Tolerances tol;

@@ -22,7 +22,7 @@ double heightOf(const TopoDS_Vertex& vertex) {
 }
 
 /// A block of 60 x 40 mm with a chamfer of 1 mm on the edges at these heights.
-Part chamferedBlock(const std::vector<double>& heights_mm) {
+TopoDS_Shape chamferedShape(const std::vector<double>& heights_mm) {
     const TopoDS_Shape block = test::box(0, 0, 0, 60, 40, kHeightMm);
     TopTools_IndexedMapOfShape edges;
     TopExp::MapShapes(block, TopAbs_EDGE, edges);
@@ -34,7 +34,11 @@ Part chamferedBlock(const std::vector<double>& heights_mm) {
         for (const double height_mm : heights_mm)
             if (from_mm == height_mm && to_mm == height_mm) chamfer.Add(1, edge);
     }
-    return makePart(chamfer.Shape(), "chamfered block");
+    return chamfer.Shape();
+}
+
+Part chamferedBlock(const std::vector<double>& heights_mm) {
+    return makePart(chamferedShape(heights_mm), "chamfered block");
 }
 
 Plan planned(const Part& part) {
@@ -66,6 +70,17 @@ TEST(ChamferedBlock, IsHeldSoLowThatTheChamferMillGoesRound) {
 
 TEST(ChamferedBlock, IsTurnedOverForTheOtherEdges) {
     expectChamferMillIn(planned(chamferedBlock({0, kHeightMm})), {Vec3::UnitZ(), -Vec3::UnitZ()});
+}
+
+TEST(ChamferedBlock, ItsBooksCloseWhereAnEarlierSetupDrilledAcross) {
+    const TopoDS_Shape hole =
+        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(30, -1, 10), gp::DY()), 3, 16).Shape();
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.setup.axes = {-Vec3::UnitY(), Vec3::UnitX()};
+    const Part part = test::part(test::cut(chamferedShape({0, kHeightMm}), hole));
+    const Plan plan = planPart(part, request, defaultToolLibrary(), defaultMachine(), kTol);
+    EXPECT_LT(plan.balance.gapShare(), 0.1 * kTol.volume_share);
 }
 
 }  // namespace

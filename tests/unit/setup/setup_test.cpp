@@ -163,6 +163,29 @@ TEST(OtherSetups, BeginOnTheSameStock) {
         EXPECT_EQ(other.front().axis, chosen.front().axis);
 }
 
+TEST(WithOneMore, AddsTheFreeSidesOfWhatStaysTheMostVolumeFirst) {
+    const Part drilled = part(cut(cut(box(0, 0, 0, 60, 50, 30), cylinder(10, 25, -1, 4, 40)),
+                                  box(20, 20, 10, 41, 10, 10)));
+    const std::vector<Setup> from_above{setupOf(drilled)};
+    const UnreachedPlace in_hole{{10, 25, 5}, 100};
+    const UnreachedPlace in_slot{{50, 25, 15}, 200};
+    const auto sets = withOneMore(drilled, {}, from_above, {in_hole, in_slot});
+    ASSERT_EQ(sets.size(), 2U);
+    for (const auto& [setups, free_mm3] : sets) {
+        ASSERT_EQ(setups.size(), 2U);
+        EXPECT_EQ(setups.front().axis, Vec3::UnitZ());
+        EXPECT_EQ(setups.back().id, "S2");
+    }
+    EXPECT_EQ(sets[0].first.back().axis, Vec3::UnitX());
+    EXPECT_EQ(sets[0].second, 200);
+    EXPECT_EQ(sets[1].first.back().axis, -Vec3::UnitZ());
+    EXPECT_EQ(sets[1].second, 100);
+    SetupRequest no_x;
+    no_x.forbidden = {Vec3::UnitX()};
+    EXPECT_EQ(withOneMore(drilled, no_x, from_above, {in_hole, in_slot}).size(), 1U);
+    EXPECT_TRUE(withOneMore(drilled, {}, from_above, {}).empty());
+}
+
 TEST(ChooseSetups, IndexesToATiltedHoleLast) {
     const gp_Ax2 tilted(gp_Pnt(15, 25, 32), gp_Dir(1, 0, -1));
     const TopoDS_Shape pocket = box(30, 10, 20, 20, 30, 11);

@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/plan/plan.h"
+#include "support/occt_solids.h"
+#include "support/tolerances.h"
+
+namespace stepmill {
+namespace {
+
+using test::box;
+using test::cut;
+using test::cylinder;
+using test::kTol;
+
+TopoDS_Shape alongY(double x, double z, double from_y, double radius, double length) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, from_y, z), gp::DY()), radius, length).Shape();
+}
+
+Plan planned(const TopoDS_Shape& shape) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    return planPart(test::part(shape), request, defaultToolLibrary(), defaultMachine(), kTol);
+}
+
+/// Depths of the setup's features, if each is a hole through which one drill alone goes.
+std::vector<double> drilledDepths(const PlannedSetup& setup) {
+    std::vector<double> depths_mm;
+    for (const PlannedFeature& planned : setup.features) {
+        EXPECT_EQ(planned.feature.feature_class, FeatureClass::HoleThrough) << planned.feature.id;
+        EXPECT_EQ(planned.sequence.steps.size(), 1U) << planned.feature.id;
+        for (const SequenceStep& step : planned.sequence.steps)
+            EXPECT_EQ(step.role, Role::Drill) << planned.feature.id;
+        depths_mm.push_back(planned.feature.depth_mm());
+    }
+    return depths_mm;
+}
+
+void expectNothingStays(const Plan& plan) {
+    EXPECT_LT(plan.balance.residual_mm3, 0.01);
+    EXPECT_TRUE(plan.complete(kTol));
+}
+
+TEST(CrossingHoles, AreEachDrilledInOneGo) {
+    const TopoDS_Shape upright = cut(box(0, 0, 0, 40, 30, 30), cylinder(20, 15, -1, 4, 32));
+    const Plan plan = planned(cut(upright, alongY(20, 12, -1, 3, 32)));
+    ASSERT_EQ(plan.setups.size(), 2U);
+    EXPECT_EQ(drilledDepths(plan.setups[0]), (std::vector<double>{30}));
+    EXPECT_EQ(drilledDepths(plan.setups[1]), (std::vector<double>{30}));
+    expectNothingStays(plan);
+}
+
+TEST(CrossingHoles, AHoleThatEndsInAWiderOneIsDrilledThroughItsWall) {
+    const TopoDS_Shape upright = cut(box(0, 0, 0, 60, 60, 40), cylinder(30, 30, -1, 6, 42));
+    const Plan plan = planned(cut(upright, alongY(30, 20, -1, 4, 31)));
+    ASSERT_EQ(plan.setups.size(), 2U);
+    const std::vector<double> depths_mm = drilledDepths(plan.setups[1]);
+    ASSERT_EQ(depths_mm.size(), 1U);
+    // To where the bore's wall is open over the hole's whole width.
+    EXPECT_NEAR(depths_mm.front(), 30 - std::sqrt(36 - 16), 1e-3);
+    expectNothingStays(plan);
+}
+
+TEST(CrossingHoles, WallsFarApartAreDrilledOneByOneNearOnesInOneGo) {
+    const TopoDS_Shape channel = cut(box(0, 0, 0, 100, 50, 30), box(-1, 15, 10, 102, 20, 30));
+    const Plan plan = planned(cut(cut(channel, alongY(20, 20, -1, 5, 60)), alongY(50, 20, -1, 4, 60)));
+    ASSERT_EQ(plan.setups.size(), 2U);
+    EXPECT_EQ(drilledDepths(plan.setups[1]), (std::vector<double>{50, 15, 15}));
+    expectNothingStays(plan);
+}
+
+TEST(CrossingHoles, WhatNoHolderGetsToIsDrilledFromTheOtherSide) {
+    const TopoDS_Shape tray = cut(box(0, 0, 0, 80, 60, 30), box(-1, 10, 12, 82, 40, 20));
+    const Plan plan = planned(cut(tray, alongY(30, 20, -1, 3, 62)));
+    ASSERT_EQ(plan.setups.size(), 3U);
+    EXPECT_EQ(plan.setups[1].setup.axis, -plan.setups[2].setup.axis);
+    EXPECT_EQ(drilledDepths(plan.setups[2]), (std::vector<double>{10}));
+    EXPECT_EQ(plan.assignment.choices.size(), 2U);
+    expectNothingStays(plan);
+}
+
+}  // namespace
+}  // namespace stepmill
