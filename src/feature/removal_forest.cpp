@@ -53,15 +53,9 @@ void link(RemovalForest& forest, int parent, int child) {
     forest.components[child].parents.push_back(parent);
 }
 
-void linkToParents(RemovalForest& forest, int child, const std::vector<int>& above, const Tolerances& tol) {
-    RemovalComponent& component = forest.components[child];
-    const auto twin = std::find_if(above.begin(), above.end(), [&](int parent) {
-        return identical(forest.components[parent].region, component.region);
-    });
-    if (twin != above.end()) {
-        component.inside_parent = true;
-        return link(forest, *twin, child);
-    }
+/// Links the component to those of a layer above that it overlaps. \returns the area of that
+double linkTo(RemovalForest& forest, int child, const std::vector<int>& above, const Tolerances& tol) {
+    const RemovalComponent& component = forest.components[child];
     const Box2 box = boundingBox(component.region);
     double overlap_mm2 = 0;
     for (const int parent : above) {
@@ -72,8 +66,25 @@ void linkToParents(RemovalForest& forest, int child, const std::vector<int>& abo
         overlap_mm2 += area(common);
         link(forest, parent, child);
     }
+    return overlap_mm2;
+}
+
+/// What lies under nothing but air that earlier setups left has the next components over that as its parents.
+void linkToParents(RemovalForest& forest, int child, const Tolerances& tol) {
+    RemovalComponent& component = forest.components[child];
+    const std::vector<int>& above = forest.of_layer[component.layer - 1];
+    const auto twin = std::find_if(above.begin(), above.end(), [&](int parent) {
+        return identical(forest.components[parent].region, component.region);
+    });
+    if (twin != above.end()) {
+        component.inside_parent = true;
+        return link(forest, *twin, child);
+    }
+    const double overlap_mm2 = linkTo(forest, child, above, tol);
     component.inside_parent =
         component.parents.size() == 1 && component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol);
+    for (int layer = component.layer - 1; layer-- > 0 && component.parents.empty();)
+        linkTo(forest, child, forest.of_layer[layer], tol);
 }
 
 /// Lies the component in the hole?
@@ -82,38 +93,17 @@ bool isIn(const RemovalComponent& hole, const RemovalComponent& component, const
            isSliver(subtract(component.region, hole.region, tol), tol);
 }
 
-/// Components that go on with a hole, by that; empty for those that are none.
-using InHoles = std::vector<std::vector<int>>;
-
-/// Links a component under air to the lowest ones of the hole over it.
-void linkToHole(RemovalForest& forest, int index, const std::vector<int>& in_hole) {
-    const int layer = forest.components[index].layer;
-    int over = -1;
-    for (auto member = in_hole.rbegin(); member != in_hole.rend(); ++member) {
-        const int at = forest.components[*member].layer;
-        if (at == layer) continue;
-        if (over >= 0 && at != over) return;
-        over = at;
-        link(forest, *member, index);
+/// The hole that a component goes on with, or begins.
+int holeOf(const RemovalForest& forest, int index, const Tolerances& tol) {
+    const RemovalComponent& component = forest.components[index];
+    const auto parentsHole = [&](int parent) { return forest.components[parent].hole; };
+    if (!component.parents.empty()) {
+        const int hole = parentsHole(component.parents.front());
+        const bool one = std::all_of(component.parents.begin(), component.parents.end(),
+                                     [&](int parent) { return parentsHole(parent) == hole; });
+        if (hole >= 0 && one && isIn(forest.components[hole], component, tol)) return hole;
     }
-}
-
-/// Finds the hole that a component goes on with. Where earlier setups left air over it, it goes on behind
-/// that.
-void findHole(RemovalForest& forest, int index, InHoles& holes, const Tolerances& tol) {
-    RemovalComponent& component = forest.components[index];
-    const std::vector<int>& parents = component.parents;
-    if (parents.empty()) {
-        for (int hole = 0; hole < index && component.hole < 0; ++hole)
-            if (!holes[hole].empty() && isIn(forest.components[hole], component, tol)) component.hole = hole;
-        if (component.hole >= 0) linkToHole(forest, index, holes[component.hole]);
-    } else if (const int hole = forest.components[parents.front()].hole; hole >= 0) {
-        const bool one = std::all_of(parents.begin(), parents.end(),
-                                     [&](int parent) { return forest.components[parent].hole == hole; });
-        if (one && isIn(forest.components[hole], component, tol)) component.hole = hole;
-    }
-    if (component.hole < 0 && isFullCircles(component.region)) component.hole = index;
-    if (component.hole >= 0) holes[component.hole].push_back(index);
+    return isFullCircles(component.region) ? index : -1;
 }
 
 }  // namespace
@@ -134,11 +124,10 @@ RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol
             addLayer(forest, layer, static_cast<int>(i), tol);
         if (i == 0) continue;
         for (const int child : forest.of_layer[i])
-            linkToParents(forest, child, forest.of_layer[i - 1], tol);
+            linkToParents(forest, child, tol);
     }
-    InHoles holes(forest.components.size());
     for (std::size_t i = 0; i < forest.components.size(); ++i)
-        findHole(forest, static_cast<int>(i), holes, tol);
+        forest.components[i].hole = holeOf(forest, static_cast<int>(i), tol);
     return forest;
 }
 

@@ -19,7 +19,7 @@ struct RemovalComponent {
     /// The full circle it lies in, itself or one above with nothing but its like and air between: a hole goes
     /// on through it, also where it crosses another. -1: none.
     int hole = -1;
-    std::vector<int> parents;  ///< components of the layer above that it overlaps, or the hole's next above
+    std::vector<int> parents;  ///< components of the layer above that it overlaps, or the next above air
     std::vector<int> children;
     double stock_share =
         1;  ///< of its area that is stock half-way up the layer, where the stock's walls lean

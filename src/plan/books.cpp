@@ -196,7 +196,7 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     for (const Unplanned& unplanned : planned.unplanned) {
         (isLeftUncut(unplanned.reason) ? residual : unreachable)[unplanned.reason] += unplanned.volume_mm3;
     }
-    const double residual_mm3 = sumOf(listOf(residual));
+    double residual_mm3 = sumOf(listOf(residual));
     // Where the stock's walls lean, prisms hold air that earlier setups cut from other sides: what went is
     // what the solid lost.
     const SettledAir air = settleAir(account.air, books.planned_mm3, account.stock.removed_mm3);
@@ -207,6 +207,7 @@ VolumeBalance setupBooks(const SetupAccount& account) {
             std::clamp(account.stock.removed_mm3 - books.planned_mm3, 0.0, residual_mm3);
         books.planned_mm3 += air_left_mm3;
         lessen(residual, air_left_mm3);
+        residual_mm3 -= air_left_mm3;
     }
     unreachable[{Reason::LeaningWall, {}}] += air.back_mm3;
     lessen(residual, air.left_mm3);

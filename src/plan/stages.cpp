@@ -20,18 +20,45 @@ bool isHidden(const Unplanned& unplanned) {
     return unplanned.reason == Reason::Undercut || unplanned.reason == Reason::LeftForLater;
 }
 
-/// Takes air off the unplanned volumes that span a slab; returns what of it is left.
-double takeAir(std::vector<Unplanned>& unplanned, const Layer& layer, double air_mm3, bool hidden) {
-    const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-    for (Unplanned& entry : unplanned) {
-        if (isHidden(entry) != hidden) continue;
-        if (entry.bottom_z_mm > middle || entry.top_z_mm < middle) continue;
-        const double taken = std::min(air_mm3, entry.volume_mm3);
-        entry.volume_mm3 -= taken;
-        air_mm3 -= taken;
+/// Takes off the unplanned volumes what lies in the slabs that they span and is none.
+class AirTaker {
+  public:
+    /// Keeps `unplanned`.
+    explicit AirTaker(std::vector<Unplanned>& unplanned) : unplanned_(unplanned) {
+        for (const Unplanned& entry : unplanned)
+            per_mm_.push_back(entry.volume_mm3 / (entry.top_z_mm - entry.bottom_z_mm));
     }
-    return air_mm3;
-}
+
+    /// Where walls lean, which is where air comes from, then under overhangs.
+    /// \returns what of it is left
+    double take(double air_mm3, const Layer& layer) {
+        for (const bool hidden : {false, true})
+            for (std::size_t i = 0; i < unplanned_.size(); ++i)
+                if (isHidden(unplanned_[i]) == hidden) air_mm3 -= takeOff(i, air_mm3, layer);
+        return air_mm3;
+    }
+
+  private:
+    double takeOff(std::size_t i, double air_mm3, const Layer& layer) {
+        Unplanned& entry = unplanned_[i];
+        const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+        if (entry.bottom_z_mm > middle || entry.top_z_mm < middle) return 0;
+        const double taken = std::min({air_mm3, entry.volume_mm3, inSlabMm3(i, layer)});
+        entry.volume_mm3 -= taken;
+        return taken;
+    }
+
+    /// What walls of the cause hide there; else of the whole volume its share by height.
+    double inSlabMm3(std::size_t i, const Layer& layer) const {
+        double hidden_mm3 = 0;
+        for (const HiddenVolume& hidden : layer.hidden)
+            if (unplanned_[i].reason == reasonOf(hidden.cause)) hidden_mm3 += hidden.volume_mm3;
+        return hidden_mm3 > 0 ? hidden_mm3 : per_mm_[i] * layer.height_mm();
+    }
+
+    std::vector<Unplanned>& unplanned_;
+    std::vector<double> per_mm_;  ///< of each of them at first
+};
 
 /// What a slab of the part covers beyond that of the stock: hulls of the same wall, cut in an earlier setup,
 /// that end differently [mm3].
@@ -40,9 +67,9 @@ double beyondStockMm3(const Layer& layer, const Tolerances& tol) {
     return area(subtract(layer.part, layer.stock, tol)) * layer.height_mm();
 }
 
-/// What the slabs of the stock cover beyond the stock is no material: first where walls lean, which is where
-/// it comes from, then under overhangs; the rest lies in features. Nor is what the part's slabs cover beyond
-/// the stock's hidden by walls.
+/// What the slabs of the stock cover beyond the stock is no material; what of it is not among the unplanned
+/// volumes of its slab lies in features. Nor is what the part's slabs cover beyond the stock's hidden by
+/// walls.
 double netOfAir(FeatureSet& found, const LayerStack& layers, const Tolerances& tol) {
     double hull_mm3 = 0;
     double air_mm3 = 0;
@@ -53,15 +80,11 @@ double netOfAir(FeatureSet& found, const LayerStack& layers, const Tolerances& t
     if (air_mm3 <= 0) return 0;
     // Slabs' volumes come from a quadrature; the solid's own volume is surer.
     const double scale = std::max(0.0, hull_mm3 - layers.stock_volume_mm3) / air_mm3;
+    AirTaker taker(found.unplanned);
     double left_mm3 = 0;
     for (const Layer& layer : layers.layers) {
-        double air = scale * layer.stock_air_mm3;
-        double beyond = beyondStockMm3(layer, tol);
-        for (const bool hidden : {false, true}) {
-            air = takeAir(found.unplanned, layer, air, hidden);
-            beyond = takeAir(found.unplanned, layer, beyond, hidden);
-        }
-        left_mm3 += air;
+        left_mm3 += taker.take(scale * layer.stock_air_mm3, layer);
+        taker.take(beyondStockMm3(layer, tol), layer);
     }
     std::erase_if(found.unplanned, [](const Unplanned& entry) { return entry.volume_mm3 <= 0; });
     return left_mm3;

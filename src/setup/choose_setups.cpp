@@ -53,6 +53,12 @@ Box3 turnedStock(const Stock& stock, const Vec3& axis, const setup::Facets& stoc
     return boxOfPoints(stock_facets, rotation);
 }
 
+/// Of a place under the stock's side towards a box direction.
+double depthMm(const Vec3& at, const Vec3& axis, const Stock& stock) {
+    const Vec3 farthest = (axis.array() > 0).select(stock.bbox_mm.max(), stock.bbox_mm.min());
+    return axis.dot(farthest - at);
+}
+
 void placeOn(Setup& setup, const Box3& turned) {
     setup.part_to_setup = setup::frameFor(setup.axis, turned);
     const Vec3 size = turned.sizes();
@@ -121,6 +127,7 @@ class SetupMaker {
 
     std::vector<std::pair<std::vector<Setup>, double>> withOneMore(
         const std::vector<Setup>& setups, const std::vector<UnreachedPlace>& places) const {
+        const Stock& stock = setups.front().stock;
         const setup::RayTree tree(mesh_.facets);
         std::vector<std::pair<std::vector<Setup>, double>> found;
         for (const Vec3& axis : setup::candidateAxes(part_, request_.forbidden)) {
@@ -128,10 +135,11 @@ class SetupMaker {
             if (!isBoxDirection(axis) || std::any_of(setups.begin(), setups.end(), is_along)) continue;
             double free_mm3 = 0;
             for (const UnreachedPlace& place : places)
-                if (!tree.blocked(place.at, axis)) free_mm3 += place.volume_mm3;
+                if (depthMm(place.at, axis, stock) < place.depth_mm && !tree.blocked(place.at, axis))
+                    free_mm3 += place.volume_mm3;
             if (free_mm3 <= 0) continue;
             found.emplace_back(setups, free_mm3);
-            found.back().first.push_back(make(axis, setups.front().stock));
+            found.back().first.push_back(make(axis, stock));
             found.back().first.back().chosen = true;
         }
         std::stable_sort(found.begin(), found.end(),

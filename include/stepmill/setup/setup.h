@@ -115,14 +115,15 @@ std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest
 
 /// Where something stays that no tool of some setups got to.
 struct UnreachedPlace {
-    Vec3 at;  ///< in part coordinates
+    Vec3 at;              ///< in part coordinates
+    double depth_mm = 0;  ///< under the stock's top, as it was then
     double volume_mm3 = 0;
 };
 
 /// The setups with one more behind them: along each direction of the part's box that is not among theirs and
-/// from which the part leaves some of the places free.
+/// from which some of the places are free of the part and lie less deep.
 ///
-/// \return  each with the volume at those places, the most first; empty where no direction frees any
+/// \return  each with the volume at those places, the most first; empty where there is no such direction
 std::vector<std::pair<std::vector<Setup>, double>> withOneMore(const Part& part, const SetupRequest& request,
                                                                const std::vector<Setup>& setups,
                                                                const std::vector<UnreachedPlace>& places);

@@ -47,7 +47,7 @@ std::vector<UnreachedPlace> unreachedPlaces(const Plan& plan) {
             if (!middle) continue;
             const double z_mm = (left.prism.top_z_mm + left.prism.bottom_z_mm) / 2;
             const Vec3 at = planned.setup.part_to_setup.inverse() * Vec3(middle->x(), middle->y(), z_mm);
-            places.push_back({at, stays_mm3});
+            places.push_back({at, -z_mm, stays_mm3});
         }
     return places;
 }

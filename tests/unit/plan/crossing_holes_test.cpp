@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/catalog/read_catalog.h"
+#include "stepmill/core/units.h"
+#include "stepmill/plan/books.h"
 #include "stepmill/plan/plan.h"
 #include "support/occt_solids.h"
 #include "support/tolerances.h"
@@ -77,6 +79,40 @@ TEST(CrossingHoles, WhatNoHolderGetsToIsDrilledFromTheOtherSide) {
     EXPECT_EQ(drilledDepths(plan.setups[2]), (std::vector<double>{10}));
     EXPECT_EQ(plan.assignment.choices.size(), 2U);
     expectNothingStays(plan);
+}
+
+/// A tube of 50 mm with a bore of 36 mm.
+TopoDS_Shape tube() {
+    return cut(cylinder(0, 0, 0, 25, 60), cylinder(0, 0, -1, 18, 62));
+}
+
+TEST(CrossingHoles, AFarWallsHoleStaysInTheBooksWhereNoHolderGetsToIt) {
+    const TopoDS_Shape drilled = cut(tube(), alongY(0, 50, -30, 3, 60));
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.setup.axes = {-Vec3::UnitZ(), -Vec3::UnitY()};
+    const Plan plan = planPart(test::part(drilled), request, defaultToolLibrary(), defaultMachine(), kTol);
+    // The bore's air, seen from the side, must not be taken for that of the hole.
+    EXPECT_NEAR(plan.balance.residual_mm3, kPi * 9 * (25 - 18), 5);
+    EXPECT_FALSE(plan.complete(kTol));
+}
+
+TEST(CrossingHoles, AFarWallsWindowIsCutThroughTheNearOne) {
+    const Plan plan = planned(cut(tube(), box(-30, -6, 20, 60, 12, 25)));
+    for (const PlannedSetup& setup : plan.setups)
+        for (const PlannedFeature& window : setup.features)
+            EXPECT_FALSE(window.sequence.steps.empty()) << window.feature.id;
+    EXPECT_LT(plan.balance.residual_mm3, 1e-3 * plan.balance.stock_minus_part_mm3);
+}
+
+TEST(CrossingHoles, ATiltedOneLeavesTheBooksClosed) {
+    const gp_Ax2 tilted(gp_Pnt(50, 20, 40), gp_Dir(-0.5, 0, -std::sqrt(0.75)));
+    const TopoDS_Shape upright = cut(box(0, 0, 0, 60, 40, 30), cylinder(10, 20, -1, 3, 40));
+    const Plan plan = planned(cut(upright, BRepPrimAPI_MakeCylinder(tilted, 3, 60).Shape()));
+    ASSERT_EQ(plan.setups.size(), 2U);
+    EXPECT_LT(plan.balance.gapShare(), 0.1 * kTol.volume_share);
+    for (const PlannedSetup& setup : plan.setups)
+        EXPECT_TRUE(closes(setup.balance, plan.balance.stock_minus_part_mm3, kTol)) << setup.setup.id;
 }
 
 }  // namespace

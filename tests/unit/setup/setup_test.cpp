@@ -167,8 +167,8 @@ TEST(WithOneMore, AddsTheFreeSidesOfWhatStaysTheMostVolumeFirst) {
     const Part drilled = part(cut(cut(box(0, 0, 0, 60, 50, 30), cylinder(10, 25, -1, 4, 40)),
                                   box(20, 20, 10, 41, 10, 10)));
     const std::vector<Setup> from_above{setupOf(drilled)};
-    const UnreachedPlace in_hole{{10, 25, 5}, 100};
-    const UnreachedPlace in_slot{{50, 25, 15}, 200};
+    const UnreachedPlace in_hole{{10, 25, 5}, 25, 100};
+    const UnreachedPlace in_slot{{50, 25, 15}, 15, 200};
     const auto sets = withOneMore(drilled, {}, from_above, {in_hole, in_slot});
     ASSERT_EQ(sets.size(), 2U);
     for (const auto& [setups, free_mm3] : sets) {
@@ -184,6 +184,8 @@ TEST(WithOneMore, AddsTheFreeSidesOfWhatStaysTheMostVolumeFirst) {
     no_x.forbidden = {Vec3::UnitX()};
     EXPECT_EQ(withOneMore(drilled, no_x, from_above, {in_hole, in_slot}).size(), 1U);
     EXPECT_TRUE(withOneMore(drilled, {}, from_above, {}).empty());
+    // From below it is as far.
+    EXPECT_TRUE(withOneMore(drilled, {}, from_above, {{{10, 25, 15}, 15, 100}}).empty());
 }
 
 TEST(ChooseSetups, IndexesToATiltedHoleLast) {
