@@ -166,7 +166,7 @@ TEST(OtherSetups, BeginOnTheSameStock) {
 TEST(WithOneMore, AddsTheFreeSidesOfWhatStaysTheMostVolumeFirst) {
     const Part drilled = part(cut(cut(box(0, 0, 0, 60, 50, 30), cylinder(10, 25, -1, 4, 40)),
                                   box(20, 20, 10, 41, 10, 10)));
-    const std::vector<Setup> from_above{setupOf(drilled)};
+    const std::vector<stepmill::Setup> from_above{setupOf(drilled)};
     const UnreachedPlace in_hole{{10, 25, 5}, 25, 100};
     const UnreachedPlace in_slot{{50, 25, 15}, 15, 200};
     const auto sets = withOneMore(drilled, {}, from_above, {in_hole, in_slot});
