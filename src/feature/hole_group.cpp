@@ -97,6 +97,9 @@ void add(Feature& group, const Feature& hole) {
     group.closed_length_mm += hole.closed_length_mm;
     group.area_mm2 += hole.area_mm2;
     group.volume_mm3 += hole.volume_mm3;
+    if (hole.room_below_mm)
+        group.room_below_mm =
+            std::min(*hole.room_below_mm, group.room_below_mm.value_or(*hole.room_below_mm));
 }
 
 }  // namespace

@@ -182,15 +182,19 @@ std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& l
     return volumes;
 }
 
-/// A drill goes on through what is left where its hole ends in another one, if the part leaves all of it free
-/// there.
+/// A drill goes on through what is left right below its hole where that ends in another one, if the part
+/// leaves all of it free there.
 void keepUnderHoles(RemovalForest& forest, const LayerStack& layers, const Tolerances& tol) {
     for (RemovalComponent& component : forest.components) {
         if (!component.left || component.hole < 0) continue;
-        const RemovalComponent& hole = forest.components[component.hole];
-        if (hole.left) continue;
+        const bool goes_on = std::any_of(component.parents.begin(), component.parents.end(), [&](int parent) {
+            const RemovalComponent& over = forest.components[parent];
+            return !over.left && over.layer + 1 == component.layer;
+        });
+        if (!goes_on) continue;
+        const Region& hole = forest.components[component.hole].region;
         const Region& shadow = layers.layers[component.layer].shadow;
-        component.left = !isSliver(intersect(hole.region, shadow, tol), tol);
+        component.left = !isSliver(intersect(hole, shadow, tol), tol);
     }
 }
 

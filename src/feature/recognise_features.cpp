@@ -68,7 +68,7 @@ class Recogniser {
         made.target = group.target;
         made.obstruction = standing_.above(last.layer, removed_.back());
         made.obstacles = standing_.obstacles(last.layer, removed_.back());
-        made.through = opensBelow(made.target, last.layer);
+        lookBelow(made, last.layer);
         made.area_mm2 = area(made.target);
         for (const int index : group.components)
             made.volume_mm3 += feature::volumeMm3(forest_.components[index], layers_);
@@ -100,21 +100,30 @@ class Recogniser {
         return all;
     }
 
-    /// Is there nothing below the floor? A hole is through, too, where the part leaves a drill room to come
-    /// out below it, as where it ends in another hole.
-    bool opensBelow(const Region& floor, int above) const {
-        const double floor_mm = layers_.layers[above].bottom_z_mm;
-        const bool hole = isFullCircles(floor);
-        const double out_mm =
-            hole ? floor_mm - outOfHoleMm(radiusOfCircles(floor)) : layers_.stock_bottom_z_mm;
-        const auto meets = [&](const Region& region) {
-            return area(intersect(floor, region, tol_)) > tol_.area_mm2;
-        };
-        return std::none_of(layers_.layers.begin() + above + 1, layers_.layers.end(),
-                            [&](const Layer& layer) {
-                                if (layer.top_z_mm <= out_mm) return false;
-                                return meets(layer.part) || (!hole && meets(layer.stock));
-                            });
+    /// Sets whether it is through.
+    void lookBelow(Feature& made, int above) const {
+        if (isFullCircles(made.target)) made.room_below_mm = partBelowMm(made.target, above);
+        made.through = made.room_below_mm ? *made.room_below_mm >= outOfHoleMm(radiusOfCircles(made.target))
+                                          : isFullCircles(made.target) || nothingBelow(made.target, above);
+        if (!made.through) made.room_below_mm.reset();
+    }
+
+    bool meets(const Region& floor, const Region& region) const {
+        return area(intersect(floor, region, tol_)) > tol_.area_mm2;
+    }
+
+    bool nothingBelow(const Region& floor, int above) const {
+        return std::none_of(
+            layers_.layers.begin() + above + 1, layers_.layers.end(),
+            [&](const Layer& layer) { return meets(floor, layer.stock) || meets(floor, layer.part); });
+    }
+
+    /// How far below the floor part begins, or what is to stay as if it were; nothing where none does.
+    std::optional<double> partBelowMm(const Region& floor, int above) const {
+        const auto below = std::find_if(layers_.layers.begin() + above + 1, layers_.layers.end(),
+                                        [&](const Layer& layer) { return meets(floor, layer.shadow); });
+        if (below == layers_.layers.end()) return std::nullopt;
+        return layers_.layers[above].bottom_z_mm - below->top_z_mm;
     }
 
     const LayerStack& layers_;

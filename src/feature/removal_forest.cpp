@@ -101,7 +101,10 @@ int holeOf(const RemovalForest& forest, int index, const Tolerances& tol) {
         const int hole = parentsHole(component.parents.front());
         const bool one = std::all_of(component.parents.begin(), component.parents.end(),
                                      [&](int parent) { return parentsHole(parent) == hole; });
-        if (hole >= 0 && one && isIn(forest.components[hole], component, tol)) return hole;
+        const bool in = hole >= 0 && one && isIn(forest.components[hole], component, tol);
+        const bool narrower = in && isFullCircles(component.region) &&
+                              !sameRegion(forest.components[hole].region, component.region, tol);
+        if (in && !narrower) return hole;
     }
     return isFullCircles(component.region) ? index : -1;
 }

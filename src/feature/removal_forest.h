@@ -16,8 +16,8 @@ struct RemovalComponent {
     bool open = false;           ///< part of its boundary is the stock's own: a cutter can come in there
     bool inside_parent = false;  ///< lies within its only parent, as it always does in a box of stock
     bool left = false;           ///< no feature takes it: not worth a pass after earlier setups
-    /// The full circle it lies in, itself or one above with nothing but its like and air between: a hole goes
-    /// on through it, also where it crosses another. -1: none.
+    /// The full circle that it goes on with or begins: one above, with nothing between but what lies in it
+    /// and air, or itself. A hole goes on like that where it crosses another. -1: none.
     int hole = -1;
     std::vector<int> parents;  ///< components of the layer above that it overlaps, or the next above air
     std::vector<int> children;

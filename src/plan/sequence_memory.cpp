@@ -73,6 +73,7 @@ class Key {
               feature.closed_length_mm, feature.area_mm2, feature.volume_mm3})
             add(mm);
         add(feature.through);
+        add(feature.room_below_mm);
         add(feature.drilled);
         add(feature.min_corner_radius_mm);
         for (const Region* region : {&feature.target, &feature.obstruction, &feature.skirt})

@@ -72,19 +72,19 @@ double beyondStockMm3(const Layer& layer, const Tolerances& tol) {
 /// walls.
 double netOfAir(FeatureSet& found, const LayerStack& layers, const Tolerances& tol) {
     double hull_mm3 = 0;
-    double air_mm3 = 0;
+    double all_air_mm3 = 0;
     for (const Layer& layer : layers.layers) {
         hull_mm3 += area(layer.stock) * layer.height_mm();
-        air_mm3 += layer.stock_air_mm3;
+        all_air_mm3 += layer.stock_air_mm3;
     }
-    if (air_mm3 <= 0) return 0;
+    if (all_air_mm3 <= 0) return 0;
     // Slabs' volumes come from a quadrature; the solid's own volume is surer.
-    const double scale = std::max(0.0, hull_mm3 - layers.stock_volume_mm3) / air_mm3;
+    const double scale = std::max(0.0, hull_mm3 - layers.stock_volume_mm3) / all_air_mm3;
     AirTaker taker(found.unplanned);
     double left_mm3 = 0;
     for (const Layer& layer : layers.layers) {
-        left_mm3 += taker.take(scale * layer.stock_air_mm3, layer);
-        taker.take(beyondStockMm3(layer, tol), layer);
+        const double air_mm3 = scale * layer.stock_air_mm3;
+        left_mm3 += std::min(air_mm3, taker.take(air_mm3 + beyondStockMm3(layer, tol), layer));
     }
     std::erase_if(found.unplanned, [](const Unplanned& entry) { return entry.volume_mm3 <= 0; });
     return left_mm3;

@@ -155,6 +155,7 @@ Json bandJson(const PlannedFeature& planned, const BandsById& bands, FeatureTabl
                    return residualJson(residual, tables.regions);
                })}};
     if (band.point_mm > 0) json["point_mm"] = number(band.point_mm);
+    if (band.room_below_mm) json["room_below_mm"] = number(*band.room_below_mm);
     return json;
 }
 

@@ -80,6 +80,7 @@ RecordedFeature readBand(const Json& json, const std::string& pointer, ReadTable
     band.feature_class = featureClass(json["class"]);
     band.through = !hasFloor(band.feature_class);
     band.point_mm = json.value("point_mm", 0.0);
+    if (json.contains("room_below_mm")) band.room_below_mm = json["room_below_mm"];
     band.area_mm2 = json["area_mm2"];
     band.volume_mm3 = json["volume_mm3"];
     band.open_length_mm = json["open_length_mm"];

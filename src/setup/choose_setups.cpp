@@ -53,10 +53,10 @@ Box3 turnedStock(const Stock& stock, const Vec3& axis, const setup::Facets& stoc
     return boxOfPoints(stock_facets, rotation);
 }
 
-/// Of a place under the stock's side towards a box direction.
+/// Of a place under the highest point of the stock's box along an axis.
 double depthMm(const Vec3& at, const Vec3& axis, const Stock& stock) {
-    const Vec3 farthest = (axis.array() > 0).select(stock.bbox_mm.max(), stock.bbox_mm.min());
-    return axis.dot(farthest - at);
+    const Vec3 highest = (axis.array() > 0).select(stock.bbox_mm.max(), stock.bbox_mm.min());
+    return axis.dot(highest - at);
 }
 
 void placeOn(Setup& setup, const Box3& turned) {
@@ -125,25 +125,27 @@ class SetupMaker {
         return sets;
     }
 
-    std::vector<std::pair<std::vector<Setup>, double>> withOneMore(
-        const std::vector<Setup>& setups, const std::vector<UnreachedPlace>& places) const {
+    std::vector<AddedSetup> withOneMore(const std::vector<Setup>& setups,
+                                        const std::vector<UnreachedPlace>& places) const {
         const Stock& stock = setups.front().stock;
         const setup::RayTree tree(mesh_.facets);
-        std::vector<std::pair<std::vector<Setup>, double>> found;
+        std::vector<AddedSetup> found;
         for (const Vec3& axis : setup::candidateAxes(part_, request_.forbidden)) {
             const auto is_along = [&](const Setup& setup) { return setup.axis.isApprox(axis); };
             if (!isBoxDirection(axis) || std::any_of(setups.begin(), setups.end(), is_along)) continue;
-            double free_mm3 = 0;
-            for (const UnreachedPlace& place : places)
-                if (depthMm(place.at, axis, stock) < place.depth_mm && !tree.blocked(place.at, axis))
-                    free_mm3 += place.volume_mm3;
-            if (free_mm3 <= 0) continue;
-            found.emplace_back(setups, free_mm3);
-            found.back().first.push_back(make(axis, stock));
-            found.back().first.back().chosen = true;
+            AddedSetup added{setups, 0};
+            for (const UnreachedPlace& place : places) {
+                const bool nearer = depthMm(place.at, axis, stock) < depthMm(place.at, place.axis, stock);
+                if (nearer && !tree.blocked(place.at, axis)) added.free_mm3 += place.volume_mm3;
+            }
+            if (added.free_mm3 <= 0) continue;
+            Setup more = make(axis, stock);
+            more.chosen = true;
+            added.setups.push_back(std::move(more));
+            found.push_back(std::move(added));
         }
         std::stable_sort(found.begin(), found.end(),
-                         [](const auto& a, const auto& b) { return a.second > b.second; });
+                         [](const AddedSetup& a, const AddedSetup& b) { return a.free_mm3 > b.free_mm3; });
         return found;
     }
 
@@ -285,12 +287,12 @@ std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest
     return sets;
 }
 
-std::vector<std::pair<std::vector<Setup>, double>> withOneMore(const Part& part, const SetupRequest& request,
-                                                               const std::vector<Setup>& setups,
-                                                               const std::vector<UnreachedPlace>& places) {
-    auto sets = SetupMaker(part, request).withOneMore(setups, places);
-    for (auto& [more, free_mm3] : sets)
-        more = numbered(std::move(more));
+std::vector<AddedSetup> withOneMore(const Part& part, const SetupRequest& request,
+                                    const std::vector<Setup>& setups,
+                                    const std::vector<UnreachedPlace>& places) {
+    std::vector<AddedSetup> sets = SetupMaker(part, request).withOneMore(setups, places);
+    for (AddedSetup& added : sets)
+        added.setups = numbered(std::move(added.setups));
     return sets;
 }
 

@@ -168,6 +168,8 @@ class SetupComparison {
         if (recorded.parents != derived.parents)
             fail(derived.id, "waits for other features than the part says");
         length(derived.id, "the drill's point under the floor", recorded.point_mm, derived.point_mm);
+        length(derived.id, "the room below the floor", recorded.room_below_mm.value_or(0),
+               derived.room_below_mm.value_or(0));
         if (recorded.feature_class != derived.feature_class)
             fail(derived.id, fmt::format("is a {}, not a {}", toString(derived.feature_class),
                                          toString(recorded.feature_class)));

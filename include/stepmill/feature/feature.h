@@ -79,7 +79,11 @@ struct Feature {
     std::vector<std::string> parents;  ///< ids that must be machined before this one
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    bool through = false;  ///< nothing of part or stock lies below the floor
+    /// Nothing of part or stock lies below the floor; a hole is through, too, where the part leaves a drill
+    /// room to come out, as into another hole.
+    bool through = false;
+    /// Of such a hole over part: so far below the floor that leaves its circle free [mm].
+    std::optional<double> room_below_mm;
     /// Of a blind hole: so deep below the floor the part leaves a drill's point free, a cone on the whole
     /// floor; 0: the floor is flat. No volume of the feature [mm].
     double point_mm = 0;

@@ -23,7 +23,8 @@ double holeRadiusMm(const Feature& feature);
 /// A drill comes out of a through hole by its point and so much more [mm].
 inline constexpr double kBreakThroughMm = 0.5;
 
-/// How far at most drills come out of a through hole of that radius: with a point of 90 degrees [mm].
+/// How far at most drills come out of a through hole of that radius [mm]: libraries have none with a point
+/// sharper than 90 degrees, which is as long as the radius.
 inline double outOfHoleMm(double radius_mm) {
     return radius_mm + kBreakThroughMm;
 }

@@ -15,8 +15,9 @@ namespace stepmill {
 /// Down to here the steps of a hole make it in its whole width; nothing where they do not make it [mm].
 std::optional<double> boredToZ(const Feature& hole, const ToolSequence& made, const ToolLibrary& library);
 
-/// The hole as that tap finds it: a through hole with a fixture below, as far down as the tap would go out of
-/// it, is none to a tap. Taps go out farther than drills, for whom Feature::through tells of fixtures.
+/// The hole as that tap finds it: a through hole with a fixture or the part below, as far down as the tap
+/// would go out of it, is none to a tap. Taps go out farther than drills, for whom Feature::through tells of
+/// both.
 Feature asTapFinds(Feature hole, const ToolAssembly& tap, const std::vector<Fixture>& fixtures,
                    const Tolerances& tol);
 

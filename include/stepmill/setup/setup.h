@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "stepmill/catalog/fixture.h"
@@ -113,20 +112,26 @@ std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest& request,
                                             const std::vector<Setup>& chosen);
 
-/// Where something stays that no tool of some setups got to.
+/// Where something stays that no tool of a setup got to.
 struct UnreachedPlace {
-    Vec3 at;              ///< in part coordinates
-    double depth_mm = 0;  ///< under the stock's top, as it was then
+    Vec3 at;    ///< in part coordinates, as ...
+    Vec3 axis;  ///< ... the setup's
     double volume_mm3 = 0;
 };
 
-/// The setups with one more behind them: along each direction of the part's box that is not among theirs and
-/// from which some of the places are free of the part and lie less deep.
+/// Setups with one more behind them.
+struct AddedSetup {
+    std::vector<Setup> setups;
+    double free_mm3 = 0;  ///< volume at the places that the last one may get to
+};
+
+/// The setups with one more: along each direction of the part's box that is not among theirs and from which
+/// some of the places are free of the part and lie less deep in the raw stock.
 ///
-/// \return  each with the volume at those places, the most first; empty where there is no such direction
-std::vector<std::pair<std::vector<Setup>, double>> withOneMore(const Part& part, const SetupRequest& request,
-                                                               const std::vector<Setup>& setups,
-                                                               const std::vector<UnreachedPlace>& places);
+/// \return  the most volume first; empty where there is no such direction
+std::vector<AddedSetup> withOneMore(const Part& part, const SetupRequest& request,
+                                    const std::vector<Setup>& setups,
+                                    const std::vector<UnreachedPlace>& places);
 
 /// The setup on another stock: work offset and box moved to it.
 Setup onStock(const Setup& setup, const Stock& stock);

@@ -6,6 +6,7 @@
 
 #include "layers/section/section_points.h"
 #include "layers/section/tidy_loop.h"
+#include "stepmill/core/units.h"
 
 namespace stepmill::layers {
 
@@ -49,14 +50,21 @@ std::optional<PlaneCurve> lineOfLying(const FaceRun& run, const Ends& ends, doub
     return curve;
 }
 
+/// Where a run passes over such a strip no more than so much of a bore is closed [rad]: no half of one, which
+/// has a bar across it.
+constexpr double kMostClosedRad = kPi / 2;
+
 /// What closes the loop where a run passes over such a strip. A bore that a lying hole opens there is still
 /// round; else the chord will do.
-PlaneCurve acrossStrip(const PlaneCurve& before, const PlaneCurve& after, const Ends& ends) {
-    if (before.kind == PlaneCurve::Kind::Circle && after.kind == PlaneCurve::Kind::Circle &&
-        sameCircle(before.arc, after.arc)) {
-        PlaneCurve round = before;
-        round.turn = sweepAngle(before.project(ends.from), before.project(ends.to), before.arc);
-        return round;
+PlaneCurve acrossStrip(const std::optional<PlaneCurve>& before, const std::optional<PlaneCurve>& after,
+                       const Ends& ends) {
+    const auto isBore = [](const std::optional<PlaneCurve>& curve) {
+        return curve && curve->kind == PlaneCurve::Kind::Circle && !curve->arc.ccw;
+    };
+    if (isBore(before) && isBore(after) && sameCircle(before->arc, after->arc)) {
+        PlaneCurve round = *before;
+        round.turn = sweepAngle(round.project(ends.from), round.project(ends.to), round.arc);
+        if (std::abs(round.turn) <= kMostClosedRad) return round;
     }
     PlaneCurve chord;
     chord.kind = PlaneCurve::Kind::Line;
@@ -106,8 +114,8 @@ Loop joinRuns(const SolidMesh& mesh, const std::vector<FaceRun>& runs, double z_
         known.push_back(curveOf(mesh, runs[i], endsOf(i), z_mm, tol));
     std::vector<PlaneCurve> curves;
     for (std::size_t i = 0; i < n; ++i) {
-        const PlaneCurve before = known[(i + n - 1) % n].value_or(PlaneCurve{});
-        const PlaneCurve after = known[(i + 1) % n].value_or(PlaneCurve{});
+        const std::optional<PlaneCurve>& before = known[(i + n - 1) % n];
+        const std::optional<PlaneCurve>& after = known[(i + 1) % n];
         curves.push_back(known[i] ? *known[i] : acrossStrip(before, after, endsOf(i)));
     }
     return joinCurves(curves, on_edge, tol.curve_fit_mm);

@@ -22,6 +22,9 @@ constexpr double kOthersTimeShare = 0.25;
 /// [s].
 constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 
+/// Of the sides that are free to what stays so many are tried, those to most of it: each is a plan more.
+constexpr std::size_t kSidesTried = 2;
+
 /// What form cutters leave, skins and ridges, differs by no more than this share of all that is to be
 /// removed, or than ridges as high as allowed on all that leans.
 constexpr double kFormsLeaveShare = 0.002;
@@ -42,6 +45,7 @@ class SetupSearch {
             tryOut(*other++, kSidesAlike);
         if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_)) {
             turned_down_.push_back(SetupWeigher::unplanned(sets.chosen, SetupVerdict::CannotTakeLess));
+            if (sets.more_may_follow) addSetups();
             return taken();
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
@@ -54,14 +58,16 @@ class SetupSearch {
     }
 
   private:
-    /// Adds setups while each takes half of what its side is free to.
+    /// Adds setups while plans with them are better: each is to take half of what its side is free to.
     void addSetups() {
         for (bool added = true; added;) {
-            const auto more = withOneMore(best_->part, request_.setup, setups_, unreachedPlaces(*best_));
+            std::vector<AddedSetup> sides =
+                withOneMore(best_->part, request_.setup, setups_, unreachedPlaces(*best_));
+            sides.resize(std::min(sides.size(), kSidesTried));
             added = false;
-            for (auto set = more.begin(); set != more.end() && !added; ++set) {
-                tryOut(set->first, {0, set->second / 2});
-                added = setups_.size() == set->first.size();
+            for (auto side = sides.begin(); side != sides.end() && !added; ++side) {
+                tryOut(side->setups, {0, side->free_mm3 / 2});
+                added = setups_.size() == side->setups.size();
             }
         }
     }

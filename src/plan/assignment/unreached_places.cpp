@@ -3,7 +3,6 @@
 #include "plan/assignment/unreached_places.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "plan/residual_prisms.h"
 
@@ -22,11 +21,12 @@ bool mayBeReachedElsewhere(const StayReason& reason) {
            reason == Reason::Fixture;
 }
 
-/// A point well inside the region, where its middle is that.
-std::optional<Vec2> middleOf(const Region& region) {
-    for (const Region& component : components(region))
-        if (const Vec2 middle = centroid(component); contains(component, middle)) return middle;
-    return std::nullopt;
+/// Points well inside the pieces of the region, of those whose middle is that.
+std::vector<Vec2> middlesOf(const Region& region) {
+    std::vector<Vec2> middles;
+    for (const Region& piece : components(region))
+        if (const Vec2 middle = centroid(piece); contains(piece, middle)) middles.push_back(middle);
+    return middles;
 }
 
 /// What of a residual makes a setup of its own pay.
@@ -43,11 +43,12 @@ std::vector<UnreachedPlace> unreachedPlaces(const Plan& plan) {
         for (const ResidualPrism& left : residualPrisms(planned.features)) {
             const double stays_mm3 = left.of->stays_mm3.value_or(0);
             if (!mayBeReachedElsewhere(left.reason) || stays_mm3 < paysFromMm3(left, plan)) continue;
-            const std::optional<Vec2> middle = middleOf(left.prism.region);
-            if (!middle) continue;
             const double z_mm = (left.prism.top_z_mm + left.prism.bottom_z_mm) / 2;
-            const Vec3 at = planned.setup.part_to_setup.inverse() * Vec3(middle->x(), middle->y(), z_mm);
-            places.push_back({at, -z_mm, stays_mm3});
+            const std::vector<Vec2> middles = middlesOf(left.prism.region);
+            for (const Vec2& middle : middles) {
+                const Vec3 at = planned.setup.part_to_setup.inverse() * Vec3(middle.x(), middle.y(), z_mm);
+                places.push_back({at, planned.setup.axis, stays_mm3 / static_cast<double>(middles.size())});
+            }
         }
     return places;
 }

@@ -12,7 +12,13 @@ namespace {
 
 /// Longer names may break within words [bytes].
 constexpr std::size_t kMostUnbroken = 40;
-constexpr const char* kNoTool = "none fits";
+
+/// Where no tool is taken.
+std::string noToolWords(const ToolSequence& sequence) {
+    for (const Residual& residual : sequence.residual)
+        if (!residual.taken_by.empty()) return "left to " + residual.taken_by;
+    return "none fits";
+}
 
 }  // namespace
 
@@ -94,7 +100,7 @@ std::string toolWords(const ToolSequence& sequence) {
         last = step.tool_id;
     }
     if (in_brackets) words += ")";
-    return words.empty() ? kNoTool : words;
+    return words.empty() ? noToolWords(sequence) : words;
 }
 
 std::string toolWords(const WholeFeature<PlannedFeature>& feature) {
@@ -104,7 +110,9 @@ std::string toolWords(const WholeFeature<PlannedFeature>& feature) {
         for (const SequenceStep& step : band->sequence.steps)
             if (std::find(tools.begin(), tools.end(), step.tool_id) == tools.end())
                 tools.push_back(step.tool_id);
-    return fmt::format("{} in {} bands", tools.empty() ? kNoTool : listed(tools), feature.bands.size());
+    return fmt::format("{} in {} bands",
+                       tools.empty() ? noToolWords(feature.bands.front()->sequence) : listed(tools),
+                       feature.bands.size());
 }
 
 }  // namespace stepmill::report

@@ -46,7 +46,7 @@ std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measur
 std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in);
 
 /// The tools of a band in order: "EM25 (+ EM10) > EM4", surrogates in brackets after the tool they help;
-/// "none fits" without any.
+/// without any "left to S3" where that setup cuts the ground, else "none fits".
 std::string toolWords(const ToolSequence& sequence);
 /// Those of a feature: the same where it has one band, else every tool once: "EM25, EM10, EM4 in 5 bands".
 std::string toolWords(const WholeFeature<PlannedFeature>& feature);

@@ -24,8 +24,12 @@ std::string sharingLine(const ToolSharing& sharing) {
 /// With all its bands.
 std::string featureLine(const WholeFeature<PlannedFeature>& feature, const Machine& machine) {
     const FeatureTimes times = timesOf(feature, machine);
-    const double stays_mm3 =
-        feature.sum([](const PlannedFeature& band) { return residualVolumeMm3(band.sequence); });
+    const double stays_mm3 = feature.sum([](const PlannedFeature& band) {
+        double sum_mm3 = 0;
+        for (const Residual& residual : band.sequence.residual)
+            sum_mm3 += residual.stays_mm3.value_or(residual.volume_mm3);
+        return sum_mm3;
+    });
     return fmt::format("{:<9} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
                        feature.id(), report::classWords(feature, report::Measures(false)), feature.depth_mm(),
                        feature.volume_mm3() / 1000, clockTime(times.time_s),

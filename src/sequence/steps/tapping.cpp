@@ -68,7 +68,8 @@ Feature asTapFinds(Feature hole, const ToolAssembly& tap, const std::vector<Fixt
             return area(intersect(fixture.section, makeCircle(axis, tap.radius_mm()), tol)) > 0;
         });
     };
-    hole.through = std::none_of(fixtures.begin(), fixtures.end(), lies_below);
+    const bool room = !hole.room_below_mm || deepest_z >= hole.floor_z_mm - *hole.room_below_mm;
+    hole.through = room && std::none_of(fixtures.begin(), fixtures.end(), lies_below);
     return hole;
 }
 

@@ -43,6 +43,19 @@ TEST(Reserve, PartsLayersAtItsEnds) {
     EXPECT_NEAR(area(stack.layers[1].shadow), area(kBoss) + area(kLeft), 1e-6);
 }
 
+TEST(Reserve, AHoleOverItIsBlind) {
+    const Region hole = makeCircle(Vec2(10, 30), 3);
+    const Region plate = subtract(kStock, hole, kTol);
+    const LayerStack stack = test::makeStack(kStock, {{-40, plate}});
+    const FeatureSet whole = recogniseFeatures(stack, kTol);
+    ASSERT_EQ(whole.features.size(), 1U);
+    EXPECT_TRUE(whole.features.front().through);
+    const FeatureSet over = recogniseFeatures(withReserve(stack, {{hole, -30, -40}}, kTol), kTol);
+    ASSERT_EQ(over.features.size(), 1U);
+    EXPECT_EQ(over.features.front().feature_class, FeatureClass::HoleBlind);
+    EXPECT_FALSE(over.features.front().room_below_mm);
+}
+
 TEST(Reserve, PartsNothingWhereALevelIs) {
     EXPECT_EQ(withReserve(boss(), {{kLeft, -15 + 1e-6, -40}}, kTol).layers.size(), 2U);
     EXPECT_EQ(withReserve(boss(), {}, kTol).layers.size(), 2U);

@@ -215,6 +215,16 @@ TEST(Slice, ABoreStaysRoundWhereALyingHoleOpensIt) {
         }
 }
 
+TEST(Slice, APinKeepsItsHolesEvenAtTheirRidges) {
+    const gp_Ax2 along_y(gp_Pnt(20, -1, 20), gp::DY());
+    const TopoDS_Shape pin = cylinder(20, 20, 0, 8, 40);
+    const LayerStack stack =
+        sliced(cut(pin, BRepPrimAPI_MakeCylinder(along_y, 3, 50).Shape()), Vec3::UnitZ(), test::allLevels());
+    EXPECT_TRUE(stack.remarks.empty()) << stack.remarks.front();
+    for (const Layer& layer : stack.layers)
+        EXPECT_NEAR(area(layer.shadow), kPi * 64, 0.01) << layer.top_z_mm;
+}
+
 TEST(LayerStack, AnswersByHeight) {
     const LayerStack stack = sliced(cut(box(0, 0, 0, 100, 80, 30), box(20, 10, 18, 50, 40, 12)));
     const Tolerances tol;

@@ -63,6 +63,20 @@ TEST(CrossingHoles, AHoleThatEndsInAWiderOneIsDrilledThroughItsWall) {
     expectNothingStays(plan);
 }
 
+TEST(CrossingHoles, AWiderTopDoesNotHideThatAHoleGoesOn) {
+    const TopoDS_Shape upright = cut(box(0, 0, 0, 60, 60, 40), cylinder(30, 30, -1, 6, 42));
+    const TopoDS_Shape counterbored = cut(cut(upright, alongY(30, 20, -1, 4, 31)), alongY(30, 20, -1, 7, 9));
+    const Plan plan = planned(counterbored);
+    ASSERT_EQ(plan.setups.size(), 2U);
+    const std::vector<PlannedFeature>& across = plan.setups[1].features;
+    ASSERT_EQ(across.size(), 2U);
+    EXPECT_EQ(across[1].feature.feature_class, FeatureClass::HoleThrough);
+    EXPECT_NEAR(across[1].feature.floor_z_mm, -30 + std::sqrt(36 - 16), 1e-3);
+    ASSERT_TRUE(across[1].feature.room_below_mm);
+    EXPECT_GT(*across[1].feature.room_below_mm, 4.5);
+    expectNothingStays(plan);
+}
+
 TEST(CrossingHoles, WallsFarApartAreDrilledOneByOneNearOnesInOneGo) {
     const TopoDS_Shape channel = cut(box(0, 0, 0, 100, 50, 30), box(-1, 15, 10, 102, 20, 30));
     const Plan plan = planned(cut(cut(channel, alongY(20, 20, -1, 5, 60)), alongY(50, 20, -1, 4, 60)));

@@ -68,6 +68,16 @@ TEST(Tapping, AFixtureBelowMakesAThroughHoleABlindOne) {
     EXPECT_DOUBLE_EQ(made.step->thread->full_to_z_mm, -10 + 1.25 + 5);
 }
 
+TEST(Tapping, ThePartBelowMakesAThroughHoleABlindOne) {
+    const ToolAssembly tap = makeTap("M8");
+    Feature into_another = coreHole(10, true);
+    const double out_mm = into_another.floor_z_mm - deepestTapTipZ(into_another, tap, 0);
+    into_another.room_below_mm = out_mm + 0.01;
+    EXPECT_TRUE(asTapFinds(into_another, tap, {}, Tolerances{}).through);
+    into_another.room_below_mm = out_mm - 0.01;
+    EXPECT_FALSE(asTapFinds(into_another, tap, {}, Tolerances{}).through);
+}
+
 TEST(Tapping, TheFeedIsPitchTimesSpeedToTheLastDecimal) {
     for (const char* name : {"M8", "M5", "1/4-20 UNC", "#10-24"}) {
         const ToolAssembly tap = makeTap(name);

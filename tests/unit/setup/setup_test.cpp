@@ -164,28 +164,28 @@ TEST(OtherSetups, BeginOnTheSameStock) {
 }
 
 TEST(WithOneMore, AddsTheFreeSidesOfWhatStaysTheMostVolumeFirst) {
-    const Part drilled = part(cut(cut(box(0, 0, 0, 60, 50, 30), cylinder(10, 25, -1, 4, 40)),
-                                  box(20, 20, 10, 41, 10, 10)));
+    const Part drilled =
+        part(cut(cut(box(0, 0, 0, 60, 50, 30), cylinder(10, 25, -1, 4, 40)), box(20, 20, 10, 41, 10, 10)));
     const std::vector<stepmill::Setup> from_above{setupOf(drilled)};
-    const UnreachedPlace in_hole{{10, 25, 5}, 25, 100};
-    const UnreachedPlace in_slot{{50, 25, 15}, 15, 200};
-    const auto sets = withOneMore(drilled, {}, from_above, {in_hole, in_slot});
+    const UnreachedPlace in_hole{{10, 25, 5}, Vec3::UnitZ(), 100};
+    const UnreachedPlace in_slot{{50, 25, 15}, Vec3::UnitZ(), 200};
+    const std::vector<AddedSetup> sets = withOneMore(drilled, {}, from_above, {in_hole, in_slot});
     ASSERT_EQ(sets.size(), 2U);
-    for (const auto& [setups, free_mm3] : sets) {
-        ASSERT_EQ(setups.size(), 2U);
-        EXPECT_EQ(setups.front().axis, Vec3::UnitZ());
-        EXPECT_EQ(setups.back().id, "S2");
+    for (const AddedSetup& added : sets) {
+        ASSERT_EQ(added.setups.size(), 2U);
+        EXPECT_EQ(added.setups.front().axis, Vec3::UnitZ());
+        EXPECT_EQ(added.setups.back().id, "S2");
     }
-    EXPECT_EQ(sets[0].first.back().axis, Vec3::UnitX());
-    EXPECT_EQ(sets[0].second, 200);
-    EXPECT_EQ(sets[1].first.back().axis, -Vec3::UnitZ());
-    EXPECT_EQ(sets[1].second, 100);
+    EXPECT_EQ(sets[0].setups.back().axis, Vec3::UnitX());
+    EXPECT_EQ(sets[0].free_mm3, 200);
+    EXPECT_EQ(sets[1].setups.back().axis, -Vec3::UnitZ());
+    EXPECT_EQ(sets[1].free_mm3, 100);
     SetupRequest no_x;
     no_x.forbidden = {Vec3::UnitX()};
     EXPECT_EQ(withOneMore(drilled, no_x, from_above, {in_hole, in_slot}).size(), 1U);
     EXPECT_TRUE(withOneMore(drilled, {}, from_above, {}).empty());
     // From below it is as far.
-    EXPECT_TRUE(withOneMore(drilled, {}, from_above, {{{10, 25, 15}, 15, 100}}).empty());
+    EXPECT_TRUE(withOneMore(drilled, {}, from_above, {{{10, 25, 15}, Vec3::UnitZ(), 100}}).empty());
 }
 
 TEST(ChooseSetups, IndexesToATiltedHoleLast) {
