@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 
@@ -15,8 +16,10 @@ namespace {
 /// A feature whose components change with the stock holds at most this share of air: feeding through it costs
 /// less than a feature, and its tools, for every slab.
 constexpr double kMostAirShare = 0.6;
-/// Nor does it go on behind air that is longer than so many times its own width: there a drill runs off.
-constexpr double kLongestGapWidths = 2;
+/// A hole goes on behind air that is no longer than so many of its diameters: else a drill runs off.
+constexpr double kLongestGapDiameters = 2;
+/// Layers with less between them lie on each other [mm].
+constexpr double kNoGapMm = 1e-6;
 
 class Grouper {
   public:
@@ -171,7 +174,7 @@ class Grouper {
         }
         std::sort(group.components.begin(), group.components.end());
         group.target = unite(grounds, tol_);
-        if (gapOver(floor, cluster.above) > kLongestGapWidths * widthOf(group.target)) return std::nullopt;
+        if (gapOver(floor, cluster.above) > longestGapMm(cluster)) return std::nullopt;
         if (holdsMuchAir(group) || !comesAfterWhatItWaitsFor(group)) return std::nullopt;
         const Region kept = intersect(group.target, floor.shadow, tol_);
         if (!isSliver(kept, tol_)) return std::nullopt;
@@ -187,8 +190,16 @@ class Grouper {
         return lowest_mm - layer.top_z_mm;
     }
 
-    /// Of a circle its diameter, of a slot twice its width.
-    static double widthOf(const Region& ground) { return 4 * area(ground) / perimeter(ground); }
+    /// Behind air a hole alone goes on.
+    double longestGapMm(const Cluster& cluster) const {
+        double narrowest_mm = std::numeric_limits<double>::infinity();
+        for (const int index : cluster.components) {
+            const int hole = forest_.components[index].hole;
+            if (hole < 0) return kNoGapMm;
+            narrowest_mm = std::min(narrowest_mm, 2 * radiusOfCircles(forest_.components[hole].region));
+        }
+        return kLongestGapDiameters * narrowest_mm;
+    }
 
     bool holdsMuchAir(const FeatureGroup& group) const {
         double volume_mm3 = 0;

@@ -69,24 +69,6 @@ double linkTo(RemovalForest& forest, int child, const std::vector<int>& above, c
     return overlap_mm2;
 }
 
-/// What lies under nothing but air that earlier setups left has the next components over that as its parents.
-void linkToParents(RemovalForest& forest, int child, const Tolerances& tol) {
-    RemovalComponent& component = forest.components[child];
-    const std::vector<int>& above = forest.of_layer[component.layer - 1];
-    const auto twin = std::find_if(above.begin(), above.end(), [&](int parent) {
-        return identical(forest.components[parent].region, component.region);
-    });
-    if (twin != above.end()) {
-        component.inside_parent = true;
-        return link(forest, *twin, child);
-    }
-    const double overlap_mm2 = linkTo(forest, child, above, tol);
-    component.inside_parent =
-        component.parents.size() == 1 && component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol);
-    for (int layer = component.layer - 1; layer-- > 0 && component.parents.empty();)
-        linkTo(forest, child, forest.of_layer[layer], tol);
-}
-
 /// Lies the component in the hole?
 bool isIn(const RemovalComponent& hole, const RemovalComponent& component, const Tolerances& tol) {
     return grown(boundingBox(hole.region), tol.sliver_mm).contains(boundingBox(component.region)) &&
@@ -109,6 +91,39 @@ int holeOf(const RemovalForest& forest, int index, const Tolerances& tol) {
     return isFullCircles(component.region) ? index : -1;
 }
 
+/// Under air that earlier setups left, what goes on with a hole and what lies wholly under other components
+/// has the next of these as its parents: no cutter gets to it before. \pre the layer above has none
+void linkThroughAir(RemovalForest& forest, int child, const Tolerances& tol) {
+    RemovalComponent& component = forest.components[child];
+    for (int layer = component.layer - 1; layer-- > 0;) {
+        const double overlap_mm2 = linkTo(forest, child, forest.of_layer[layer], tol);
+        if (component.parents.empty()) continue;
+        const int hole = holeOf(forest, child, tol);
+        const bool goes_on = hole >= 0 && hole != child;
+        if (goes_on || component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol)) return;
+        for (const int parent : component.parents)
+            forest.components[parent].children.pop_back();
+        component.parents.clear();
+        return;
+    }
+}
+
+void linkToParents(RemovalForest& forest, int child, const Tolerances& tol) {
+    RemovalComponent& component = forest.components[child];
+    const std::vector<int>& above = forest.of_layer[component.layer - 1];
+    const auto twin = std::find_if(above.begin(), above.end(), [&](int parent) {
+        return identical(forest.components[parent].region, component.region);
+    });
+    if (twin != above.end()) {
+        component.inside_parent = true;
+        return link(forest, *twin, child);
+    }
+    const double overlap_mm2 = linkTo(forest, child, above, tol);
+    component.inside_parent =
+        component.parents.size() == 1 && component.area_mm2 - overlap_mm2 <= areaSlack(component.region, tol);
+    if (component.parents.empty()) linkThroughAir(forest, child, tol);
+}
+
 }  // namespace
 
 double volumeMm3(const RemovalComponent& component, const LayerStack& layers) {
@@ -125,12 +140,11 @@ RemovalForest buildRemovalForest(const LayerStack& layers, const Tolerances& tol
             repeatLayer(forest, static_cast<int>(i));
         else
             addLayer(forest, layer, static_cast<int>(i), tol);
-        if (i == 0) continue;
-        for (const int child : forest.of_layer[i])
-            linkToParents(forest, child, tol);
+        for (const int index : forest.of_layer[i]) {
+            if (i > 0) linkToParents(forest, index, tol);
+            forest.components[index].hole = holeOf(forest, index, tol);
+        }
     }
-    for (std::size_t i = 0; i < forest.components.size(); ++i)
-        forest.components[i].hole = holeOf(forest, static_cast<int>(i), tol);
     return forest;
 }
 
