@@ -6,6 +6,7 @@
 
 #include "stepmill/access/swept.h"
 #include "stepmill/core/units.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/sequence/drilling.h"
@@ -20,6 +21,14 @@ constexpr double kNarrowestCutterMm = 0.1;
 std::string endMillOf(double widest_mm) {
     if (widest_mm < kNarrowestCutterMm) return "a relief in the design, or EDM: no cutter is so narrow";
     return fmt::format("an end mill of {:.4g} mm or less", widest_mm);
+}
+
+/// What could make the feature's ground: mills no wider than that, and in a hole a drill.
+std::string cutterFor(const Feature& feature, double widest_mm) {
+    const std::string mill = endMillOf(widest_mm);
+    return isHole(feature.feature_class)
+               ? fmt::format("a drill of {:.4g} mm or {}", 2 * holeRadiusMm(feature), mill)
+               : mill;
 }
 
 void add(Residual& into, const Region& piece, double depth_mm) {
@@ -53,13 +62,14 @@ std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& dri
     return {rim};
 }
 
-std::string longerTool(double diameter_mm, double stick_out_mm) {
-    return fmt::format("an end mill of {:.4g} mm with a stick-out of {:.4g} mm or a slimmer holder",
-                       diameter_mm, stick_out_mm);
+std::string longerTool(const std::string& kind, double diameter_mm, double stick_out_mm) {
+    return fmt::format("{} of {:.4g} mm with a stick-out of {:.4g} mm or a slimmer holder", kind, diameter_mm,
+                       stick_out_mm);
 }
 
 std::string whatWouldClear(const Withheld& withheld) {
-    if (withheld.holder_diameter_mm <= 0) return longerTool(withheld.diameter_mm, withheld.stick_out_mm);
+    if (withheld.holder_diameter_mm <= 0)
+        return longerTool("an end mill", withheld.diameter_mm, withheld.stick_out_mm);
     return fmt::format(
         "an end mill of {:.4g} mm with a stick-out of {:.4g} mm ({:.4g} mm more), or a holder no wider than "
         "{:.1f} mm below that",
@@ -103,8 +113,7 @@ Reason reasonFor(ExclusionReason reason) {
     return Reason::NoNarrowCutter;
 }
 
-std::string adviceFor(ExclusionReason reason, double widest_mm, double depth_mm) {
-    const std::string cutter = endMillOf(widest_mm);
+std::string adviceFor(ExclusionReason reason, const std::string& cutter, double depth_mm) {
     switch (reason) {
         case ExclusionReason::HolderCollision:
             return fmt::format("{} with a longer stick-out than {:.4g} mm or a slimmer holder", cutter,
@@ -187,7 +196,9 @@ Residual belowReach(const Feature& feature, const Shallower& reached) {
     below.volume_mm3 = feature.area_mm2 * (reached.floor_z_mm - feature.floor_z_mm);
     below.reason = {Reason::TooDeep, fmt::format("the tools reach {:.4g} of {:.4g} mm",
                                                  feature.top_z_mm - reached.floor_z_mm, feature.depth_mm())};
-    below.advice = longerTool(reached.diameter_mm, reached.stick_out_mm);
+    const bool drilled =
+        isHole(feature.feature_class) && reached.diameter_mm >= 2 * holeRadiusMm(feature) - kDrillUndersizeMm;
+    below.advice = longerTool(drilled ? "a drill" : "an end mill", reached.diameter_mm, reached.stick_out_mm);
     return below;
 }
 
@@ -213,7 +224,7 @@ Residual wholeFeature(const FeatureGround& ground, const std::vector<ToolReach>&
     whole.area_mm2 = feature.area_mm2;
     whole.volume_mm3 = feature.volume_mm3;
     whole.reason = {reasonFor(reason), most != votes.end() ? most->second.text : std::string()};
-    whole.advice = adviceFor(reason, widest_mm, feature.depth_mm());
+    whole.advice = adviceFor(reason, cutterFor(feature, widest_mm), feature.depth_mm());
     return whole;
 }
 
