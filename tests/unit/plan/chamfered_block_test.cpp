@@ -73,8 +73,7 @@ TEST(ChamferedBlock, IsTurnedOverForTheOtherEdges) {
 }
 
 TEST(ChamferedBlock, ItsBooksCloseWhereAnEarlierSetupDrilledAcross) {
-    const TopoDS_Shape hole =
-        BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(30, -1, 10), gp::DY()), 3, 16).Shape();
+    const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(30, -1, 10), gp::DY()), 3, 16).Shape();
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.setup.axes = {-Vec3::UnitY(), Vec3::UnitX()};
