@@ -91,6 +91,19 @@ TEST(SummaryText, NamesToolsTimesAndBooks) {
     EXPECT_NE(text.find("books:"), std::string::npos);
 }
 
+TEST(SummaryText, WhatALaterSetupTakesDoesNotStay) {
+    Plan plan = shoulderPlan();
+    ToolSequence& sequence = plan.setups.front().features.front().sequence;
+    sequence.steps.clear();
+    Residual& left = sequence.residual.emplace_back();
+    left.volume_mm3 = 7000;
+    left.stays_mm3 = 1000;
+    EXPECT_NE(summaryText(plan).find("none fits                           1.000 cm3"), std::string::npos);
+    left.stays_mm3 = 0;
+    left.taken_by = "S3";
+    EXPECT_NE(summaryText(plan).find("left to S3                          0.000 cm3"), std::string::npos);
+}
+
 TEST(WritePlan, LeavesAllFilesAndNothingElse) {
     const test::TemporaryFolder folder;
     JobFolder job(fs::path(folder.path()) / "a" / "job");
