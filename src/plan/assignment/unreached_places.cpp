@@ -11,8 +11,8 @@ namespace {
 
 /// What stays is worth another setup from this share of all that is to be removed, ...
 constexpr double kPaysShare = 1e-3;
-/// ... or of its feature: half a small hole is worth its setup, ...
-constexpr double kPaysFeatureShare = 0.5;
+/// ... or, of a hole, of its feature: half a small hole is worth its setup, ...
+constexpr double kPaysHoleShare = 0.5;
 /// ... if it is worth a warning [mm3].
 constexpr double kLeastMm3 = 1;
 
@@ -31,8 +31,10 @@ std::vector<Vec2> middlesOf(const Region& region) {
 
 /// What of a residual makes a setup of its own pay.
 double paysFromMm3(const ResidualPrism& left, const Plan& plan) {
-    return std::max(kLeastMm3, std::min(kPaysShare * plan.balance.stock_minus_part_mm3,
-                                        kPaysFeatureShare * left.feature->feature.volume_mm3));
+    double pays_mm3 = kPaysShare * plan.balance.stock_minus_part_mm3;
+    const Feature& feature = left.feature->feature;
+    if (isHole(feature.feature_class)) pays_mm3 = std::min(pays_mm3, kPaysHoleShare * feature.volume_mm3);
+    return std::max(kLeastMm3, pays_mm3);
 }
 
 }  // namespace
