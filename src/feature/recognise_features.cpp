@@ -102,10 +102,13 @@ class Recogniser {
 
     /// Sets whether it is through.
     void lookBelow(Feature& made, int above) const {
-        if (isFullCircles(made.target)) made.room_below_mm = partBelowMm(made.target, above);
-        made.through = made.room_below_mm ? *made.room_below_mm >= outOfHoleMm(radiusOfCircles(made.target))
-                                          : isFullCircles(made.target) || nothingBelow(made.target, above);
-        if (!made.through) made.room_below_mm.reset();
+        if (!isFullCircles(made.target)) {
+            made.through = nothingBelow(made.target, above);
+            return;
+        }
+        const std::optional<double> room_mm = partBelowMm(made.target, above);
+        made.through = !room_mm || *room_mm >= outOfHoleMm(radiusOfCircles(made.target));
+        if (made.through) made.room_below_mm = room_mm;
     }
 
     bool meets(const Region& floor, const Region& region) const {

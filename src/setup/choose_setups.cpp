@@ -133,16 +133,15 @@ class SetupMaker {
         for (const Vec3& axis : setup::candidateAxes(part_, request_.forbidden)) {
             const auto is_along = [&](const Setup& setup) { return setup.axis.isApprox(axis); };
             if (!isBoxDirection(axis) || std::any_of(setups.begin(), setups.end(), is_along)) continue;
-            AddedSetup added{setups, 0};
+            double free_mm3 = 0;
             for (const UnreachedPlace& place : places) {
                 const bool nearer = depthMm(place.at, axis, stock) < depthMm(place.at, place.axis, stock);
-                if (nearer && !tree.blocked(place.at, axis)) added.free_mm3 += place.volume_mm3;
+                if (nearer && !tree.blocked(place.at, axis)) free_mm3 += place.volume_mm3;
             }
-            if (added.free_mm3 <= 0) continue;
-            Setup more = make(axis, stock);
-            more.chosen = true;
-            added.setups.push_back(std::move(more));
-            found.push_back(std::move(added));
+            if (free_mm3 <= 0) continue;
+            found.push_back({setups, free_mm3});
+            found.back().setups.push_back(make(axis, stock));
+            found.back().setups.back().chosen = true;
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const AddedSetup& a, const AddedSetup& b) { return a.free_mm3 > b.free_mm3; });
@@ -290,6 +289,7 @@ std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest
 std::vector<AddedSetup> withOneMore(const Part& part, const SetupRequest& request,
                                     const std::vector<Setup>& setups,
                                     const std::vector<UnreachedPlace>& places) {
+    if (places.empty()) return {};  // as after most plans: the part needs no facets for that
     std::vector<AddedSetup> sets = SetupMaker(part, request).withOneMore(setups, places);
     for (AddedSetup& added : sets)
         added.setups = numbered(std::move(added.setups));

@@ -37,6 +37,14 @@ class SetupSearch {
         : request_(request), machine_(machine), weigher_(request, machine), plan_of_(plan_of) {}
 
     Plan best(const SetupSets& sets) {
+        choose(sets);
+        if (sets.more_may_follow) addSetups();
+        return taken();
+    }
+
+  private:
+    /// The best of the sets there are.
+    void choose(const SetupSets& sets) {
         auto other = sets.others.begin();
         const Alike ridges{kFormsLeaveShare, sets.forms_leave_mm3};
         if (sets.with_forms.size() == 1)
@@ -45,19 +53,15 @@ class SetupSearch {
             tryOut(*other++, kSidesAlike);
         if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_)) {
             turned_down_.push_back(SetupWeigher::unplanned(sets.chosen, SetupVerdict::CannotTakeLess));
-            if (sets.more_may_follow) addSetups();
-            return taken();
+            return;
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
         if (sets.with_forms.size() > 1 && mayBeBetter(sets.with_forms)) tryOut(sets.with_forms, ridges);
         if (isWorthWeighing())
             for (; other != sets.others.end(); ++other)
                 tryOut(*other, kSidesAlike);
-        if (sets.more_may_follow) addSetups();
-        return taken();
     }
 
-  private:
     /// Adds setups while plans with them are better: each is to take half of what its side is free to.
     void addSetups() {
         for (bool added = true; added;) {
