@@ -27,6 +27,10 @@ struct PlanningShop {
     HoldRequest hold;
     SequenceMemory& memory;
 
+    /// The same shop asked for something else.
+    PlanningShop with(const PlanRequest& other) const {
+        return {other, library, smaller, wishes, drills, machine, tol, hold, memory};
+    }
     const ToolLibrary& libraryOf(const std::string& feature) const;
     /// Of the feature; one that asks for nothing where there is none.
     const FeatureCaution& cautionOf(const std::string& feature) const;

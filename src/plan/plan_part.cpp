@@ -222,8 +222,10 @@ struct PlanSources {
     SequenceMemory& memory;
 };
 
-/// Planning in flat layers is given up at a deadline.
+/// Planning in flat layers is given up at a deadline, if there is one: no setup has to leave time to others.
 PlanRequest flatBy(PlanRequest request, const Deadline& flat_by) {
+    if (flat_by.isNever()) return request;
+    request.patience.setup_share = 1;
     request.patience.all_tools = request.patience.all_tools.orEarlier(flat_by);
     request.patience.few_tools = request.patience.few_tools.orEarlier(flat_by);
     return request;

@@ -117,7 +117,10 @@ std::vector<PlannedStage> planStages(const std::vector<Setup>& setups, const std
         if (const EarlierSetup* before = earlierOf(stage->setup, shop.request.earlier))
             names = namesFrom(*before, stage->found, shop.tol);
         stage->found = renamed(std::move(stage->found), names);
-        PlannedStage planned = planStage(*stage, shop, SetupProgress(progress, stages.size(), setups.size()));
+        PlanRequest in_time = shop.request;
+        in_time.patience = in_time.patience.ofOneSetup(walk.setupsLeft());
+        PlannedStage planned =
+            planStage(*stage, shop.with(in_time), SetupProgress(progress, stages.size(), setups.size()));
         const bool in_vain = !stages.empty() && stage->setup.chosen && cutsNothing(planned.setup);
         // Its features would be a long list of what there was no time for.
         last_in_vain = in_vain && no_time();

@@ -24,12 +24,13 @@ class Deadline {
                         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
     }
 
+    bool isNever() const { return at_ == Clock::time_point::max(); }
     /// Infinite where it never comes; negative where it has passed.
     double secondsLeft() const {
-        if (at_ == Clock::time_point::max()) return std::numeric_limits<double>::infinity();
+        if (isNever()) return std::numeric_limits<double>::infinity();
         return std::chrono::duration<double>(at_ - Clock::now()).count();
     }
-    bool passed() const { return at_ != Clock::time_point::max() && Clock::now() >= at_; }
+    bool passed() const { return !isNever() && Clock::now() >= at_; }
     /// \throws Error(TimedOut) about `subject` where it has passed
     void check(const std::string& subject) const {
         if (passed()) throw Error(ErrorCode::TimedOut, subject, "the time for it is over");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 
 #include "stepmill/core/deadline.h"
@@ -16,6 +17,10 @@ struct Patience {
     Deadline few_tools;                                          ///< of weighing a few, and of form cutters
     Deadline end;                                                ///< of the run
     double feature_s = std::numeric_limits<double>::infinity();  ///< of one feature, in either way
+    double setup_share = 1;  ///< of the time that is left, for tools of a setup that others follow
+
+    /// Of the next setup, which so many follow.
+    Patience ofOneSetup(std::size_t followers) const;
 
     Deadline allToolsOfOne() const { return all_tools.orEarlier(Deadline::in(feature_s)); }
     Deadline fewToolsOfOne() const { return few_tools.orEarlier(Deadline::in(feature_s)); }

@@ -85,12 +85,8 @@ struct Trial {
 /// Trials end when few tools would begin to be weighed: what comes after the choice needs that time.
 PlanRequest withoutSpareTime(PlanRequest request) {
     request.patience.few_tools = request.patience.all_tools;
+    request.patience.setup_share = 1;
     return request;
-}
-
-PlanningShop tryingOut(const PlanRequest& request, const PlanningShop& shop) {
-    return {request,      shop.library, shop.smaller, shop.wishes, shop.drills,
-            shop.machine, shop.tol,     shop.hold,    shop.memory};
 }
 
 class Trials {
@@ -146,7 +142,7 @@ CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_
     Booked best{cutSetups(setups, assignment.reserves, shop, progress), std::nullopt};
     if (request.assignment || !request.assign || request.roughing) return std::move(best.cut);
     const PlanRequest hasty = withoutSpareTime(request);
-    const Trials trials(setups, stock_minus_part_mm3, tryingOut(hasty, shop), progress);
+    const Trials trials(setups, stock_minus_part_mm3, shop.with(hasty), progress);
     for (std::size_t i = 0; i < best.cut.stages.size() && !request.patience.all_tools.passed(); ++i) {
         std::optional<Trial> trial = trials.leaving(best.cut, i, assignment.reserves);
         if (!trial) continue;

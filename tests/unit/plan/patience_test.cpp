@@ -57,6 +57,17 @@ TEST(Patience, AfterwardsAllToolsAreWeighedOnlyWhereThereWasTime) {
     EXPECT_LT(after.few_tools.secondsLeft(), before.end.secondsLeft());
 }
 
+TEST(Patience, ASetupLeavesTimeToThoseThatFollow) {
+    const Patience all = patienceFor(1000);
+    EXPECT_GT(all.ofOneSetup(0).all_tools.secondsLeft(), 0.99 * all.all_tools.secondsLeft());
+    const Patience first = all.ofOneSetup(2);
+    EXPECT_LT(first.all_tools.secondsLeft(), 0.7 * all.all_tools.secondsLeft());
+    EXPECT_LT(first.few_tools.secondsLeft(), 0.7 * all.few_tools.secondsLeft());
+    EXPECT_GT(first.few_tools.secondsLeft(), first.all_tools.secondsLeft());
+    EXPECT_TRUE(patienceFor(std::numeric_limits<double>::infinity()).ofOneSetup(2).all_tools.isNever());
+    EXPECT_TRUE(Patience{}.ofOneSetup(2).few_tools.isNever());
+}
+
 TEST(Patience, FewToolsArePlannedWithWhereAllTakeTooLong) {
     const Plan plan = planWith({Deadline::in(0), {}, {}}, "four_setups.step");
     EXPECT_TRUE(warns(plan, "few-tools"));
