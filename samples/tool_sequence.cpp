@@ -37,8 +37,8 @@ int main() {
     const ToolSequence sequence =
         sequenceTools(pocketWithIsland(tol), defaultToolLibrary(), defaultMachine(), options, tol);
     for (const DagEdge& edge : sequence.edges)
-        std::printf("%8s > %-8s %8.1f mm2 %7.1f s\n", edge.from.empty() ? "start" : edge.from.c_str(),
-                    edge.to.empty() ? "end" : edge.to.c_str(), edge.region_area_mm2, edge.time_s);
+        std::printf("%8s > %-8s %8.1f mm2 %7.1f s\n", edge.from.empty() ? "start" : edge.from.name().c_str(),
+                    edge.to.empty() ? "end" : edge.to.name().c_str(), edge.region_area_mm2, edge.time_s);
     std::printf("cheapest:");
     for (const SequenceStep& step : sequence.steps)
         std::printf(" %s", step.tool_id.c_str());

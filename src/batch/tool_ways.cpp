@@ -15,7 +15,7 @@ constexpr std::size_t kMostWays = 24;
 /// The tool the edge goes to and its surrogates, with those of the way that goes on from there.
 ToolWay along(const DagEdge& edge, const ToolWay& onwards, Objective objective) {
     std::set<std::string> tools(onwards.tools.begin(), onwards.tools.end());
-    if (!edge.to.empty()) tools.insert(edge.to);
+    if (!edge.to.empty()) tools.insert(edge.to.tool);
     for (const SurrogateWork& surrogate : edge.surrogates)
         tools.insert(surrogate.tool);
     return {{tools.begin(), tools.end()},
@@ -39,7 +39,7 @@ Ways best(Ways all) {
     return kept;
 }
 
-/// From every tool to the end, each worked out once.
+/// From every node to the end, each worked out once.
 class WaysToEnd {
   public:
     WaysToEnd(const std::vector<DagEdge>& edges, Objective objective) : objective_(objective) {
@@ -47,30 +47,29 @@ class WaysToEnd {
             edges_[edge.from].push_back(&edge);
     }
 
-    /// \param tool  empty: the source
-    const Ways& from(const std::string& tool) {
-        const auto known = ways_.find(tool);
+    const Ways& from(const DagNode& node) {
+        const auto known = ways_.find(node);
         if (known != ways_.end()) return known->second;
         Ways all;
-        for (const DagEdge* edge : edges_[tool]) {
+        for (const DagEdge* edge : edges_[node]) {
             const Ways& onwards = edge->to.empty() ? end_ : from(edge->to);
             for (const ToolWay& way : onwards)
                 all.push_back(along(*edge, way, objective_));
         }
-        return ways_[tool] = best(std::move(all));
+        return ways_[node] = best(std::move(all));
     }
 
   private:
     Objective objective_;
     Ways end_{{{}, 0}};
-    std::map<std::string, std::vector<const DagEdge*>> edges_;
-    std::map<std::string, Ways> ways_;
+    std::map<DagNode, std::vector<const DagEdge*>> edges_;
+    std::map<DagNode, Ways> ways_;
 };
 
 }  // namespace
 
 std::vector<ToolWay> waysThrough(const std::vector<DagEdge>& edges, Objective objective) {
-    return WaysToEnd(edges, objective).from("");
+    return WaysToEnd(edges, objective).from({});
 }
 
 }  // namespace stepmill::batch

@@ -426,7 +426,7 @@ class FeaturePlanner {
         options.deadline = shop_.request.patience.allToolsOfOne();
         if (auto sequence = sequenceBefore(grown, library, options)) return sequence;
         hasty = 1;
-        options.surrogates = SurrogateRule::Single;
+        options.surrogates = SurrogateRule::SingleOrLater;
         options.deadline = shop_.request.patience.fewToolsOfOne();
         auto sequence = sequenceBefore(grown, fewTools(library, options.material), options);
         // Nothing is known of what the other tools could do.

@@ -64,10 +64,10 @@ Json blockedLumpsJson(const ToolSequence& sequence) {
 }
 
 std::string fromOf(const DagEdge& edge) {
-    return edge.from.empty() ? "source" : edge.from;
+    return edge.from.empty() ? "source" : edge.from.name();
 }
 std::string toOf(const DagEdge& edge) {
-    return edge.to.empty() ? "sink" : edge.to;
+    return edge.to.empty() ? "sink" : edge.to.name();
 }
 
 Json edgesJson(const std::vector<DagEdge>& edges) {
@@ -90,16 +90,6 @@ Json surrogatesJson(const std::vector<DagEdge>& edges) {
                                   {"area_mm2", number(work.area_mm2)},
                                   {"time_s", number(work.totals.time_s())}});
     return surrogates;
-}
-
-/// The tools of the DAG's cheapest path; their surrogates stand with the edges.
-Json pathJson(const ToolSequence& sequence) {
-    Json path = Json::array();
-    for (const SequenceStep& step : sequence.steps) {
-        if (step.role == Role::Surrogate || step.role == Role::Tap || isSizing(step.role)) continue;
-        if (path.empty() || path.back() != step.tool_id) path.push_back(step.tool_id);
-    }
-    return path;
 }
 
 Json residualJson(const Residual& residual, RegionTables& regions) {
@@ -147,7 +137,7 @@ Json bandJson(const PlannedFeature& planned, const BandsById& bands, FeatureTabl
               {"dag",
                {{"edges", edgesJson(sequence.edges)},
                 {"surrogates", surrogatesJson(sequence.edges)},
-                {"path", pathJson(sequence)}}},
+                {"path", listOf(sequence.way, [](const DagNode& node) { return node.name(); })}}},
               {"time_s", number(sequence.time_s)},
               {"motion_time_s", number(sequence.motion_s)},
               {"lower_bound_s", number(sequence.lower_bound_s)},

@@ -23,8 +23,9 @@ enum class Objective { Time, Cost };
 
 /// Who clears what a tool's holder keeps from it.
 enum class SurrogateRule {
-    Single,   ///< one tool per lump [DSouza2006, Alg. 4]
-    Sequence  ///< one tool or several after another, whichever is cheapest
+    Single,         ///< one tool per lump, at once [DSouza2006, Alg. 4]
+    SingleOrLater,  ///< that, or tools that come later anyway
+    Sequence        ///< one tool or several after another, at once or later, whichever is cheapest
 };
 
 /// Material that roughing leaves for a finishing pass to take off. Nothing: there is no such pass.
@@ -72,6 +73,19 @@ struct SurrogateWork {
     PathTotals totals;    ///< of its paths there
 };
 
+/// A node of a feature's tool DAG; empty: the source or the sink.
+struct DagNode {
+    std::string tool;
+    /// The tool does what its holder allows and leaves the rest to later tools, though others could stand in
+    /// for it at once.
+    bool alone = false;
+
+    bool empty() const { return tool.empty(); }
+    /// "EM25", "EM25 alone".
+    std::string name() const { return alone ? tool + " alone" : tool; }
+    friend auto operator<=>(const DagNode&, const DagNode&) = default;
+};
+
 /// One evaluated edge of the tool DAG: machine D_mn with n, and what n's holder keeps from it with
 /// surrogates.
 ///
@@ -80,8 +94,8 @@ struct SurrogateWork {
 ///
 /// Edges to the sink cost nothing and leave every tool that clears all any tool of the library can.
 struct DagEdge {
-    std::string from;            ///< tool id, empty for the source
-    std::string to;              ///< tool id, empty for the sink
+    DagNode from;                ///< empty for the source
+    DagNode to;                  ///< empty for the sink
     double region_area_mm2 = 0;  ///< n's own part, D'_mn
     PathTotals totals;           ///< of n's own path
     double time_s = 0;           ///< with the tool changes [DSouza2006, eq. 13]
@@ -157,6 +171,7 @@ struct ToolSequence {
     double floor_z_mm = 0;
     std::vector<ToolReach> tools;     ///< every tool of the library, falling diameter, with exclusions
     std::vector<DagEdge> edges;       ///< evaluated edges, by from then to
+    std::vector<DagNode> way;         ///< the steps' way through the DAG, without source and sink
     std::vector<SequenceStep> steps;  ///< empty when no tool can machine anything
     /// What comes after the steps whichever way is chosen: bores brought to their fit. They become steps when
     /// tools are shared out.

@@ -19,7 +19,7 @@ constexpr double kSurroundings = 0.12;
 std::set<std::string> nodesOf(const ToolSequence& sequence) {
     std::set<std::string> nodes;
     for (const DagEdge& edge : sequence.edges)
-        nodes.insert(edge.to);
+        nodes.insert(edge.to.tool);
     return nodes;
 }
 

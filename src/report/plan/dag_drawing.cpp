@@ -30,29 +30,30 @@ constexpr double kHighestArc = 165;
 constexpr double kRoomForWork = 60;
 
 /// Where each node stands: the source first, the sink last.
-using Places = std::map<std::string, double>;
-const std::string kStart;
-const std::string kSink = "\n";  // no tool's id
+using Places = std::map<DagNode, double>;
+const DagNode kStart;
+const DagNode kSink{"\n"};  // no tool's id
 
-const std::string& target(const DagEdge& edge) {
+const DagNode& target(const DagEdge& edge) {
     return edge.to.empty() ? kSink : edge.to;
 }
 
-/// Tools with an edge, by falling diameter.
-std::vector<std::string> nodesOf(const ToolSequence& sequence) {
-    std::set<std::string> met;
+/// Nodes with an edge, by falling diameter.
+std::vector<DagNode> nodesOf(const ToolSequence& sequence) {
+    std::set<DagNode> met;
     for (const DagEdge& edge : sequence.edges) {
         met.insert(edge.from);
         met.insert(edge.to);
     }
-    std::vector<std::string> nodes{kStart};
+    std::vector<DagNode> nodes{kStart};
     for (const ToolReach& reach : sequence.tools)
-        if (met.contains(reach.tool_id)) nodes.push_back(reach.tool_id);
+        for (const bool alone : {true, false})
+            if (met.contains({reach.tool_id, alone})) nodes.push_back({reach.tool_id, alone});
     nodes.push_back(kSink);
     return nodes;
 }
 
-Places placesOf(const std::vector<std::string>& nodes) {
+Places placesOf(const std::vector<DagNode>& nodes) {
     Places places;
     const double step = (kWidth - 2 * kMargin) / static_cast<double>(nodes.size() - 1);
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -82,8 +83,8 @@ const char* classOf(EdgeLook look, bool to_sink) {
 
 /// "EM16 to EM6: 412.0 mm², 0:33, 1.20 EUR".
 std::string edgeWords(const DagEdge& edge, const std::string& currency, const Measures& in) {
-    std::string ends =
-        (edge.from.empty() ? "start" : edge.from) + " to " + (edge.to.empty() ? "done" : edge.to);
+    std::string ends = (edge.from.empty() ? "start" : edge.from.name()) + " to " +
+                       (edge.to.empty() ? "done" : edge.to.name());
     if (edge.to.empty()) return ends;
     return fmt::format("{}: {} {}, {}, {:.2f} {}", ends, in.area(edge.region_area_mm2, 1), in.areaUnit(),
                        clockTime(edge.time_s), edge.cost, currency);
@@ -91,7 +92,7 @@ std::string edgeWords(const DagEdge& edge, const std::string& currency, const Me
 
 class Picture {
   public:
-    Picture(const Plan& plan, const ToolSequence& sequence, const std::vector<std::string>& nodes,
+    Picture(const Plan& plan, const ToolSequence& sequence, const std::vector<DagNode>& nodes,
             const Measures& in)
         : in_(in),
           currency_(plan.machine.currency),
@@ -119,11 +120,11 @@ class Picture {
                                        edge.cost, currency_)));
     }
 
-    void node(const std::string& name) {
-        const double x = places_.at(name);
+    void node(const DagNode& node) {
+        const double x = places_.at(node);
         svg_.add(
             Element("circle").with("cx", fixed(x, 1)).with("cy", fixed(kLine, 1)).with("r", fixed(kNode, 1)));
-        const std::string words = name == kStart ? "start" : name == kSink ? "done" : name;
+        const std::string words = node == kStart ? "start" : node == kSink ? "done" : node.name();
         const double y = kLine + 22 + (nodes_++ % 2 == 0 ? 0 : kNameRow);
         svg_.add(label("node", x, y, shortened(words)).add(Element("title", words)));
     }
@@ -144,24 +145,25 @@ double weightOf(const Plan& plan, const DagEdge& edge) {
     return edge.motion_s > 0 ? edge.motion_s : edge.time_s;
 }
 
-/// A way through the DAG with what its edges weigh together; no tools: there is none.
+/// A way through the DAG with what its edges weigh together; no nodes: there is none.
 struct WeighedWay {
-    std::vector<std::string> tools;
+    std::vector<DagNode> nodes;
     double weight = 0;
 };
 
 /// The cheapest way over the edges but one. A change that a surrogate shares with the next tool counts twice.
 /// \param without  from, to; nothing is left out where it names no edge
 WeighedWay cheapestWithout(const Plan& plan, const ToolSequence& sequence,
-                           const std::pair<std::string, std::string>& without) {
-    std::map<std::string, int> numbers{{kStart, kSource}};
-    std::vector<std::string> names;
-    for (const ToolReach& reach : sequence.tools) {
-        numbers[reach.tool_id] = static_cast<int>(names.size());
-        names.push_back(reach.tool_id);
-    }
+                           const std::pair<DagNode, DagNode>& without) {
+    std::map<DagNode, int> numbers{{kStart, kSource}};
+    std::vector<DagNode> nodes;
+    for (const ToolReach& reach : sequence.tools)
+        for (const bool alone : {true, false}) {
+            nodes.push_back({reach.tool_id, alone});
+            numbers[nodes.back()] = static_cast<int>(nodes.size()) - 1;
+        }
     std::map<std::pair<int, int>, double> weights;
-    std::vector<bool> ends(names.size(), false);
+    std::vector<bool> ends(nodes.size(), false);
     for (const DagEdge& edge : sequence.edges) {
         if (edge.from == without.first && edge.to == without.second) continue;
         if (edge.to.empty())
@@ -170,26 +172,26 @@ WeighedWay cheapestWithout(const Plan& plan, const ToolSequence& sequence,
             weights[{numbers.at(edge.from), numbers.at(edge.to)}] = weightOf(plan, edge);
     }
     const CheapestPath path = cheapestPath(
-        static_cast<int>(names.size()),
+        static_cast<int>(nodes.size()),
         [&](int m, int n) {
             const auto found = weights.find({m, n});
             return found == weights.end() ? kNoEdge : found->second;
         },
         ends);
     WeighedWay way{{}, path.cost};
-    for (const int tool : path.tools)
-        way.tools.push_back(names[tool]);
+    for (const int node : path.tools)
+        way.nodes.push_back(nodes[node]);
     return way;
 }
 
 /// The second best way lacks at least one edge of the best.
 std::optional<RunnerUp> runnerUp(const Plan& plan, const ToolSequence& sequence, const WeighedWay& best) {
     std::optional<RunnerUp> found;
-    for (const std::pair<std::string, std::string>& edge : wayAlong(best.tools)) {
+    for (const auto& edge : wayAlong(best.nodes)) {
         const WeighedWay other = cheapestWithout(plan, sequence, edge);
-        if (other.tools.empty()) continue;
+        if (other.nodes.empty()) continue;
         const double more = other.weight - best.weight;
-        if (!found || more < found->more) found = RunnerUp{other.tools, more};
+        if (!found || more < found->more) found = RunnerUp{other.nodes, more};
     }
     return found;
 }
@@ -199,6 +201,13 @@ std::string amountWords(double amount, const Plan& plan) {
                                              : fmt::format("{:.2f} {}", amount, plan.machine.currency);
 }
 
+std::vector<std::string> namesOf(const std::vector<DagNode>& nodes) {
+    std::vector<std::string> names;
+    for (const DagNode& node : nodes)
+        names.push_back(node.name());
+    return names;
+}
+
 std::string captionOf(const Plan& plan, const ToolSequence& sequence, const DagWays& ways) {
     std::string words = fmt::format(
         "{} edges weighed, {} ruled out by their lower bounds. Thick: the way taken, with time, area and "
@@ -206,57 +215,45 @@ std::string captionOf(const Plan& plan, const ToolSequence& sequence, const DagW
         "dotted: tools that may be the last.",
         sequence.edges.size(), sequence.pruned_edges);
     if (ways.runner_up)
-        words += fmt::format(" Dashed: the runner-up, {}, {} more.", listed(ways.runner_up->tools),
+        words += fmt::format(" Dashed: the runner-up, {}, {} more.", listed(namesOf(ways.runner_up->nodes)),
                              amountWords(std::max(0.0, ways.runner_up->more), plan));
     if (!ways.own_cheapest.empty())
         words += fmt::format(
             " By itself the feature would take {}: the part as a whole calls the tools taken anyway.",
-            listed(ways.own_cheapest));
+            listed(namesOf(ways.own_cheapest)));
     return words;
 }
 
 }  // namespace
 
-DagWay wayAlong(const std::vector<std::string>& tools) {
+DagWay wayAlong(const std::vector<DagNode>& nodes) {
     DagWay way;
-    std::string previous;
-    for (const std::string& tool : tools) {
-        way.insert({previous, tool});
-        previous = tool;
+    DagNode previous;
+    for (const DagNode& node : nodes) {
+        way.insert({previous, node});
+        previous = node;
     }
-    if (!previous.empty()) way.insert({previous, ""});
+    if (!previous.empty()) way.insert({previous, {}});
     return way;
-}
-
-DagWay chosenWay(const ToolSequence& sequence) {
-    DagWay chosen;
-    std::string previous;
-    for (const SequenceStep& step : sequence.steps) {
-        if (step.role == Role::Surrogate || step.tool_id == previous) continue;
-        chosen.insert({previous, step.tool_id});
-        previous = step.tool_id;
-    }
-    if (!previous.empty()) chosen.insert({previous, ""});
-    return chosen;
 }
 
 DagWays waysOf(const Plan& plan, const ToolSequence& sequence) {
     DagWays ways;
-    ways.chosen = chosenWay(sequence);
+    ways.chosen = wayAlong(sequence.way);
     if (sequence.edges.empty() || plan.cost_model != CostModel::Path) return ways;
     const WeighedWay best = cheapestWithout(plan, sequence, {kSink, kSink});
-    if (best.tools.empty()) return ways;
+    if (best.nodes.empty()) return ways;
     ways.runner_up = runnerUp(plan, sequence, best);
-    if (wayAlong(best.tools) != ways.chosen) ways.own_cheapest = best.tools;
+    if (wayAlong(best.nodes) != ways.chosen) ways.own_cheapest = best.nodes;
     return ways;
 }
 
 std::optional<Element> dagDrawing(const Plan& plan, const ToolSequence& sequence, const Measures& in) {
-    const std::vector<std::string> nodes = nodesOf(sequence);
+    const std::vector<DagNode> nodes = nodesOf(sequence);
     constexpr std::size_t kNoChoice = 3;  // source, one tool, sink
     if (nodes.size() <= kNoChoice) return std::nullopt;
     const DagWays ways = waysOf(plan, sequence);
-    const DagWay second = ways.runner_up ? wayAlong(ways.runner_up->tools) : DagWay{};
+    const DagWay second = ways.runner_up ? wayAlong(ways.runner_up->nodes) : DagWay{};
     Picture picture(plan, sequence, nodes, in);
     for (const EdgeLook look : {EdgeLook::Weighed, EdgeLook::RunnerUp, EdgeLook::Chosen})
         for (const DagEdge& edge : sequence.edges) {
@@ -265,7 +262,7 @@ std::optional<Element> dagDrawing(const Plan& plan, const ToolSequence& sequence
                                                                            : EdgeLook::Weighed;
             if (is == look) picture.edge(edge, look);
         }
-    for (const std::string& node : nodes)
+    for (const DagNode& node : nodes)
         picture.node(node);
     return Element("figure", std::move(picture).take(),
                    Element("figcaption", captionOf(plan, sequence, ways)));

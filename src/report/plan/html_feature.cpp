@@ -61,7 +61,7 @@ std::string surrogateWords(const DagEdge& edge, const Measures& in) {
 
 /// "taken", "runner-up", "last" for an edge to the sink.
 std::string wayWords(const DagEdge& edge, const DagWay& chosen, const DagWay& second) {
-    const std::pair<std::string, std::string> ends{edge.from, edge.to};
+    const std::pair ends{edge.from, edge.to};
     std::string last = edge.to.empty() ? "may be the last" : "";
     if (chosen.contains(ends)) return edge.to.empty() ? "taken, the last" : "taken";
     if (second.contains(ends)) return edge.to.empty() ? "runner-up, the last" : "runner-up";
@@ -74,13 +74,13 @@ Element edgesTable(const ReportSubject& subject, const ToolSequence& sequence) {
                  numbersIn(in.wayUnit(), "rapid"), "surrogates", numbers("time"),
                  numbersIn(subject.plan.machine.currency.c_str(), "cost"), "way"});
     const DagWays ways = waysOf(subject.plan, sequence);
-    const DagWay second = ways.runner_up ? wayAlong(ways.runner_up->tools) : DagWay{};
+    const DagWay second = ways.runner_up ? wayAlong(ways.runner_up->nodes) : DagWay{};
     for (const DagEdge& edge : sequence.edges) {
-        Element& row =
-            table.row(edge.from.empty() ? "nothing yet" : edge.from, edge.to.empty() ? "done" : edge.to,
-                      in.area(edge.region_area_mm2), in.wayNumber(edge.totals.cut_length_mm),
-                      in.wayNumber(edge.totals.air_length_mm), surrogateWords(edge, in),
-                      clockTime(edge.time_s), fixed(edge.cost, 3), wayWords(edge, ways.chosen, second));
+        Element& row = table.row(
+            edge.from.empty() ? "nothing yet" : edge.from.name(), edge.to.empty() ? "done" : edge.to.name(),
+            in.area(edge.region_area_mm2), in.wayNumber(edge.totals.cut_length_mm),
+            in.wayNumber(edge.totals.air_length_mm), surrogateWords(edge, in), clockTime(edge.time_s),
+            fixed(edge.cost, 3), wayWords(edge, ways.chosen, second));
         if (ways.chosen.contains({edge.from, edge.to})) row.set("class", "chosen");
     }
     return std::move(table).element();

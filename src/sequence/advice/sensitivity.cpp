@@ -127,14 +127,15 @@ CostLine lineOf(const ToolSequence& sequence, const Shop& shop, Parameter parame
     return sum;
 }
 
-/// The tool DAG with a cost line for each evaluated edge. Nodes are numbered by falling diameter.
+/// The tool DAG with a cost line for each evaluated edge. Nodes are numbered by falling diameter, every tool
+/// alone before itself with surrogates.
 class EdgeLines {
   public:
     EdgeLines(const EdgeLines&) = delete;
     EdgeLines& operator=(const EdgeLines&) = delete;
     EdgeLines(const std::vector<DagEdge>& edges, const ToolLibrary& library, const Machine& machine,
               Parameter parameter, Objective objective)
-        : library_(library), order_(byFallingDiameter(library_)), ends_(order_.size(), false) {
+        : library_(library), order_(byFallingDiameter(library_)), ends_(2 * order_.size(), false) {
         for (const DagEdge& edge : edges) {
             const int from = edge.from.empty() ? kSource : nodeOf(edge.from);
             if (edge.to.empty()) {
@@ -142,9 +143,9 @@ class EdgeLines {
                 continue;
             }
             const int to = nodeOf(edge.to);
-            CostLine line = edgeLine(edge.totals, *order_[to], machine, parameter, objective);
+            CostLine line = edgeLine(edge.totals, *toolOf(to), machine, parameter, objective);
             for (const SurrogateWork& work : edge.surrogates)
-                addCosts(edgeLine(work.totals, *order_[nodeOf(work.tool)], machine, parameter, objective),
+                addCosts(edgeLine(work.totals, library_.tool(work.tool), machine, parameter, objective),
                          line);
             lines_[{from, to}] = std::move(line);
         }
@@ -152,7 +153,7 @@ class EdgeLines {
 
     CostLine cheapestAt(double value) const {
         const CheapestPath path = cheapestPath(
-            static_cast<int>(order_.size()),
+            static_cast<int>(ends_.size()),
             [&](int m, int n) {
                 const auto line = lines_.find({m, n});
                 if (line == lines_.end()) return kNoEdge;
@@ -163,19 +164,20 @@ class EdgeLines {
         int before = kSource;
         for (const int node : path.tools) {
             addCosts(lines_.at({before, node}), sum);
-            sum.tools.push_back(order_[node]->id);
+            sum.tools.push_back(toolOf(node)->id);
             before = node;
         }
         return sum;
     }
 
   private:
-    int nodeOf(const std::string& id) const {
+    int nodeOf(const DagNode& node) const {
         const auto found = std::find_if(order_.begin(), order_.end(),
-                                        [&](const ToolAssembly* tool) { return tool->id == id; });
+                                        [&](const ToolAssembly* tool) { return tool->id == node.tool; });
         STEPMILL_CHECK(found != order_.end(), "edges name tools of the library");
-        return static_cast<int>(found - order_.begin());
+        return 2 * static_cast<int>(found - order_.begin()) + (node.alone ? 0 : 1);
     }
+    const ToolAssembly* toolOf(int node) const { return order_[node / 2]; }
 
     ToolLibrary library_;
     std::vector<const ToolAssembly*> order_;  ///< points into library_

@@ -108,6 +108,16 @@ std::optional<Candidate> candidateOf(const Feature& feature, const Walls& walls,
     return candidate;
 }
 
+/// The tool of a candidate with surrogates by itself.
+Candidate aloneOf(const Feature& feature, const Walls& walls, Candidate candidate) {
+    candidate.alone = true;
+    candidate.cleared = candidate.own;
+    candidate.coverable_mm2 = candidate.own->coverable_area_mm2;
+    candidate.walls = walls.touchedBy(*candidate.own);
+    candidate.wall_rate_mm_per_s = wallRate(feature, *candidate.tool, candidate.cutting);
+    return candidate;
+}
+
 /// Of the drills that make room the widest stays, as the first tool; none where no mill can end the feature.
 void keepOnePreDrill(const Feature& feature, const Tolerances& tol, std::vector<Candidate>& tools) {
     const bool milled_whole = std::any_of(tools.begin(), tools.end(), [&](const Candidate& tool) {
@@ -227,8 +237,11 @@ std::vector<Candidate> usableTools(const Feature& feature, const std::vector<Too
         const CuttingData* cutting = tool.cuttingFor(options.material);
         if (cutting == nullptr || reach.exclusion() != nullptr) continue;
         const CuttingData limited = limitedBy(machine, *cutting);
-        if (auto candidate = candidateOf(feature, walls, tool, reach, limited, options, machine, tol))
-            usable.push_back(std::move(*candidate));
+        auto candidate = candidateOf(feature, walls, tool, reach, limited, options, machine, tol);
+        if (!candidate) continue;
+        if (candidate->hasSurrogates() && options.surrogates != SurrogateRule::Single)
+            usable.push_back(aloneOf(feature, walls, *candidate));
+        usable.push_back(std::move(*candidate));
     }
     if (isHole(feature.feature_class)) {
         // In a hole wider by less than a sliver a mill has no way that sweeps anything.

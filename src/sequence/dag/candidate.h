@@ -31,15 +31,21 @@ struct Candidate {
     double outsider_rate_as_cut_mm3_per_s = 0;  ///< at feeds by what is cut
     /// A drill that makes room for the mill after it: it comes before all mills and ends nothing.
     bool predrills = false;
+    /// The tool does what its holder allows, and what that keeps it off is left to later tools though others
+    /// could stand in for it at once.
+    bool alone = false;
     /// A spot drill that starts the hole for the drill after it: it comes first and clears nothing.
     bool spots = false;
 
+    DagNode node() const { return {tool->id, alone}; }
     bool drill() const { return tool->isDrill(); }
     /// Does it start true only where a spot is?
     bool wantsSpot() const { return drill() && !tool->self_centring; }
     /// Does it clear ground, as drills and spot drills do not?
     bool mills() const { return !drill() && !spots; }
-    bool hasSurrogates() const { return reach->surrogates() != nullptr; }
+    bool hasSurrogates() const { return !alone && reach->surrogates() != nullptr; }
+    /// Does it leave what others reach before it or after it?
+    bool isLimited() const { return alone || reach->limited() != nullptr; }
 };
 
 /// What that time on the machine costs, without wear and tool changes.
@@ -61,7 +67,8 @@ double leastWallS(const Candidate* from, const Candidate& to);
 std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 
 /// The tools of `reaches` that can machine something of the feature, in their order, but spot drills first
-/// and after them the drill that makes room for mills. They point into `reaches` and `library`.
+/// and after them the drill that makes room for mills. A tool with surrogates comes twice: alone, where
+/// the rule for surrogates has that, then with them. They point into `reaches` and `library`.
 /// \pre
 /// `reaches` are in the order of byFallingDiameter()
 std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,

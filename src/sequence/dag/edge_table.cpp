@@ -5,7 +5,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include "sequence/dag/edge_work.h"
 #include "sequence/dag/step_paths.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
@@ -37,7 +36,7 @@ double leastWithLumps(const Candidate& to, double new_mm2, double own_new_mm2, c
 
 /// May the mill go where the drill has made room? Its own rules are those of a larger tool before a smaller.
 bool mayFollow(const Candidate& drill, const Candidate& mill) {
-    return drill.predrills && !mill.drill() && !mill.hasSurrogates() && mill.reach->limited() == nullptr &&
+    return drill.predrills && !mill.drill() && !mill.hasSurrogates() && !mill.isLimited() &&
            mill.tool->diameter_mm <= drill.tool->diameter_mm;
 }
 
@@ -68,6 +67,7 @@ double lowerBound(const Candidate* from, const Candidate& to, const DagTask& tas
     if (to.spots) return changeWeight(to, task);
     if (from != nullptr && from->spots) from = nullptr;
     if (from != nullptr && from->drill()) return leastAfterDrill(*from, to, task);
+    if (from != nullptr && from->tool == to.tool) return kNoEdge;
     const Feature& feature = task.ground.feature();
     const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
     const double new_mm2 = to.coverable_mm2 - from_mm2;
@@ -115,24 +115,32 @@ int EdgeTable::evaluate(const EdgeList& edges, double known) {
     return static_cast<int>(std::count(left_out.begin(), left_out.end(), 1));
 }
 
+/// A tool with surrogates goes itself where it goes alone.
+int EdgeTable::sameWork(int n) const {
+    return n > 0 && task_.tools[n - 1].own == task_.tools[n].own ? n - 1 : n;
+}
+
 /// The edges into one tool share its rings; a tool that no edge leads to needs none.
 void EdgeTable::makeMissingRings(const EdgeList& edges) {
     std::set<int> missing;
     for (const auto& [m, n] : edges) {
-        if (!rings_[n] && task_.tools[n].mills() && needsPaths(task_)) missing.insert(n);
+        if (!rings_[sameWork(n)] && task_.tools[n].mills() && needsPaths(task_)) missing.insert(sameWork(n));
     }
     const std::vector<int> tools(missing.begin(), missing.end());
     tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
         checkTime(task_);
         rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]);
     });
+    for (const auto& [m, n] : edges)
+        rings_[n] = rings_[sameWork(n)];
 }
 
 /// False when the edge was left out.
 bool EdgeTable::evaluate(int m, int n, double known, Slot& into) const {
     const Candidate& to = task_.tools[n];
     const Candidate* from = tool(m);
-    const auto work = edgeWork(task_, from, to, rings_[n]);
+    const std::optional<EdgeWork> work =
+        works_.get({m, sameWork(n)}, [&] { return edgeWork(task_, from, to, rings_[n]); });
     if (!work) return true;
     const EdgeCost cost = edgeCost(work->totals, *to.tool, task_.machine);
     const double own_weight = weigh(cost, task_);
@@ -141,8 +149,8 @@ bool EdgeTable::evaluate(int m, int n, double known, Slot& into) const {
         into.surrogates = surrogatesOfEdge(*task_.surrogates, task_.tools, from, n, changeWeight(to, task_));
         if (!into.surrogates.possible()) return true;
     }
-    into.edge.from = from != nullptr ? from->tool->id : std::string();
-    into.edge.to = to.tool->id;
+    into.edge.from = from != nullptr ? from->node() : DagNode{};
+    into.edge.to = to.node();
     into.edge.region_area_mm2 = work->region_area_mm2;
     into.edge.totals = work->totals;
     into.edge.time_s = cost.time_s;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "sequence/dag/edge_work.h"
 #include "sequence/dag/evaluate_dag.h"
+#include "sequence/surrogates/shelf.h"
 
 namespace stepmill {
 
@@ -65,6 +68,7 @@ class EdgeTable {
     Slot& slot(int m, int n) { return slots_[static_cast<std::size_t>(m + 1) * n_ + n]; }
     const Slot& slot(int m, int n) const { return slots_[static_cast<std::size_t>(m + 1) * n_ + n]; }
     const Candidate* tool(int m) const { return m == kSource ? nullptr : &task_.tools[m]; }
+    int sameWork(int n) const;
     void makeMissingRings(const EdgeList& edges);
     bool evaluate(int m, int n, double known, Slot& into) const;
     bool mayBeatWithLumps(int m, int n, double own_weight, double own_new_mm2, double known) const;
@@ -73,6 +77,8 @@ class EdgeTable {
     int n_;  ///< tools
     std::vector<Slot> slots_;
     std::vector<SharedRings> rings_;
+    /// Of edges, without what surrogates do on them.
+    Shelf<std::pair<int, int>, std::optional<EdgeWork>> works_;
     std::vector<double> to_tool_;  ///< lower bounds of the ways from the source to each tool
     std::vector<double> to_sink_;  ///< lower bounds of the ways from each tool to the sink
 };

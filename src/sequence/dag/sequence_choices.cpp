@@ -43,7 +43,7 @@ std::vector<DagEdge> listEdges(const DagTask& task, const DagResult& dag, const 
         }
         if (m == kSource || !task.ends[m]) continue;
         DagEdge to_sink;
-        to_sink.from = task.tools[m].tool->id;
+        to_sink.from = task.tools[m].node();
         edges.push_back(to_sink);
     }
     return edges;
@@ -97,14 +97,23 @@ TimeBounds SequenceChoices::bounds() const {
     return timeBounds(job_->feature(), tools_, ends_, job_->machine, job_->tolerances());
 }
 
-/// Ways that end with the same tool, or that all leave nothing, leave the same: but for tools that are
-/// limited, which leave more than the last tool does.
+/// Do the tools before the last one take nothing that it does not reach? Only limited ones may.
+bool SequenceChoices::lastReachesAll(const std::vector<int>& path) const {
+    const Tolerances& tol = job_->tolerances();
+    return std::all_of(path.begin(), path.end() - 1, [&](int node) {
+        const auto within = [&] {
+            return covers(tools_[path.back()].cleared->coverable, tools_[node].cleared->coverable,
+                          tol.sliver_mm, tol);
+        };
+        return !tools_[node].isLimited() || within_.get({node, path.back()}, within);
+    });
+}
+
+/// Ways that end with the same tool, or that all leave nothing, leave the same where the last tool reaches
+/// all.
 bool SequenceChoices::leavesTheSame(const std::vector<int>& path) const {
     if (path == dag_.path) return true;
-    const auto limited = [&](int node) { return tools_[node].reach->limited() != nullptr; };
-    if (std::any_of(path.begin(), path.end(), limited) ||
-        std::any_of(dag_.path.begin(), dag_.path.end(), limited))
-        return false;
+    if (!lastReachesAll(path) || !lastReachesAll(dag_.path)) return false;
     if (path.back() == dag_.path.back()) return true;
     return residuals_.empty() && residualsOf(job_->ground, usedOn(path), withheld_).empty();
 }
@@ -137,6 +146,9 @@ void SequenceChoices::take(std::size_t index, ToolSequence& sequence) const {
     sequence.no_allowance = std::move(finished.less);
     sequence.steps = finished.steps.empty() ? stepsOn(path) : std::move(finished.steps);
     sequence.edges = listEdges(task(), dag_, path);
+    sequence.way.clear();
+    for (const Candidate* tool : usedOn(path))
+        sequence.way.push_back(tool->node());
     addUp(*job_, sequence);
 }
 

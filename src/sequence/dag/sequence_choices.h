@@ -2,12 +2,14 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "sequence/dag/evaluate_dag.h"
 #include "sequence/dag/lower_bound.h"
 #include "sequence/dag/ways.h"
 #include "sequence/surrogates/admission.h"
+#include "sequence/surrogates/shelf.h"
 
 namespace stepmill {
 
@@ -41,6 +43,7 @@ class SequenceChoices {
     DagTask task() const;
     const std::vector<Way>& ways() const;
     std::vector<const Candidate*> usedOn(const std::vector<int>& path) const;
+    bool lastReachesAll(const std::vector<int>& path) const;
     bool leavesTheSame(const std::vector<int>& path) const;
     std::vector<SequenceStep> stepsOn(const std::vector<int>& path) const;
 
@@ -51,6 +54,7 @@ class SequenceChoices {
     const std::vector<bool> ends_;
     const DagResult dag_;
     const std::vector<Residual> residuals_;
+    Shelf<std::pair<int, int>, bool> within_;  ///< does the second node reach all that the first clears?
     mutable std::once_flag listed_;
     mutable std::vector<Way> ways_;
 };

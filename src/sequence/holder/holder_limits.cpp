@@ -84,18 +84,6 @@ std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibr
     return withheld;
 }
 
-void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
-                  std::vector<ToolReach>& reaches) {
-    const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
-    tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
-        ToolReach& reach = reaches[i];
-        if (!isHeldOff(reach) || reach.collision_free_area_mm2 <= most_mm2 + same_mm2) return;
-        auto clear = collisionFreeArea(ground, library.tool(reach.tool_id), reach);
-        if (clear && clear->coverable_area_mm2 > most_mm2 + same_mm2)
-            reach = limitedTo(reach, std::move(*clear));
-    });
-}
-
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,
                                    const std::vector<ToolReach>& reaches, double known_mm3) {
     const Feature& feature = ground.feature();

@@ -35,12 +35,6 @@ struct Shallower {
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
                                      const std::vector<ToolReach>& reaches);
 
-/// Limits the tools that their holder keeps off part of the feature by what is left for them,
-/// where that is more than every tool reaches that takes part already.
-/// \param most_mm2  most that a tool that takes part covers
-void admitLimited(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
-                  std::vector<ToolReach>& reaches);
-
 /// The depth at which some tool of `areas` that was turned down for its reach clears most; nothing when
 /// none clears noticeably more than `known_mm3`.
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,

@@ -247,8 +247,7 @@ std::string othersNeeded(const std::vector<const Candidate*>& used) {
         if (tool->drill()) return fmt::format("none: {} drills it first", tool->tool->id);
         if (tool->hasSurrogates())
             return fmt::format("none: other tools clear what the holder keeps {} from", tool->tool->id);
-        if (tool->reach->limited() != nullptr)
-            return fmt::format("none: the holder keeps {} off part of it", tool->tool->id);
+        if (tool->isLimited()) return fmt::format("none: the holder keeps {} off part of it", tool->tool->id);
     }
     return {};
 }

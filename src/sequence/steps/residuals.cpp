@@ -145,7 +145,7 @@ std::vector<Residual> residualsOf(const FeatureGround& ground, const std::vector
     Region rest = feature.target;
     // With a free holder the last tool's area holds those of all before it.
     for (const Candidate* tool : used) {
-        if (tool == &last || tool->reach->limited() || last.reach->limited())
+        if (tool == &last || tool->isLimited() || last.isLimited())
             rest = subtract(rest, tool->cleared->coverable, tol);
     }
     if (!missed.empty()) rest = unite(rest, missed, tol);

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include "sequence/dag/candidate.h"
+#include "sequence/holder/holder_limits.h"
 #include "sequence/holder/tool_areas.h"
 #include "sequence/surrogates/held_off.h"
 #include "stepmill/planar/boolean.h"
@@ -64,11 +65,10 @@ Region turnDownUnserved(const std::vector<ToolReach>& alone, double enough_mm2, 
 }
 
 Admission admitWithSurrogates(const std::shared_ptr<const SequenceJob>& job,
-                              const std::vector<ToolReach>& alone) {
+                              const std::vector<ToolReach>& alone, const HeldOffTools& held_off) {
     const Tolerances& tol = job->tolerances();
     const double same_mm2 = sameArea(job->feature(), tol);
     const double enough_mm2 = mostUsableMm2(*job, alone) + same_mm2;
-    const HeldOffTools held_off = heldOffTools(*job, alone);
     Admission best;
     Region given_up;
     for (int round = 0; round <= kMostGivenUp; ++round) {
@@ -84,6 +84,13 @@ Admission admitWithSurrogates(const std::shared_ptr<const SequenceJob>& job,
         given_up = given_up.empty() ? unserved : unite(given_up, unserved, tol);
     }
     return best;
+}
+
+/// Tools that nobody stands in for do what their holder allows: a wide one that is kept off a corner is the
+/// quickest for all the rest of a large pocket.
+void limitTheRest(const HeldOffTools& held_off, std::vector<ToolReach>& reaches) {
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+        if (isHeldOff(reaches[i]) && held_off.own[i]) reaches[i] = limitedTo(reaches[i], *held_off.own[i]);
 }
 
 }  // namespace
@@ -115,8 +122,9 @@ double mostUsableMm2(const SequenceJob& job, const std::vector<ToolReach>& reach
 }
 
 Admission admitTools(const std::shared_ptr<const SequenceJob>& job, const std::vector<ToolReach>& alone) {
-    Admission admission = admitWithSurrogates(job, alone);
-    admitLimited(job->ground, job->library, mostUsableMm2(*job, admission.reaches), admission.reaches);
+    const HeldOffTools held_off = heldOffTools(*job, alone);
+    Admission admission = admitWithSurrogates(job, alone, held_off);
+    limitTheRest(held_off, admission.reaches);
     return admission;
 }
 

@@ -26,9 +26,9 @@ std::vector<ToolReach> reachesOfAllTools(const SequenceJob& job);
 /// Most of the feature's area that one of the tools that can machine something covers.
 double mostUsableMm2(const SequenceJob& job, const std::vector<ToolReach>& reaches);
 
-/// Lets tools with surrogates take part, and then those that do more within their holder's limits than all
-/// others. Where some ground of the tools with surrogates is too much for the few tools that may work in a
-/// lump, it is given up if the rest is then more than without the tools that have it.
+/// Lets tools with surrogates take part, and of those that nobody stands in for what their holder allows.
+/// Where some ground of the tools with surrogates is too much for the few tools that may work in a lump, it
+/// is given up if the rest is then more than without the tools that have it.
 /// \param alone  reachesOfAllTools()
 Admission admitTools(const std::shared_ptr<const SequenceJob>& job, const std::vector<ToolReach>& alone);
 

@@ -57,7 +57,8 @@ inline ToolLibrary randomHeldTools(std::mt19937& random, int most = 5) {
 
 inline SequenceOptions randomOptions(unsigned seed) {
     SequenceOptions options = inAluminium(seed % 2 == 0 ? Objective::Time : Objective::Cost);
-    options.surrogates = seed % 3 == 0 ? SurrogateRule::Single : SurrogateRule::Sequence;
+    constexpr std::array kRules{SurrogateRule::Single, SurrogateRule::SingleOrLater, SurrogateRule::Sequence};
+    options.surrogates = kRules[seed % kRules.size()];
     return options;
 }
 

@@ -145,9 +145,9 @@ ToolAssembly longerTwin(ToolAssembly tool) {
     return tool;
 }
 
-/// With holders in the way surrogates clear lump by lump at once, while the oracle's tools leave what their
-/// holder keeps off to whoever comes later. That is sometimes cheaper; docs/algorithms/tool-dag.md has the
-/// figures printed here.
+/// With holders in the way surrogates clear lump by lump at once, or a later tool clears what one left, while
+/// the oracle's tools leave what their holder keeps off to whoever comes later. That is sometimes cheaper;
+/// docs/algorithms/tool-dag.md has the figures printed here.
 TEST(OrderLaw, OtherOrdersSometimesBeatSurrogates) {
     Comparison found;
     for (unsigned seed = 200; seed < 320; ++seed) {
@@ -159,7 +159,7 @@ TEST(OrderLaw, OtherOrdersSometimesBeatSurrogates) {
     }
     found.print("holders in the way");
     EXPECT_GE(found.compared, 100);
-    EXPECT_LE(found.any_order.sum, 0.02 * found.compared) << "more than 2 % over all features";
+    EXPECT_LE(found.any_order.sum, 0.01 * found.compared) << "more than 1 % over all features";
 }
 
 }  // namespace

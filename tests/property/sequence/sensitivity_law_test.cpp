@@ -26,13 +26,16 @@ RandomCase randomCase(std::mt19937& random) {
         tool.life_min = std::bernoulli_distribution(0.8)(random) ? uniform(random, 5, 100) : 0;
         result.library.tools.push_back(tool);
     }
+    std::vector<DagNode> nodes;
+    for (const ToolAssembly& tool : result.library.tools)
+        nodes.push_back({tool.id, std::bernoulli_distribution(0.3)(random)});
     for (int m = -1; m < n; ++m) {
-        const std::string from = m < 0 ? "" : result.library.tools[m].id;
+        const DagNode from = m < 0 ? DagNode{} : nodes[m];
         for (int k = m + 1; k < n; ++k) {
             if (m >= 0 && std::bernoulli_distribution(0.2)(random)) continue;
             DagEdge edge;
             edge.from = from;
-            edge.to = result.library.tools[k].id;
+            edge.to = nodes[k];
             edge.totals.feed_time_s = uniform(random, 1, 400) / (m + 2);
             edge.totals.rapid_time_s = uniform(random, 0, 5);
             result.edges.push_back(edge);
@@ -47,7 +50,7 @@ RandomCase randomCase(std::mt19937& random) {
 }
 
 /// The least cost of all paths at one value, by trying them all.
-double byEnumeration(const RandomCase& given, const std::string& from, double value, const Machine& machine,
+double byEnumeration(const RandomCase& given, const DagNode& from, double value, const Machine& machine,
                      Parameter parameter, Objective objective) {
     double least = std::numeric_limits<double>::infinity();
     for (const DagEdge& edge : given.edges) {
@@ -57,7 +60,7 @@ double byEnumeration(const RandomCase& given, const std::string& from, double va
             continue;
         }
         Machine at = machine;
-        ToolAssembly tool = given.library.tool(edge.to);
+        ToolAssembly tool = given.library.tool(edge.to.tool);
         if (parameter == Parameter::ToolChange) at.tool_change_s = value;
         if (parameter == Parameter::HourlyRate) at.hourly_rate = value;
         if (parameter == Parameter::ToolPrice) tool.price *= value;
@@ -85,7 +88,7 @@ TEST(SensitivityLaw, RangesHoldTheOptimumAtEverySampledValue) {
                 const double value = 2 * last * i / kSamples;
                 while (value > ranges[range].to)
                     ++range;
-                const double expected = byEnumeration(given, "", value, machine, parameter, objective);
+                const double expected = byEnumeration(given, {}, value, machine, parameter, objective);
                 ASSERT_NEAR(ranges[range].line.at(value), expected, 1e-7 * (1 + expected))
                     << "seed " << seed << ", " << toString(parameter) << " " << value;
             }

@@ -9,8 +9,8 @@ using Tools = std::vector<std::string>;
 
 DagEdge edge(const std::string& from, const std::string& to, double time_s, double cost = 0) {
     DagEdge edge;
-    edge.from = from;
-    edge.to = to;
+    edge.from.tool = from;
+    edge.to.tool = to;
     edge.time_s = time_s;
     edge.cost = cost;
     return edge;

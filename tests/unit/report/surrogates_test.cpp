@@ -17,6 +17,7 @@ const Plan& bossedPlan() {
         const std::string source = STEPMILL_SOURCE_DIR;
         PlanRequest request;
         request.sequence.material = "aluminium";
+        request.sequence.surrogates = SurrogateRule::Single;
         return planPart(readStep(source + "/step_parts/bossed_pocket.step").front(), request,
                         readToolLibrary(source + "/samples/dsouza2006_tools.json"), defaultMachine(), kTol);
     }();

@@ -12,8 +12,8 @@ using test::kTol;
 
 DagEdge edge(const std::string& from, const std::string& to, double feed_time_s) {
     DagEdge result;
-    result.from = from;
-    result.to = to;
+    result.from.tool = from;
+    result.to.tool = to;
     result.totals.feed_time_s = feed_time_s;
     return result;
 }
@@ -65,7 +65,7 @@ TEST(Sensitivity, CountsTheSurrogatesOfAnEdgeInTimeAndMoney) {
     PathTotals helped;
     helped.feed_time_s = 60;
     for (DagEdge& edge : edges)
-        if (edge.from.empty() && edge.to == "EM6") edge.surrogates.push_back({"EM12", 1, helped});
+        if (edge.from.empty() && edge.to.tool == "EM6") edge.surrogates.push_back({"EM12", 1, helped});
     // EM6 alone takes 160 s with its surrogate and two changes, EM12 > EM6 50 s and as many.
     const auto by_change = bestSequences(
         cheapestOverEdges(edges, twoMills(), makeMachine(), Parameter::ToolChange, Objective::Time));

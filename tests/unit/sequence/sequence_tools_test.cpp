@@ -14,9 +14,15 @@ using test::kTol;
 
 const DagEdge* findEdge(const ToolSequence& sequence, const std::string& from, const std::string& to) {
     for (const DagEdge& edge : sequence.edges) {
-        if (edge.from == from && edge.to == to) return &edge;
+        if (edge.from.name() == from && edge.to.name() == to) return &edge;
     }
     return nullptr;
+}
+
+SequenceOptions withSurrogates(SurrogateRule rule) {
+    SequenceOptions options = inAluminium();
+    options.surrogates = rule;
+    return options;
 }
 
 TEST(SequenceTools, TakesTheOneToolThereIs) {
@@ -232,7 +238,7 @@ TEST(SequenceTools, ASurrogatesRapidsKeepOffWhatStandsAroundTheFeature) {
     pocket.skirt = subtract(offset(boss, 1.5, kTol), boss, kTol);
     const ToolSequence sequence =
         sequenceTools(pocket, makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}), makeMachine(),
-                      inAluminium(), kTol);
+                      withSurrogates(SurrogateRule::Single), kTol);
     int surrogates = 0;
     for (const SequenceStep& step : sequence.steps) {
         if (step.role != Role::Surrogate) continue;
@@ -242,10 +248,26 @@ TEST(SequenceTools, ASurrogatesRapidsKeepOffWhatStandsAroundTheFeature) {
     EXPECT_GT(surrogates, 0);
 }
 
+TEST(SequenceTools, WhatAHolderKeepsOffMayBeLeftToALaterTool) {
+    const ToolLibrary library = makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)});
+    const auto sequenceBy = [&](SurrogateRule rule) {
+        return sequenceTools(makePocketBesideABoss(3), library, makeMachine(), withSurrogates(rule), kTol);
+    };
+    const ToolSequence at_once = sequenceBy(SurrogateRule::Single);
+    for (const SurrogateRule rule : {SurrogateRule::SingleOrLater, SurrogateRule::Sequence}) {
+        const ToolSequence later = sequenceBy(rule);
+        EXPECT_EQ(toolsOf(later), (std::vector<std::string>{"stubby EM10", "EM6"}));
+        EXPECT_EQ(later.way, (std::vector<DagNode>{{"stubby EM10", true}, {"EM6"}}));
+        EXPECT_NE(findEdge(later, "stubby EM10 alone", "EM6"), nullptr);
+        EXPECT_LT(later.time_s, at_once.time_s);
+        EXPECT_TRUE(later.residual.empty());
+    }
+}
+
 TEST(SequenceTools, ASurrogateThatComesNextAnywayIsChangedToOnce) {
     const ToolSequence sequence =
         sequenceTools(makePocketBesideABoss(3), makeLibrary({makeStubbyMill(10, 4000), makeMill(6, 600)}),
-                      makeMachine(), inAluminium(), kTol);
+                      makeMachine(), withSurrogates(SurrogateRule::Single), kTol);
     ASSERT_EQ(toolsOf(sequence), (std::vector<std::string>{"stubby EM10", "EM6", "EM6"}));
     EXPECT_EQ(sequence.steps[1].role, Role::Surrogate);
     EXPECT_EQ(sequence.steps[2].role, Role::Rest);
@@ -267,7 +289,7 @@ TEST(SequenceTools, OneSurrogatePerLumpWhereThatIsAskedFor) {
         makeLibrary({makeStubbyMill(10, 4000), makeMill(8, 1500), makeMill(6, 600), makeMill(4, 400)});
     const ToolSequence single = sequenceTools(makePocketBesideABoss(), library, makeMachine(), options, kTol);
     for (const DagEdge& edge : single.edges)
-        EXPECT_LE(edge.surrogates.size(), 1U) << edge.from << " to " << edge.to;
+        EXPECT_LE(edge.surrogates.size(), 1U) << edge.from.name() << " to " << edge.to.name();
     const ToolSequence several =
         sequenceTools(makePocketBesideABoss(), library, makeMachine(), inAluminium(), kTol);
     EXPECT_LE(several.time_s, single.time_s + 1e-9);
@@ -469,8 +491,8 @@ TEST(SequenceTools, DoesNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one.pruned_edges, two.pruned_edges);
     ASSERT_EQ(one.edges.size(), two.edges.size());
     for (std::size_t i = 0; i < one.edges.size(); ++i) {
-        EXPECT_EQ(one.edges[i].from, two.edges[i].from);
-        EXPECT_EQ(one.edges[i].to, two.edges[i].to);
+        EXPECT_EQ(one.edges[i].from.name(), two.edges[i].from.name());
+        EXPECT_EQ(one.edges[i].to.name(), two.edges[i].to.name());
         EXPECT_EQ(one.edges[i].time_s, two.edges[i].time_s);
     }
     ASSERT_EQ(one.steps.size(), two.steps.size());
