@@ -46,17 +46,22 @@ class DagSearch {
 
     DagResult run() {
         const auto ends = [&](int n) { return task_.ends[n]; };
-        const auto plain = [&](int n) { return !hasSurrogates(n); };
+        const auto alone = [&](int n) { return task_.tools[n].alone; };
+        const auto helped = [&](int n) { return n != kSource && hasSurrogates(n); };
+        const auto plain = [&](int n) { return !helped(n) && !alone(n); };
         evaluateToolsAlone();
-        // Edges that need surrogates cost most to evaluate, so they come last from each node.
-        evaluate(kSource, kSource, [&](int n) { return !ends(n) && plain(n); });
+        evaluateFromSource([&](int n) { return !ends(n) && plain(n); });
         // Where only tools with surrogates can end the feature, the most promising gives a path to beat.
         const int promising = mostPromisingEnd();
-        evaluate(kSource, kSource, [&](int n) { return n == promising; });
-        evaluate(kSource, kSource, [&](int n) { return n != promising && ends(n) && !plain(n); });
-        evaluate(kSource, kSource, [&](int n) { return !ends(n) && !plain(n); });
-        evaluate(0, last_, plain);
-        evaluate(0, last_, [&](int n) { return !plain(n); });
+        evaluateFromSource([&](int n) { return n == promising; });
+        evaluateFromSource(alone);
+        evaluateBetween([&](int m, int n) { return !helped(m) && plain(n); });
+        evaluateBetween([&](int m, int n) { return !helped(m) && alone(n); });
+        // Edges that need surrogates cost most to evaluate: all others give a path to beat first.
+        evaluateFromSource([&](int n) { return n != promising && ends(n) && helped(n); });
+        evaluateFromSource([&](int n) { return !ends(n) && helped(n); });
+        evaluateBetween([&](int m, int n) { return helped(m) && !helped(n); });
+        evaluateBetween([&](int, int n) { return helped(n); });
         return result();
     }
 
@@ -70,20 +75,32 @@ class DagSearch {
         const auto does_all = [&](int n) { return task_.ends[n] && !hasSurrogates(n); };
         const double change =
             weightOf(machineCost(task_.machine.tool_change_s, task_.machine), task_.options.objective);
-        if (!aloneIsKnown()) return evaluate(kSource, kSource, does_all, change);
+        if (!aloneIsKnown()) return evaluateFromSource(does_all, change);
         for (int n = 0; n <= last_; ++n)
             if (does_all(n) && table_.exists(kSource, n)) table_.leaveOut(kSource, n);
     }
 
-    /// Evaluates the edges from these nodes to the tools wanted, a few at a time and the most promising
-    /// first: what they weigh bounds the paths through the others, and shortens the path to beat.
-    /// \param allowed  an edge may weigh so much more than that path lets it
+    /// \param allowed  an edge may weigh so much more than the path to beat lets it
     template <typename Wanted>
-    void evaluate(int m_first, int m_last, const Wanted& wanted, double allowed = 0) {
+    void evaluateFromSource(const Wanted& wanted, double allowed = 0) {
         EdgeList open;
-        for (int m = m_first; m <= m_last; ++m)
+        for (int n = 0; n <= last_; ++n)
+            if (table_.exists(kSource, n) && wanted(n)) open.emplace_back(kSource, n);
+        evaluate(std::move(open), allowed);
+    }
+
+    template <typename Wanted>
+    void evaluateBetween(const Wanted& wanted) {
+        EdgeList open;
+        for (int m = 0; m <= last_; ++m)
             for (int n = m + 1; n <= last_; ++n)
-                if (table_.exists(m, n) && wanted(n)) open.emplace_back(m, n);
+                if (table_.exists(m, n) && wanted(m, n)) open.emplace_back(m, n);
+        evaluate(std::move(open), 0);
+    }
+
+    /// A few at a time and the most promising first: what they weigh bounds the paths through the others, and
+    /// shortens the path to beat.
+    void evaluate(EdgeList open, double allowed) {
         while (!open.empty()) {
             const double known = weightToBeat();
             table_.bound();
