@@ -202,9 +202,9 @@ std::string amountWords(double amount, const Plan& plan) {
 }
 
 std::vector<std::string> namesOf(const std::vector<DagNode>& nodes) {
-    std::vector<std::string> names;
-    for (const DagNode& node : nodes)
-        names.push_back(node.name());
+    std::vector<std::string> names(nodes.size());
+    std::transform(nodes.begin(), nodes.end(), names.begin(),
+                   [](const DagNode& node) { return node.name(); });
     return names;
 }
 

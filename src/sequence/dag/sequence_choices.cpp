@@ -8,6 +8,7 @@
 #include "sequence/dag/step_paths.h"
 #include "sequence/steps/finishing.h"
 #include "sequence/steps/residuals.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/spotting.h"
 #include "stepmill/sequence/tool_dag.h"
