@@ -243,10 +243,8 @@ Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const 
     const ToolLibrary drills = drillsOf(usable.library);
     const HoldRequest hold{request.hold, request.break_edges_mm,
                            fixtureGrowthMm(request.fixtures, from.library)};
-    const auto shopFor = [&](const PlanRequest& planned) {
-        return PlanningShop{planned,      usable.library, smaller, wishes,     drills,
+    const PlanningShop shop{request,      usable.library, smaller, wishes,     drills,
                             from.machine, from.tol,       hold,    from.memory};
-    };
     const Stock& stock = setups.front().stock;
     Assignment assignment =
         request.assignment ? *request.assignment : heldByTabs(setups, usable.library, request, from.tol);
@@ -254,10 +252,10 @@ Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const 
     for (const Setup& setup : setups)
         assignment.axes.push_back(setup.axis);
     const PlanRequest flat = flatBy(request, flat_by);
-    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - from.part.volume_mm3, shopFor(flat),
+    CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - from.part.volume_mm3, shop.with(flat),
                                      from.progress, assignment);
     flat_by.check(from.part.file);
-    Plan plan = finished(std::move(cut), from.part, stock, usable, shopFor(request), from.progress);
+    Plan plan = finished(std::move(cut), from.part, stock, usable, shop, from.progress);
     plan.assignment = std::move(assignment);
     return plan;
 }

@@ -76,6 +76,12 @@ double wallRate(const Feature& feature, const ToolAssembly& tool, const CuttingD
     return adaptive ? std::max(rate(cutting), rate(*adaptive)) : rate(cutting);
 }
 
+/// \pre  it mills, without surrogates
+void touchWalls(const Feature& feature, const Walls& walls, Candidate& candidate) {
+    candidate.walls = walls.touchedBy(*candidate.own);
+    candidate.wall_rate_mm_per_s = wallRate(feature, *candidate.tool, candidate.cutting);
+}
+
 /// What a tool takes part with: nothing for a drill that neither makes the hole nor makes room for a mill.
 std::optional<Candidate> candidateOf(const Feature& feature, const Walls& walls, const ToolAssembly& tool,
                                      const ToolReach& reach, const CuttingData& cutting,
@@ -101,10 +107,7 @@ std::optional<Candidate> candidateOf(const Feature& feature, const Walls& walls,
         if (makes) candidate.coverable_mm2 = feature.area_mm2;
     }
     if (candidate.coverable_mm2 <= tol.area_mm2) return std::nullopt;
-    if (candidate.mills() && !candidate.hasSurrogates()) {
-        candidate.walls = walls.touchedBy(*candidate.own);
-        candidate.wall_rate_mm_per_s = wallRate(feature, tool, cutting);
-    }
+    if (candidate.mills() && !candidate.hasSurrogates()) touchWalls(feature, walls, candidate);
     return candidate;
 }
 
@@ -113,8 +116,7 @@ Candidate aloneOf(const Feature& feature, const Walls& walls, Candidate candidat
     candidate.alone = true;
     candidate.cleared = candidate.own;
     candidate.coverable_mm2 = candidate.own->coverable_area_mm2;
-    candidate.walls = walls.touchedBy(*candidate.own);
-    candidate.wall_rate_mm_per_s = wallRate(feature, *candidate.tool, candidate.cutting);
+    touchWalls(feature, walls, candidate);
     return candidate;
 }
 
