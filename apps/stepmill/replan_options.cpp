@@ -96,6 +96,8 @@ void fillFromJob(ReplanOptions& options, const PlanRecord& before) {
     const RecordedRequest& request = *before.request;
     const JobFiles files(options);
     options.same_part = plan.part_file.empty();
+    options.same_shop = plan.tools_file.empty() && plan.machine_file.empty() && plan.fixtures_file.empty() &&
+                        plan.holes_file.empty() && plan.material.empty();
     files.fill("--part", plan.part_file, {before.part_file, before.part_sha256});
     if (options.same_part && !isDrawn(plan.part_file, plan.drawing))
         plan.solid = std::to_string(request.solid);
@@ -147,6 +149,7 @@ PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, co
     // Materials may come from a file that the plan does not name; what it took of it stands in it.
     if (options.plan.material == before.material) request.sequence.cut_material = before.cut_material;
     request.earlier = earlierSetups(before);
+    if (options.same_shop) request.as_before = earlierAssignment(before);
     request.cycle_times = cycleTimesOf(options, before);
     return request;
 }

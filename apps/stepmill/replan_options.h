@@ -15,6 +15,7 @@ struct ReplanOptions {
     std::vector<std::string> cycle_times;  ///< as typed; none: those of the job
     bool diff = false;
     bool same_part = false;  ///< none is given anew
+    bool same_shop = false;  ///< neither are tools, machine, fixtures, holes and material
 };
 
 /// Fills in what is not given anew as the job's plan says: the words of its command line, and its files where

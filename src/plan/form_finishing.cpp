@@ -12,9 +12,6 @@
 namespace stepmill {
 namespace {
 
-/// A cutter that takes less than this, or than this share of what is there, is not worth its change [mm3].
-constexpr double kLeastGainMm3 = 0.5;
-constexpr double kLeastFormGainShare = 0.01;
 /// Sequences that take this share of what the best takes take as much.
 constexpr double kAsMuchShare = 0.99;
 
@@ -42,9 +39,18 @@ class FormChooser {
     FormChooser(const FormSite& site, const FormShop& shop)
         : work_(site, shop),
           all_(site.ground, shop.tol),
-          least_mm3_(std::max(kLeastGainMm3, kLeastFormGainShare * all_.volumeMm3())) {}
+          least_mm3_(leastFormGainMm3(all_.volumeMm3())) {}
 
     const StandingStairs& all() const { return all_; }
+
+    /// Those cutters in that order, as far as they take anything there.
+    FormSteps inOrder(const std::vector<std::string>& ids) {
+        FormSteps steps;
+        for (const std::string& id : ids)
+            for (const ToolAssembly* tool : work_.cutters())
+                if (tool->id == id) goOnWith(*tool, steps);
+        return steps;
+    }
 
     FormSteps choose() {
         std::vector<FormSteps> beginnings;
@@ -78,19 +84,27 @@ class FormChooser {
         });
         FormSteps steps;
         for (const ToolAssembly* tool : tools)
-            for (FormStep& step : work_.sinks(*tool, steps.empty() ? all_ : steps.back().left, kLeastGainMm3))
-                steps.push_back(std::move(step));
+            goOnWith(*tool, steps);
         return steps;
     }
 
     /// And then each chamfer mill, one after the other.
     FormSteps withChamfers(FormSteps steps) {
-        for (const ToolAssembly* tool : work_.cutters()) {
-            if (tool->type != ToolType::Chamfer) continue;
-            FormStep step = work_.step(*tool, steps.empty() ? all_ : steps.back().left);
-            if (step.taken_mm3 >= kLeastGainMm3) steps.push_back(std::move(step));
-        }
+        for (const ToolAssembly* tool : work_.cutters())
+            if (tool->type == ToolType::Chamfer) goOnWith(*tool, steps);
         return steps;
+    }
+
+    void goOnWith(const ToolAssembly& tool, FormSteps& steps) {
+        const StandingStairs& left = steps.empty() ? all_ : steps.back().left;
+        FormSteps more;
+        if (tool.isCountersink())
+            more = work_.sinks(tool, left, kLeastFormGainMm3);
+        else
+            more.push_back(work_.step(tool, left));
+        const double least_mm3 = tool.hasFlanks() ? kLeastFormGainMm3 : least_mm3_;
+        for (FormStep& step : more)
+            if (step.taken_mm3 >= least_mm3) steps.push_back(std::move(step));
     }
 
     /// Every cutter that gains something there.
@@ -225,12 +239,13 @@ bool hasFormCutters(const ToolLibrary& library, const std::string& material) {
 }
 
 std::optional<FormFinishing> finishForms(const FormSources& sources, const FormShop& shop) {
+    if (shop.cutters && shop.cutters->empty()) return std::nullopt;
     shop.deadline.check(formGroundId(sources.setup.id));
     std::optional<FormSite> site =
         formSite(sources, kBandSkinScallops * shop.scallop_mm, widestFormCutterMm(shop), shop.tol);
     if (!site || shop.caution.dropped) return std::nullopt;
     FormChooser chooser(*site, shop);
-    FormSteps steps = chooser.choose();
+    FormSteps steps = shop.cutters ? chooser.inOrder(*shop.cutters) : chooser.choose();
     if (steps.empty()) return std::nullopt;
     FormFinishing finishing;
     TakenByReason taken(sources.layers, shop.tol);

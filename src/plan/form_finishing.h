@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,13 @@
 
 namespace stepmill {
 
+/// A cutter that takes less than this, or than this share of what is there, is not worth its change [mm3].
+inline constexpr double kLeastFormGainMm3 = 0.5;
+inline constexpr double kLeastFormGainShare = 0.01;
+inline double leastFormGainMm3(double there_mm3) {
+    return std::max(kLeastFormGainMm3, kLeastFormGainShare * there_mm3);
+}
+
 /// What form operations are planned with.
 struct FormShop {
     const ToolLibrary& library;
@@ -17,6 +25,8 @@ struct FormShop {
     double scallop_mm = 0;
     double retract_mm = 0;  ///< the setup's (plan/retract.h)
     FeatureCaution caution;
+    /// Ids of the cutters that come, in their order; nothing: they are chosen.
+    std::optional<std::vector<std::string>> cutters;
     Deadline deadline;  ///< forms that are not chosen by then are not cut
     const Tolerances& tol;
 };
@@ -32,7 +42,8 @@ struct FormFinishing {
 bool hasFormCutters(const ToolLibrary& library, const std::string& material);
 
 /// Takes off with the library's form cutters what flat layers leave over the leaning walls of a setup: the
-/// sequence of cutters that takes least time of those that take as much as any. A chamfer mill comes first.
+/// sequence of cutters that takes least time of those that take as much as any, or the one that is asked for.
+/// A chamfer mill comes first.
 /// Nothing where no cutter reaches anything.
 /// \throws Error(TimedOut) soon after the deadline
 std::optional<FormFinishing> finishForms(const FormSources& sources, const FormShop& shop);

@@ -3,6 +3,7 @@
 #include "plan/form_setups.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 
@@ -11,6 +12,7 @@
 #include "plan/earlier_operations.h"
 #include "plan/edge_breaking.h"
 #include "plan/form_finishing.h"
+#include "plan/form_stairs.h"
 #include "plan/make_operations.h"
 #include "plan/retract.h"
 #include "stepmill/core/error.h"
@@ -64,6 +66,7 @@ class FormSetups {
                              request.scallop_mm,
                              retractMm(sources.setup, request.sequence.retract_mm, shop_.machine),
                              shop_.cautionOf(id),
+                             {},
                              request.patience.few_tools,
                              shop_.tol};
         try {
@@ -129,6 +132,24 @@ void warnOfRawFaces(const PlannedSetup& setup, std::vector<Warning>& warnings) {
          "much, as a step; mill them before, or measure the blank (--stock-tolerance 0)"});
 }
 
+/// The form cutters of the setup in the plan that this one is made after, where as much leans as then;
+/// nothing: they are chosen.
+std::optional<std::vector<std::string>> cuttersBefore(const FormSources& sources,
+                                                      const FeatureCaution& caution,
+                                                      const PlanRequest& request) {
+    if (!request.as_before || !request.assignment || !caution.why.empty()) return std::nullopt;
+    const EarlierSetup* earlier = earlierOf(sources.setup, request.earlier);
+    if (earlier == nullptr || !earlier->leaning_mm3) return std::nullopt;
+    const double leans_mm3 = mostStairsMm3(sources.layers);
+    if (std::abs(leans_mm3 - *earlier->leaning_mm3) >= leastFormGainMm3(leans_mm3)) return std::nullopt;
+    std::vector<std::string> ids;
+    for (const EarlierOperation& operation : earlier->operations) {
+        if (operation.feature_id != formGroundId(sources.setup.id)) continue;
+        if (ids.empty() || ids.back() != operation.tool_id) ids.push_back(operation.tool_id);
+    }
+    return ids;
+}
+
 }  // namespace
 
 bool finishesForms(const PlanningShop& shop) {
@@ -142,8 +163,19 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
                                     std::vector<Warning>& warnings) {
     if (!finishesForms(shop)) return setups;
     const FormKind walls{formGroundId, &PlannedSetup::form, "leaning walls of ",
-                         "leaning walls stay as flat layers leave them", finishForms};
+                         "leaning walls stay as flat layers leave them",
+                         [&](const FormSources& sources, FormShop forms) {
+                             forms.cutters = cuttersBefore(sources, forms.caution, shop.request);
+                             return finishForms(sources, forms);
+                         }};
+    const std::size_t before = warnings.size();
     FormSetups(walls, shop, warnings).addTo(setups, stages, progress);
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+        const bool failed = std::any_of(
+            warnings.begin() + static_cast<std::ptrdiff_t>(before), warnings.end(),
+            [&](const Warning& warning) { return warning.subject == formGroundId(setups[i].setup.id); });
+        if (!failed) setups[i].leaning_mm3 = mostStairsMm3(stages[i].layers);
+    }
     return setups;
 }
 

@@ -1,6 +1,7 @@
 // From a part to its plan: the stages of docs/architecture.md in their order.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -28,6 +29,10 @@ using Warnings = std::vector<Warning>;
 
 /// Sine of the angle below which two axes are parallel.
 constexpr double kSameAxis = 1e-6;
+
+/// Of stock minus part so much more may stay with the setups of an earlier plan: what a revision's own corners
+/// keep.
+constexpr double kMoreMayStayShare = 0.002;
 
 /// Form cutters have little to finish where less of a part's surface leans than this share: broken edges.
 constexpr double kLittleLeansShare = 0.1;
@@ -301,6 +306,35 @@ SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibr
     return sets;
 }
 
+/// The axes along which sight, or whoever asks, wants setups; none where setups have no choice of what they
+/// leave.
+std::vector<Vec3> axesSeen(const PlanRequest& request, const std::vector<Setup>& chosen) {
+    std::vector<Vec3> axes;
+    if (request.roughing || request.hold == HoldKind::Tabs) return axes;
+    for (const Setup& setup : chosen)
+        axes.push_back(setup.axis);
+    return axes;
+}
+
+bool sameAxes(const std::vector<Vec3>& some, const std::vector<Vec3>& others) {
+    return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                      [](const Vec3& a, const Vec3& b) { return (a - b).norm() <= kSameAxis; });
+}
+
+/// The plan with the setups of an earlier one and what each leaves for later ones; nothing where sight asks
+/// for others, or where more stays: others may take that.
+std::optional<Plan> planAsBefore(const SetupSets& sets, const PlanRequest& request, const PlanSources& from) {
+    const EarlierAssignment& before = *request.as_before;
+    if (!sameAxes(axesSeen(request, sets.chosen), before.assignment.seen)) return std::nullopt;
+    PlanRequest as_before = request;
+    as_before.assignment = before.assignment;
+    Plan plan = planOn(setupsFor(from.part, as_before), as_before, from, {});
+    const double may_stay_mm3 =
+        before.left_mm3 + kMoreMayStayShare * plan.balance.stock_minus_part_mm3 + kVolumeRoundingMm3;
+    if (plan.balance.leftMm3() > may_stay_mm3) return std::nullopt;
+    return plan;
+}
+
 }  // namespace
 
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
@@ -317,12 +351,16 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     const SetupSets sets = setupSets(part, request, library);
     requireMachinableSize(part, sets.chosen, machine);
     const PlanSources from{part, library, machine, tol, progress, memory};
-    Plan plan =
-        bestPlan(sets, request, machine, [&](const std::vector<Setup>& setups, const Deadline& flat_by) {
+    std::optional<Plan> plan;
+    if (request.as_before && !request.assignment) plan = planAsBefore(sets, request, from);
+    if (!plan) {
+        plan = bestPlan(sets, request, machine, [&](const std::vector<Setup>& setups, const Deadline& flat_by) {
             return planOn(setups, request, from, flat_by);
         });
+        if (!request.assignment) plan->assignment.seen = axesSeen(request, sets.chosen);
+    }
     if (progress) progress("done", 1);
-    return plan;
+    return std::move(*plan);
 }
 
 }  // namespace stepmill

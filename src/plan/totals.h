@@ -6,11 +6,6 @@
 
 namespace stepmill {
 
-/// What the books say is left of all that is to be removed.
-inline double leftMm3(const VolumeBalance& books) {
-    return books.residual_mm3 + books.unreachable_mm3;
-}
-
 /// Setups with their times, and the sums of the plan.
 struct TimedSetups {
     std::vector<PlannedSetup> setups;

@@ -383,6 +383,7 @@ Json setupJson(const PlannedSetup& setup, Dialect dialect, RegionTables& regions
               {"volume_balance", balanceJson(setup.balance)}};
     for (const auto& [name, id] : setup.names)
         json["kept_names"].push_back({{"number", name}, {"id", id}});
+    if (setup.leaning_mm3) json["leaning_mm3"] = number(*setup.leaning_mm3);
     if (!setup.reserve.empty())
         json["reserve"] =
             listOf(setup.reserve, [&](const Prism& prism) { return prismJson(prism, regions); });
@@ -488,6 +489,9 @@ std::string planJson(const Plan& plan) {
     if (plan.request.sequence.cut_material)
         content["cut_material"] = cutMaterialJson(*plan.request.sequence.cut_material);
     if (plan.threads_missing > 0) content["threads_missing"] = plan.threads_missing;
+    if (const Assignment& assignment = plan.assignment; !assignment.seen.empty())
+        content["setup_axes"] = {{"seen", listOf(assignment.seen, directionJson)},
+                                 {"taken", listOf(assignment.axes, directionJson)}};
     if (!plan.assignment.choices.empty())
         content["setup_choices"] = listOf(plan.assignment.choices, choiceJson);
     if (!plan.assignment.tried.empty()) content["assignment"] = listOf(plan.assignment.tried, triedJson);

@@ -1,5 +1,6 @@
 #include "stepmill/record/plan_record.h"
 
+#include <cmath>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -23,6 +24,9 @@ using Json = nlohmann::ordered_json;
 using record::BandsOf;
 using record::failAt;
 using record::ReadTables;
+
+/// A direction that was written down is no more than this longer or shorter than 1.
+constexpr double kUnitRounding = 1e-6;
 
 HolderCylinder cylinder(const Json& json) {
     return {json["diameter_mm"], json["bottom_mm"], json["top_mm"]};
@@ -157,6 +161,7 @@ RecordedSetup setup(const Json& json, const std::string& pointer, const BandsOf&
         for (std::size_t i = 0; i < json["fixtures"].size(); ++i)
             setup.fixtures.push_back(
                 fixture(json["fixtures"][i], fmt::format("{}/fixtures/{}", pointer, i), tables));
+    if (json.contains("leaning_mm3")) setup.leaning_mm3 = json["leaning_mm3"];
     if (json.contains("reserve"))
         for (std::size_t i = 0; i < json["reserve"].size(); ++i)
             setup.reserve.push_back(
@@ -318,6 +323,53 @@ void readBalance(const Json& plan, const Tolerances& tol, PlanRecord& record) {
     record.books.unreachable_by_reason = reasonVolumes(books, "unreachable_by_reason");
 }
 
+SetupChoice setupChoice(const Json& json) {
+    SetupChoice choice;
+    for (const Json& axis : json["axes"])
+        choice.axes.push_back(parseAxis(axis.get<std::string>()).value_or(Vec3::UnitZ()));
+    const std::string verdict = json["verdict"];
+    choice.verdict = known(setupVerdictFrom(verdict), verdict);
+    if (json.contains("time_s")) choice.planned = {json["time_s"], json["setup_s"], json["stays_mm3"]};
+    return choice;
+}
+
+TriedReserve triedReserve(const Json& json) {
+    TriedReserve tried;
+    tried.setup = json["setup"];
+    tried.before_s = json["before_s"];
+    tried.with_s = json["with_s"];
+    tried.stays_mm3 = json["more_stays_mm3"];
+    const std::string verdict = json["verdict"];
+    tried.verdict = known(verdictFrom(verdict), verdict);
+    for (const Json& work : json["work"])
+        tried.proposal.work.push_back({work["feature"], work["axis_name"], work["volume_mm3"],
+                                       work["early_s"], work["late_s"], work["left"]});
+    return tried;
+}
+
+/// A list of unit vectors.
+std::vector<Vec3> setupAxes(const Json& plan, const char* list) {
+    std::vector<Vec3> axes = directions(plan["setup_axes"], list);
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        if (std::abs(axes[i].norm() - 1) > kUnitRounding)
+            failAt(fmt::format("#/setup_axes/{}/{}", list, i), "expected a direction of length 1");
+    return axes;
+}
+
+Assignment assignment(const Json& plan) {
+    Assignment assignment;
+    if (!plan.contains("setup_axes")) return assignment;
+    assignment.axes = setupAxes(plan, "taken");
+    assignment.seen = setupAxes(plan, "seen");
+    if (plan.contains("setup_choices"))
+        for (const Json& choice : plan["setup_choices"])
+            assignment.choices.push_back(setupChoice(choice));
+    if (plan.contains("assignment"))
+        for (const Json& tried : plan["assignment"])
+            assignment.tried.push_back(triedReserve(tried));
+    return assignment;
+}
+
 void readTimes(const Json& plan, PlanRecord& record) {
     for (const Json& one : plan["operations"])
         record.operation_s[one["id"]] = one["time_s"];
@@ -395,6 +447,7 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     noteTravel(plan, record);
     readBalance(plan, tol, record);
     readTimes(plan, record);
+    record.assignment = assignment(plan);
     record.threads_missing = plan.value("threads_missing", 0);
     if (plan.contains("cycle_time")) record.cycle = cycleTimesFrom(plan["cycle_time"]);
     return record;
@@ -431,6 +484,7 @@ std::vector<EarlierSetup> earlierSetups(const PlanRecord& record) {
         EarlierSetup& earlier = setups.emplace_back();
         earlier.id = setup.id;
         earlier.axis = setup.axis;
+        earlier.leaning_mm3 = setup.leaning_mm3;
         earlier.features = earlierFeatures(record, setup);
         for (const std::string& id : setup.operation_ids) {
             const RecordedOperation& operation = record.operations.at(id);
@@ -438,6 +492,21 @@ std::vector<EarlierSetup> earlierSetups(const PlanRecord& record) {
         }
     }
     return setups;
+}
+
+std::optional<EarlierAssignment> earlierAssignment(const PlanRecord& record) {
+    EarlierAssignment earlier{record.assignment, record.books.leftMm3()};
+    Assignment& assignment = earlier.assignment;
+    if (assignment.seen.empty()) return std::nullopt;
+    assignment.reserves.resize(assignment.axes.size());
+    std::size_t place = 0;  // setups in which nothing is cut have one too
+    for (const RecordedSetup& setup : record.setups) {
+        while (place < assignment.axes.size() && assignment.axes[place] != setup.axis)
+            ++place;
+        if (place == assignment.axes.size()) return std::nullopt;
+        assignment.reserves[place++] = {setup.part_to_setup, setup.reserve};
+    }
+    return earlier;
 }
 
 }  // namespace stepmill

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stepmill/part/part.h"
@@ -35,6 +36,8 @@ enum class Verdict {
     Taken
 };
 std::string toString(Verdict verdict);
+/// The reverse; nothing for another word.
+std::optional<Verdict> verdictFrom(std::string_view word);
 
 /// A proposal that was planned.
 struct TriedReserve {
@@ -56,6 +59,8 @@ enum class SetupVerdict {
     NoTime           ///< not planned
 };
 std::string toString(SetupVerdict verdict);
+/// The reverse; nothing for another word.
+std::optional<SetupVerdict> setupVerdictFrom(std::string_view word);
 
 /// A set of setups that was considered.
 struct SetupChoice {
@@ -73,6 +78,9 @@ struct SetupChoice {
 struct Assignment {
     /// The setups' axes in part coordinates, in machining order: asked for, or chosen by whole plans.
     std::vector<Vec3> axes;
+    /// Those of the setups that sight asks for, or that were asked for; empty where a plan has no choice of
+    /// what each leaves: of roughing, and in a frame with tabs.
+    std::vector<Vec3> seen;
     std::vector<SetupChoice> choices;  ///< the one taken first; empty: there was one
     /// What each of the chosen setups leaves for later ones, by its place; without prisms: nothing.
     std::vector<CutPrisms> reserves;

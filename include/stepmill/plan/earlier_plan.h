@@ -1,11 +1,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/feature.h"
+#include "stepmill/plan/assignment.h"
 #include "stepmill/sequence/sequence.h"
 #include "stepmill/setup/setup.h"
 
@@ -34,6 +36,13 @@ struct EarlierSetup {
     Vec3 axis = Vec3::UnitZ();  ///< in part coordinates
     std::vector<EarlierFeature> features;
     std::vector<EarlierOperation> operations;  ///< in machining order
+    std::optional<double> leaning_mm3;         ///< PlannedSetup::leaning_mm3
+};
+
+/// Which setup cut what in a plan that is made again with the same tools, machine, material and fixtures.
+struct EarlierAssignment {
+    Assignment assignment;
+    double left_mm3 = 0;  ///< of stock minus part at its end
 };
 
 /// The setup of that id and axis; null for none.

@@ -30,6 +30,7 @@ struct RecordedSetup {
     std::vector<Prism> reserve;  ///< stands for later setups; in setup coordinates
     Clamping clamping;           ///< without jaws, which are fixtures; of plans of older versions none
     double time_s = 0;
+    std::optional<double> leaning_mm3;  ///< PlannedSetup::leaning_mm3
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     FeatureNames names;                      ///< PlannedSetup::names
     std::vector<std::string> operation_ids;  ///< in machining order
@@ -91,6 +92,8 @@ struct PlanRecord {
     std::map<std::string, double> operation_s;  ///< the time of each, without the change to its tool
     PlanTotals totals;
     CycleTimes cycle;
+    /// Axes and what came of choosing; `reserves` stand with the setups. Of plans of older versions no axes.
+    Assignment assignment;
     VolumeBalance books;      ///< of the part
     int threads_missing = 0;  ///< Plan::threads_missing
     /// How much of what stays of stock minus part at the end is rounding [mm3].
@@ -104,5 +107,8 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol);
 
 /// What a plan that is made after this one keeps of it.
 std::vector<EarlierSetup> earlierSetups(const PlanRecord& record);
+
+/// The same of which setup cuts what; nothing where the plan had no choice there, or does not tell.
+std::optional<EarlierAssignment> earlierAssignment(const PlanRecord& record);
 
 }  // namespace stepmill

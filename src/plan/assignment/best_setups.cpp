@@ -9,7 +9,6 @@
 
 #include "plan/assignment/setup_choice.h"
 #include "plan/assignment/unreached_places.h"
-#include "plan/totals.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -83,7 +82,7 @@ class SetupSearch {
     bool mayBeBetter(const std::vector<Setup>& with_forms) const {
         const VolumeBalance& books = best_->balance;
         return with_forms.size() <= best_->setups.size() ||
-               leftMm3(books) > kFormsLeaveShare * books.stock_minus_part_mm3;
+               books.leftMm3() > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "plan/assignment/propose_reserve.h"
-#include "plan/totals.h"
 #include "stepmill/core/enum_words.h"
 
 namespace stepmill {
@@ -65,14 +64,14 @@ Verdict verdictOn(const Booked& trial, const Booked& best, const PlanRequest& re
     const double noise_mm3 =
         std::max(kVolumeRoundingMm3, kBooksNoiseShare * best.books->stock_minus_part_mm3);
     const double may_stay_mm3 =
-        leftMm3(*best.books) + std::max(noise_mm3, kMoreMayStayShare * leftMm3(*best.books));
+        best.books->leftMm3() + std::max(noise_mm3, kMoreMayStayShare * best.books->leftMm3());
     if (weight(cut.totals) >= kWorthChanging * weight(than.totals)) return Verdict::SavesTooLittle;
     if (cut.setups.size() > than.setups.size()) return Verdict::MoreSetups;
     if (unheld(cut) > unheld(than) || loosePieces(cut) > loosePieces(than) ||
         !clampedAlike(cut, than, request.fixtures))
         return Verdict::HeldWorse;
     const bool books_close = std::abs(trial.books->gapMm3()) <= std::abs(best.books->gapMm3()) + noise_mm3;
-    return leftMm3(*trial.books) > may_stay_mm3 || !books_close ? Verdict::MoreStays : Verdict::Taken;
+    return trial.books->leftMm3() > may_stay_mm3 || !books_close ? Verdict::MoreStays : Verdict::Taken;
 }
 
 /// The setups as they would be cut if one of them left stock.
@@ -135,6 +134,10 @@ std::string toString(Verdict verdict) {
     return wordOf(kVerdicts, verdict);
 }
 
+std::optional<Verdict> verdictFrom(std::string_view word) {
+    return valueOf(kVerdicts, word);
+}
+
 CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_part_mm3,
                            const PlanningShop& shop, const Progress& progress, Assignment& assignment) {
     const PlanRequest& request = shop.request;
@@ -150,7 +153,7 @@ CutSetups cutWhereCheapest(const std::vector<Setup>& setups, double stock_minus_
         const Verdict verdict = verdictOn(trial->made, best, request);
         assignment.tried.push_back({best.cut.setups[i].setup.id, std::move(trial->proposal),
                                     best.cut.totals.motion_s, trial->made.cut.totals.motion_s,
-                                    leftMm3(*trial->made.books) - leftMm3(*best.books), verdict});
+                                    trial->made.books->leftMm3() - best.books->leftMm3(), verdict});
         if (verdict != Verdict::Taken) continue;
         best = std::move(trial->made);
         assignment.reserves = std::move(trial->reserves);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "plan/totals.h"
 #include "stepmill/core/enum_words.h"
 #include "stepmill/core/units.h"
 
@@ -30,7 +29,7 @@ double alikeMm3(const Plan& plan, const Alike& alike) {
 }
 
 bool leavesMore(const Plan& plan, const Plan& than, const Alike& alike) {
-    return leftMm3(plan.balance) > leftMm3(than.balance) + alikeMm3(plan, alike);
+    return plan.balance.leftMm3() > than.balance.leftMm3() + alikeMm3(plan, alike);
 }
 
 std::vector<Setup> setupsOf(const Plan& plan) {
@@ -44,6 +43,10 @@ std::vector<Setup> setupsOf(const Plan& plan) {
 
 std::string toString(SetupVerdict verdict) {
     return wordOf(kSetupVerdicts, verdict);
+}
+
+std::optional<SetupVerdict> setupVerdictFrom(std::string_view word) {
+    return valueOf(kSetupVerdicts, word);
 }
 
 double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity) {
@@ -66,7 +69,7 @@ double SetupWeigher::weight(const Plan& plan) const {
 }
 
 bool SetupWeigher::cannotBeat(const Plan& plan, const std::vector<Setup>& others, const Alike& alike) const {
-    return leftMm3(plan.balance) <= alikeMm3(plan, alike) && unheld(plan) == 0 &&
+    return plan.balance.leftMm3() <= alikeMm3(plan, alike) && unheld(plan) == 0 &&
            weight(plan) <= weightOfS(settingUpS(others, machine_, request_.quantity));
 }
 
@@ -88,7 +91,7 @@ SetupChoice SetupWeigher::choiceOf(const Plan& plan, const std::vector<Setup>& s
                                    SetupVerdict verdict) const {
     SetupChoice choice = unplanned(setups, verdict);
     choice.planned = SetupChoice::Planned{
-        plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity), leftMm3(plan.balance)};
+        plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity), plan.balance.leftMm3()};
     return choice;
 }
 

@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "plan/totals.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/plan.h"
@@ -266,7 +265,7 @@ class CycleSearch {
 
     static void judge(const Plan& plan, const Plan& best, std::size_t target, CycleStep& step) {
         step.after_s = plan.cycle.outcomes[target].time_s;
-        step.leaves_more = leftMm3(plan.balance) > leftMm3(best.balance) + kVolumeRoundingMm3;
+        step.leaves_more = plan.balance.leftMm3() > best.balance.leftMm3() + kVolumeRoundingMm3;
         step.taken = overS(plan) < overS(best) - kNoGainS && !step.leaves_more &&
                      plan.setups.size() <= best.setups.size() && plan.threads_missing <= best.threads_missing;
     }

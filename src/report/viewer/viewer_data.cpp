@@ -118,7 +118,7 @@ Json placementJson(const Eigen::Isometry3d& part_to_setup) {
     Json numbers = Json::array();
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
-            numbers.push_back(part_to_setup.matrix()(row, column));
+            numbers.push_back(part_to_setup.matrix()(row, column) + 0.0);  // of -0 makes 0
     return numbers;
 }
 
