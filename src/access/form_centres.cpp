@@ -118,7 +118,7 @@ Region FormCentres::inRoom(std::size_t room, double tip_z_mm) const {
     return subtract(within_[room], keptOff(room, tip_z_mm), bands_.tolerances());
 }
 
-Region FormCentres::keptOff(std::size_t room, double tip_z_mm) const {
+std::vector<Region> FormCentres::keptOff(std::size_t room, double tip_z_mm) const {
     const FormRoom& where = bands_.rooms()[room];
     const std::vector<Obstacle>& bands = bands_.ground().must_stand;
     const CutterForm form(tool_);
@@ -133,7 +133,7 @@ Region FormCentres::keptOff(std::size_t room, double tip_z_mm) const {
     kept_off.push_back(where.grownAbove(band, form.fullRadiusMm() + guard_mm));
     addHolder(room, tip_z_mm, kept_off);
     std::erase_if(kept_off, [](const Region& region) { return region.empty(); });
-    return kept_off.empty() ? Region{} : unite(kept_off, bands_.tolerances());
+    return kept_off;
 }
 
 void FormCentres::addHolder(std::size_t room, double tip_z_mm, std::vector<Region>& kept_off) const {

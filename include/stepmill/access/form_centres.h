@@ -83,7 +83,7 @@ class FormCentres {
 
   private:
     Region inRoom(std::size_t room, double tip_z_mm) const;
-    Region keptOff(std::size_t room, double tip_z_mm) const;
+    std::vector<Region> keptOff(std::size_t room, double tip_z_mm) const;
     void addHolder(std::size_t room, double tip_z_mm, std::vector<Region>& kept_off) const;
 
     const FormBands& bands_;
