@@ -95,12 +95,17 @@ FormCentres::FormCentres(const FormBands& bands, const ToolAssembly& tool) : ban
 
 const Region& FormCentres::at(double tip_z_mm) const {
     if (const auto found = known_.find(tip_z_mm); found != known_.end()) return found->second;
+    return known_.emplace(tip_z_mm, from(tip_z_mm, tip_z_mm)).first->second;
+}
+
+Region FormCentres::from(double top_z_mm, double bottom_z_mm) const {
     Region free;
     for (std::size_t room = 0; room < within_.size(); ++room) {
-        const Region in_room = inRoom(room, tip_z_mm);
+        if (within_[room].empty() || !meetsStairs(room, top_z_mm, bottom_z_mm)) continue;
+        const Region& in_room = inRoom(room, top_z_mm);
         free.loops.insert(free.loops.end(), in_room.loops.begin(), in_room.loops.end());
     }
-    return known_.emplace(tip_z_mm, std::move(free)).first->second;
+    return free;
 }
 
 Region FormCentres::withinWindow() const {
@@ -110,12 +115,17 @@ Region FormCentres::withinWindow() const {
     return all;
 }
 
-Region FormCentres::inRoom(std::size_t room, double tip_z_mm) const {
+bool FormCentres::meetsStairs(std::size_t room, double top_z_mm, double bottom_z_mm) const {
     const FormRoom& where = bands_.rooms()[room];
     const double reach_mm = CutterForm(tool_).heightMm() + kAboveFormMm;
-    const bool meets_stairs = tip_z_mm < where.stairsTopMm() && tip_z_mm + reach_mm > where.stairsBottomMm();
-    if (!meets_stairs || within_[room].empty()) return {};
-    return subtract(within_[room], keptOff(room, tip_z_mm), bands_.tolerances());
+    return bottom_z_mm < where.stairsTopMm() && top_z_mm + reach_mm > where.stairsBottomMm();
+}
+
+const Region& FormCentres::inRoom(std::size_t room, double tip_z_mm) const {
+    const std::pair key(tip_z_mm, room);
+    if (const auto found = in_rooms_.find(key); found != in_rooms_.end()) return found->second;
+    Region free = subtract(within_[room], keptOff(room, tip_z_mm), bands_.tolerances());
+    return in_rooms_.emplace(key, std::move(free)).first->second;
 }
 
 std::vector<Region> FormCentres::keptOff(std::size_t room, double tip_z_mm) const {

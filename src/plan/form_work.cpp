@@ -118,6 +118,27 @@ std::optional<toolpath::FormLevel> FormWork::levelAt(toolpath::FormPasses& passe
     return std::nullopt;
 }
 
+/// The levels that have passes among some heights, in their order: halves of them where no passes can be are
+/// left out together.
+void FormWork::addLevels(toolpath::FormPasses& passes, const CutterForm& form,
+                         const std::vector<double>& heights, std::size_t first, std::size_t last,
+                         FormStep& step, std::vector<toolpath::FormLevel>& levels) const {
+    shop_.deadline.check(site_.ground.id);
+    if (last - first > 1) {
+        const auto [lowest, highest] = std::minmax_element(heights.begin() + static_cast<std::ptrdiff_t>(first),
+                                                           heights.begin() + static_cast<std::ptrdiff_t>(last));
+        if (!passes.mayPass(*highest, *lowest, step.left)) return;
+        const std::size_t middle = (first + last) / 2;
+        addLevels(passes, form, heights, first, middle, step, levels);
+        addLevels(passes, form, heights, middle, last, step, levels);
+        return;
+    }
+    std::optional<toolpath::FormLevel> level = levelAt(passes, step.left, heights, first);
+    if (!level) return;
+    step.left.cut({heights[first], level->passes}, form);
+    levels.push_back(std::move(*level));
+}
+
 /// The level below; nothing at the foot of stairs, where the fillet is made.
 std::optional<double> FormWork::mayWaitFor(const std::vector<double>& heights, std::size_t index) const {
     const bool is_foot = std::any_of(site_.feet_mm.begin(), site_.feet_mm.end(), [&](double foot_mm) {
@@ -183,13 +204,7 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
     FormStep step{&tool, {}, 0, 0, stairs};
     const std::vector<double> heights = formLevels(site_, tool, cutting.step_down_mm, shop_.scallop_mm);
     std::vector<toolpath::FormLevel> levels;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        shop_.deadline.check(site_.ground.id);
-        std::optional<toolpath::FormLevel> level = levelAt(passes, step.left, heights, i);
-        if (!level) continue;
-        step.left.cut({heights[i], level->passes}, form);
-        levels.push_back(std::move(*level));
-    }
+    if (!heights.empty()) addLevels(passes, form, heights, 0, heights.size(), step, levels);
     std::stable_sort(levels.begin(), levels.end(),
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
     std::vector<SurfaceWay> lines;

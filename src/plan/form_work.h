@@ -48,6 +48,9 @@ class FormWork {
                               const std::vector<SurfaceWay>& lines) const;
     std::optional<toolpath::FormLevel> levelAt(toolpath::FormPasses& passes, const StandingStairs& stairs,
                                                const std::vector<double>& heights, std::size_t index) const;
+    void addLevels(toolpath::FormPasses& passes, const CutterForm& form, const std::vector<double>& heights,
+                   std::size_t first, std::size_t last, FormStep& step,
+                   std::vector<toolpath::FormLevel>& levels) const;
     std::optional<double> mayWaitFor(const std::vector<double>& heights, std::size_t index) const;
 
     const FormSite& site_;

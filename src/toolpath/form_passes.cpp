@@ -48,6 +48,17 @@ double farthestFrom(const EdgeIndex& others, const Edge& edge, double limit_mm) 
     return farthest_mm;
 }
 
+/// Do two regions come nearer to each other than that?
+bool comeNear(const Region& one, const EdgeIndex& edges_of_one, const Region& other, double distance_mm) {
+    for (const auto& [from, segment] : eachEdge(other))
+        if (edges_of_one.anyNearer(makeEdge(from, segment), distance_mm)) return true;
+    const auto anyIn = [](const Region& inner, const Region& outer) {
+        return std::any_of(inner.loops.begin(), inner.loops.end(),
+                           [&](const Loop& loop) { return contains(outer, loop.start); });
+    };
+    return anyIn(one, other) || anyIn(other, one);
+}
+
 }  // namespace
 
 /// Tells where a cutter with its tip at one height meets stairs that are thicker than that.
@@ -93,6 +104,23 @@ class FormPasses::Meeting {
 FormPasses::FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
                        const ShallowGround& shallow, const Tolerances& tol)
     : centres_(centres), form_(form), shallow_(shallow), spacing_(spacing), tol_(tol) {}
+
+bool FormPasses::mayPass(double top_z_mm, double bottom_z_mm, const StandingStairs& stairs) const {
+    Region free;
+    try {
+        free = centres_.from(top_z_mm, bottom_z_mm);
+    } catch (const UnsureOffset&) {
+        return true;
+    }
+    if (free.empty()) return false;
+    const EdgeIndex edges(free);
+    const auto& slices = stairs.slices();
+    return std::any_of(slices.begin(), slices.end(), [&](const StandingStairs::Slice& slice) {
+        const double radius_mm = form_.radiusAt(slice.z_mm - bottom_z_mm) - spacing_.skin_mm;
+        if (slice.z_mm - top_z_mm > form_.heightMm() + kAboveFormMm || radius_mm <= 0) return false;
+        return !slice.region.empty() && comeNear(free, edges, slice.region, radius_mm);
+    });
+}
 
 FormLevel FormPasses::at(double tip_z_mm, const StandingStairs& stairs, std::optional<double> next_z_mm) {
     FormLevel level{tip_z_mm, {}, {}};

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "stepmill/catalog/tool.h"
@@ -78,17 +79,22 @@ class FormCentres {
     /// In rooms where the cutter would meet stairs; others have no free centres. Errs inwards by the guard of
     /// paths, and by what a band is high times the sine of the wall's lean. Kept by height.
     const Region& at(double tip_z_mm) const;
+    /// Those of the upper of two heights, in rooms where the cutter would meet stairs somewhere between. A tip
+    /// that is lower has no others: more stands beside it.
+    Region from(double top_z_mm, double bottom_z_mm) const;
     /// Where all of the cutter stays inside the window, whatever stands there.
     Region withinWindow() const;
 
   private:
-    Region inRoom(std::size_t room, double tip_z_mm) const;
+    bool meetsStairs(std::size_t room, double top_z_mm, double bottom_z_mm) const;
+    const Region& inRoom(std::size_t room, double tip_z_mm) const;
     std::vector<Region> keptOff(std::size_t room, double tip_z_mm) const;
     void addHolder(std::size_t room, double tip_z_mm, std::vector<Region>& kept_off) const;
 
     const FormBands& bands_;
     const ToolAssembly& tool_;
     std::vector<Region> within_;  ///< the rooms' windows less the cutter's radius
+    mutable std::map<std::pair<double, std::size_t>, Region> in_rooms_;  ///< by height and room
     mutable std::map<double, Region> known_;
 };
 

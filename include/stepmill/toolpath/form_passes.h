@@ -44,6 +44,9 @@ class FormPasses {
     FormPasses(const FormCentres& centres, const CutterForm& form, const PassSpacing& spacing,
                const ShallowGround& shallow, const Tolerances& tol);
 
+    /// May there be passes at any height between these? Where not, none of them has to be asked for.
+    bool mayPass(double top_z_mm, double bottom_z_mm, const StandingStairs& stairs) const;
+
     /// Passes along the boundary of the free centres at one height, wherever the cutter meets stairs there,
     /// and beside them at the step-over where the stairs are wider. No passes where it meets none.
     /// \param next_z_mm  of the level below that a stretch may wait for; nothing: none waits
