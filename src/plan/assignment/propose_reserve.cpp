@@ -62,7 +62,7 @@ std::vector<LateBand> lateBands(const Stock& arrives, const std::vector<Setup>& 
 /// Whether tools clear the band, and its weight.
 bool weigh(LateBand& band, const Setup& setup, const PlanningShop& shop) {
     SequenceOptions options = asPlanned(shop.request.sequence);
-    options.surrogates = SurrogateRule::SingleOrLater;
+    options.surrogates = SurrogateRule::Single;
     options.deadline = shop.request.patience.allToolsOfOne();
     options.retract_mm = retractMm(setup, options.retract_mm, shop.machine);
     try {
