@@ -168,7 +168,9 @@ bool EdgeTable::mayBeatWithLumps(int m, int n, double own_weight, double own_new
     const double lumps_mm2 = std::max(0.0, to.coverable_mm2 - from_mm2 - own_new_mm2);
     const double lumps_s = lumps_mm2 * task_.ground.feature().depth_mm() / to.joint_rate_mm3_per_s;
     const double before = m == kSource ? 0 : to_tool_[m];
-    return before + own_weight + weigh(machineCost(lumps_s, task_.machine), task_) + to_sink_[n] <= known;
+    return before + own_weight + weigh(machineCost(lumps_s, task_.machine), task_) +
+               leastAfter(n, lumps_mm2) <=
+           known;
 }
 
 std::vector<WeighedEdge> EdgeTable::evaluated() const {
@@ -195,6 +197,16 @@ void EdgeTable::bound() {
         for (int n = m + 1; n < n_; ++n)
             to_sink_[m] = std::min(to_sink_[m], slot(m, n).bound() + to_sink_[n]);
     }
+}
+
+/// Least weight of all that follows tool n. Who clears its lumps is a tool that follows anyway, or one change
+/// more.
+double EdgeTable::leastAfter(int n, double lumps_mm2) const {
+    if (lumps_mm2 <= sameArea(task_.ground.feature(), task_.ground.tolerances())) return to_sink_[n];
+    double least = task_.ends[n] ? changeWeight(task_.tools[n], task_) : kNoEdge;
+    for (int next = n + 1; next < n_; ++next)
+        least = std::min(least, slot(n, next).bound() + to_sink_[next]);
+    return least;
 }
 
 bool EdgeTable::mayBeat(int m, int n, double known) const {

@@ -71,6 +71,7 @@ class EdgeTable {
     int sameWork(int n) const;
     void makeMissingRings(const EdgeList& edges);
     bool evaluate(int m, int n, double known, Slot& into) const;
+    double leastAfter(int n, double lumps_mm2) const;
     bool mayBeatWithLumps(int m, int n, double own_weight, double own_new_mm2, double known) const;
 
     const DagTask& task_;

@@ -41,8 +41,8 @@ void LumpSolver::weigh() {
     if (!servable_) return;
     const bool one_does = offered_ > 0;
     if (!one_does) return weighSets();
-    tools_.offer({whole_.begin() + static_cast<std::ptrdiff_t>(offered_), whole_.end()});
-    tools_.keepEnds();
+    weighSingles();
+    tools_.offer(othersThatMayPay());
     weighSingles();
     if (sequencesCount() && mayPayTwo()) weighSequences();
 }
@@ -188,15 +188,32 @@ void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> t
     totals_.push_back(std::move(totals));
 }
 
+/// Of the surrogates that were not offered yet those that may be chosen: one that takes longer than the
+/// cheapest with its change is not, whoever else needs it.
+std::vector<int> LumpSolver::othersThatMayPay() const {
+    const double most = cheapestWay() + changeWeight();
+    std::vector<int> others;
+    for (std::size_t i = offered_; i < whole_.size(); ++i)
+        if (leastWeight(rateOf(tools_.surrogates()[whole_[i]])) < most) others.push_back(whole_[i]);
+    return others;
+}
+
+/// Those nodes that clear the whole lump and are not weighed yet; others are dropped.
 void LumpSolver::weighSingles() {
-    std::vector<int> nodes(tools_.nodes().size());
-    std::iota(nodes.begin(), nodes.end(), 0);
+    tools_.keepEnds();
+    std::vector<int> nodes;
+    for (int node = 0; node < static_cast<int>(tools_.nodes().size()); ++node) {
+        const std::vector<int> way{tools_.surrogateOf(node)};
+        const bool weighed = std::any_of(ways_.begin(), ways_.end(),
+                                         [&](const LumpWay& known) { return known.tools == way; });
+        if (!weighed) nodes.push_back(node);
+    }
     tools_.makeRings(nodes);
     std::vector<std::optional<PathTotals>> totals(nodes.size());
     tbb::parallel_for(std::size_t{0}, nodes.size(),
                       [&](std::size_t i) { totals[i] = tools_.totalsOf(kSource, nodes[i]); });
-    for (const int node : nodes)
-        if (totals[node]) addWay({node}, {*totals[node]});
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (totals[i]) addWay({nodes[i]}, {*totals[i]});
 }
 
 double LumpSolver::cheapestWay() const {
@@ -211,9 +228,14 @@ bool LumpSolver::mayPayTwo() const {
     double fastest = 0;
     for (const Surrogate& surrogate : tools_.surrogates())
         fastest = std::max(fastest, rateOf(surrogate));
-    const double least_s = fastest > 0 ? tools_.ground().feature().volume_mm3 / fastest : 0;
     // Two tools are one change more.
-    return changeWeight() + weight(machineCost(least_s, job().machine)) < cheapestWay();
+    return changeWeight() + leastWeight(fastest) < cheapestWay();
+}
+
+/// Least weight of clearing the lump at no more than that rate.
+double LumpSolver::leastWeight(double mm3_per_s) const {
+    const double least_s = mm3_per_s > 0 ? tools_.ground().feature().volume_mm3 / mm3_per_s : 0;
+    return weight(machineCost(least_s, job().machine));
 }
 
 double LumpSolver::rateOf(const Surrogate& surrogate) const {

@@ -51,6 +51,8 @@ class LumpSolver {
     double rateOf(const Surrogate& surrogate) const;
     double cheapestWay() const;
     void addWay(const std::vector<int>& nodes, std::vector<PathTotals> totals);
+    double leastWeight(double mm3_per_s) const;
+    std::vector<int> othersThatMayPay() const;
     void weighSingles();
     bool mayPayTwo() const;
     void weighSequences();

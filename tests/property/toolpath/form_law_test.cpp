@@ -187,6 +187,42 @@ TEST(FormPasses, NeverGougeRandomLeaningPockets) {
     EXPECT_GT(with_passes, kPockets / 2);
 }
 
+/// Of half of the pockets another cutter has been there before.
+TEST(FormPasses, ArePassedNowhereInAStretchWhereNoneMayBe) {
+    int ruled_out = 0;
+    int with_passes = 0;
+    for (int seed = 0; seed < kPockets / 2; ++seed) {
+        SCOPED_TRACE(seed);
+        Dice dice(static_cast<std::uint64_t>(seed));
+        const LeaningPocket pocket = randomPocket(dice);
+        const FormGround ground = groundOf(pocket, dice.between(0.1, 0.4));
+        StandingStairs stairs(ground, kTol);
+        if (dice.between(0, 1) < 0.5) levelsOf(ground, randomCutter(dice), stairs);
+        const FormBands bands(ground, kTol);
+        const ToolAssembly tool = randomCutter(dice);
+        const FormCentres centres(bands, tool);
+        const CutterForm form(tool);
+        const toolpath::ShallowGround none;
+        const std::size_t count = ground.must_stand.size();
+        for (std::size_t size = 1; size < count; size *= 2)
+            for (std::size_t first = 1; first + size <= count; first += size) {
+                toolpath::FormPasses passes(centres, form, {1.5, 0.03, 0}, none, kTol);
+                const double top_mm = ground.must_stand[first + size - 1].bottom_z_mm;
+                if (passes.mayPass(top_mm, ground.must_stand[first].bottom_z_mm, stairs)) {
+                    ++with_passes;
+                    continue;
+                }
+                ++ruled_out;
+                for (std::size_t i = first; i < first + size; ++i)
+                    EXPECT_TRUE(
+                        passes.at(ground.must_stand[i].bottom_z_mm, stairs, std::nullopt).passes.empty())
+                        << "band " << i << " of " << first << " and " << size;
+            }
+    }
+    EXPECT_GT(ruled_out, 100);
+    EXPECT_GT(with_passes, 100);
+}
+
 double lengthOf(const std::vector<toolpath::FormLevel>& levels) {
     double sum_mm = 0;
     for (const toolpath::FormLevel& level : levels)
