@@ -3,7 +3,6 @@
 #include <span>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "layers/faces/trace_faces.h"
 #include "layers/mesh/solid_mesh.h"
@@ -14,6 +13,7 @@
 #include "layers/stock/raw_stock.h"
 #include "layers/stock/stock_air.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/layers/hole_cone.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/part/face_graph.h"
@@ -266,7 +266,7 @@ StockSlabs cutStockSlabs(const Solids& solids, const std::vector<Level>& levels,
     if (!solids.air.leans() || !options.join_slabs) return all;
     const std::vector<std::size_t> bounds = stockBounds(solids, levels, options);
     std::vector<StockSlabs> slabs(bounds.size() - 1);
-    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t i) {
+    parallelFor(slabs.size(), [&](std::size_t i) {
         guardOcct(ErrorCode::GeometryKernel, fmt::format("stock under z {:.4f} mm", levels[bounds[i]].z_mm),
                   [&] {
                       const std::span<const Level> between(&levels[bounds[i]], bounds[i + 1] - bounds[i] + 1);
@@ -280,7 +280,7 @@ StockSlabs cutStockSlabs(const Solids& solids, const std::vector<Level>& levels,
 
 std::vector<CutLayer> cutAll(const Cutting& from, const std::vector<Level>& levels) {
     std::vector<std::vector<CutLayer>> slabs(levels.size() - 1);
-    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t i) {
+    parallelFor(slabs.size(), [&](std::size_t i) {
         guardOcct(ErrorCode::GeometryKernel, fmt::format("slab at z {:.4f} mm", levels[i].z_mm), [&] {
             cutAndHalve(from, levels[i].z_mm, levels[i + 1].z_mm, slabs[i]);
             for (std::size_t k = 0; k < slabs[i].size(); ++k)

@@ -4,8 +4,6 @@
 #include <mutex>
 #include <set>
 
-#include <tbb/parallel_for.h>
-
 #include "plan/few_tools.h"
 #include "plan/nests.h"
 #include "plan/propose_ground.h"
@@ -13,6 +11,7 @@
 #include "plan/share_tools.h"
 #include "plan/sized_holes.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/plan/common_ground.h"
 #include "stepmill/plan/deep_bands.h"
@@ -165,9 +164,8 @@ class FeaturePlanner {
         const std::vector<Nest> nests = nestsOf(features_);
         std::vector<PlannedNest> planned(nests.size());
         for (const std::vector<std::size_t>& generation : generationsOf(nests, features_)) {
-            tbb::parallel_for(std::size_t{0}, generation.size(), [&](std::size_t i) {
-                planned[generation[i]] = planNest(nests[generation[i]]);
-            });
+            parallelFor(generation.size(),
+                        [&](std::size_t i) { planned[generation[i]] = planNest(nests[generation[i]]); });
             for (const std::size_t nest : generation)
                 publish(nests[nest], planned[nest]);
         }

@@ -37,9 +37,7 @@ double timeOf(const FormSteps& steps) {
 class FormChooser {
   public:
     FormChooser(const FormSite& site, const FormShop& shop)
-        : work_(site, shop),
-          all_(site.ground, shop.tol),
-          least_mm3_(leastFormGainMm3(all_.volumeMm3())) {}
+        : work_(site, shop), all_(site.ground, shop.tol), least_mm3_(leastFormGainMm3(all_.volumeMm3())) {}
 
     const StandingStairs& all() const { return all_; }
 

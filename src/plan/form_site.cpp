@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "plan/form_stairs.h"
 #include "plan/site_walls.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/layers/section_cutter.h"
@@ -191,7 +190,7 @@ class SiteMaker {
         }
         site_.ground.must_stand.resize(bands.size());
         site_.leans.resize(bands.size());
-        tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) { cutBand(bands[i], i); });
+        parallelFor(bands.size(), [&](std::size_t i) { cutBand(bands[i], i); });
         addFixturesOver();
     }
 

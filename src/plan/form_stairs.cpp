@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
@@ -121,8 +120,7 @@ std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutte
     const StairMaker maker(sources, part, tol);
     const std::vector<Layer>& layers = sources.layers.layers;
     std::vector<LayerStairs> all(layers.size());
-    tbb::parallel_for(std::size_t{0}, layers.size(),
-                      [&](std::size_t i) { all[i] = maker.of(layers[layers.size() - 1 - i]); });
+    parallelFor(layers.size(), [&](std::size_t i) { all[i] = maker.of(layers[layers.size() - 1 - i]); });
     std::erase_if(all, [](const LayerStairs& one) { return one.stairs.empty(); });
     return all;
 }

@@ -125,8 +125,9 @@ void FormWork::addLevels(toolpath::FormPasses& passes, const CutterForm& form,
                          FormStep& step, std::vector<toolpath::FormLevel>& levels) const {
     shop_.deadline.check(site_.ground.id);
     if (last - first > 1) {
-        const auto [lowest, highest] = std::minmax_element(heights.begin() + static_cast<std::ptrdiff_t>(first),
-                                                           heights.begin() + static_cast<std::ptrdiff_t>(last));
+        const auto [lowest, highest] =
+            std::minmax_element(heights.begin() + static_cast<std::ptrdiff_t>(first),
+                                heights.begin() + static_cast<std::ptrdiff_t>(last));
         if (!passes.mayPass(*highest, *lowest, step.left)) return;
         const std::size_t middle = (first + last) / 2;
         addLevels(passes, form, heights, first, middle, step, levels);

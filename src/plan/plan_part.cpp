@@ -30,8 +30,8 @@ using Warnings = std::vector<Warning>;
 /// Sine of the angle below which two axes are parallel.
 constexpr double kSameAxis = 1e-6;
 
-/// Of stock minus part so much more may stay with the setups of an earlier plan: what a revision's own corners
-/// keep.
+/// Of stock minus part so much more may stay with the setups of an earlier plan: what a revision's own
+/// corners keep.
 constexpr double kMoreMayStayShare = 0.002;
 
 /// Form cutters have little to finish where less of a part's surface leans than this share: broken edges.
@@ -354,9 +354,10 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
     std::optional<Plan> plan;
     if (request.as_before && !request.assignment) plan = planAsBefore(sets, request, from);
     if (!plan) {
-        plan = bestPlan(sets, request, machine, [&](const std::vector<Setup>& setups, const Deadline& flat_by) {
-            return planOn(setups, request, from, flat_by);
-        });
+        plan =
+            bestPlan(sets, request, machine, [&](const std::vector<Setup>& setups, const Deadline& flat_by) {
+                return planOn(setups, request, from, flat_by);
+            });
         if (!request.assignment) plan->assignment.seen = axesSeen(request, sets.chosen);
     }
     if (progress) progress("done", 1);

@@ -5,9 +5,8 @@
 
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
 #include "setup/ray_tree.h"
+#include "stepmill/core/parallel.h"
 
 namespace stepmill::setup {
 
@@ -159,7 +158,7 @@ std::vector<SampleGroup> sampleReach(const Part& part, const FaceFacets& part_fa
                                      const Facets& stock_facets, const std::vector<Vec3>& axes) {
     std::vector<Place> places = placesOn(part, part_facets);
     const Sampler sampler(part_facets.facets, stock, stock_facets, axes);
-    tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) { sampler.ask(places[i]); });
+    parallelFor(places.size(), [&](std::size_t i) { sampler.ask(places[i]); });
     double total_mm3 = 0;
     for (const Place& place : places)
         total_mm3 += place.volume_mm3;

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "stepmill/core/parallel.h"
 #include "stepmill/plan/stages.h"
 
 namespace stepmill {
@@ -50,7 +49,7 @@ PartCurves findCurves(const Part& part, const CurvesRequest& request, const Tole
     PartCurves curves{part.name, part.file, request.to_mm > 0 ? request.to_mm : rangeEnd(grounds), {}};
     curves.features.resize(features.size());
     tell("access curves", 0.4);
-    tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+    parallelFor(features.size(), [&](std::size_t i) {
         curves.features[i] = {features[i], accessCurve(grounds[i], 0, curves.to_mm)};
     });
     return curves;

@@ -1,9 +1,9 @@
 // From a part to what it takes to mill it.
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/face_owner.h"
 #include "stepmill/plan/hold_stage.h"
 #include "stepmill/plan/plan.h"
@@ -45,7 +45,7 @@ class Inspector {
         InspectedSetup inspected{stage.setup, clampingOf(stage, {}, {}, tol_), {}, found.unplanned, {}, 0};
         inspected.features.resize(found.features.size());
         std::vector<std::string> failures(found.features.size());
-        tbb::parallel_for(std::size_t{0}, found.features.size(), [&](std::size_t i) {
+        parallelFor(found.features.size(), [&](std::size_t i) {
             inspected.features[i].feature = found.features[i];
             try {
                 inspected.features[i].measures =

@@ -2,8 +2,7 @@
 
 #include <map>
 
-#include <tbb/parallel_for.h>
-
+#include "stepmill/core/parallel.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/usable_library.h"
@@ -41,7 +40,7 @@ std::vector<OfferWorth> worthOfOffers(const Plan& plan, const ToolLibrary& offer
         usableLibrary(offers, options, plan.machine, plan.part.bbox_mm.sizes().maxCoeff()).library.tools;
     const std::vector<Feature> features = sequencedFeatures(plan, tol);
     std::vector<std::vector<Purchase>> found(features.size());
-    tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+    parallelFor(features.size(), [&](std::size_t i) {
         found[i] = purchasesFrom(tools, features[i], plan.library, plan.machine, options, tol);
     });
     std::map<std::string, OfferWorth> worth;

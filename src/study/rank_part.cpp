@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/parallel_for.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/stages.h"
@@ -89,7 +89,7 @@ Sensitivity findSensitivity(const std::vector<Feature>& features, const RankRequ
     result.objective = objectiveFor(result.parameter, request.sequence.objective);
     result.currency = machine.currency;
     result.features.resize(features.size());
-    tbb::parallel_for(std::size_t{0}, features.size(), [&](std::size_t i) {
+    parallelFor(features.size(), [&](std::size_t i) {
         FeatureSensitivity& found = result.features[i];
         found.feature_id = features[i].id;
         found.failure = failureOf([&] {
@@ -136,7 +136,7 @@ RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibr
         tell("what to buy", 0.7);
         if (request.feature.empty()) report.missing = missing.list();
         report.purchases.emplace(grown.size());
-        tbb::parallel_for(std::size_t{0}, report.purchases->size(), [&, &grown = grown](std::size_t i) {
+        parallelFor(report.purchases->size(), [&, &grown = grown](std::size_t i) {
             FeaturePurchase& found = (*report.purchases)[i];
             found.advice.feature_id = grown[i].id;
             found.failure =

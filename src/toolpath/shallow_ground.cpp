@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
+#include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 
@@ -84,7 +83,7 @@ double ShallowGround::heightAt(const Place& place) const {
 /// Row by row, where a whole cell's width of the row lies in the centres.
 void ShallowGround::findHeights(const FormFloor& floor, const Tolerances& tol) {
     heights_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kUnknown);
-    tbb::parallel_for(0, rows_, [&](int row) {
+    parallelFor(rows_, [&](int row) {
         const double y_mm = middleOf({0, row}).y();
         const Path whole{{box_.min().x(), y_mm}, {{Vec2(box_.max().x(), y_mm), std::nullopt}}};
         for (const Path& piece : split(whole, centres_, tol).inside) {
@@ -127,7 +126,7 @@ void ShallowGround::findShallow(const CutterForm& form, const Region& stairs) {
     shallow_.assign(heights_.size(), 0);
     const double corner_mm = form.heightMm();
     const double flat_mm = form.fullRadiusMm() - corner_mm;
-    tbb::parallel_for(0, rows_, [&](int row) {
+    parallelFor(rows_, [&](int row) {
         for (int column = 0; column < columns_; ++column) {
             const Place place{column, row};
             const Vec2 rise = riseAt(place);

@@ -7,8 +7,7 @@
 #include <map>
 #include <optional>
 
-#include <tbb/parallel_for.h>
-
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -204,7 +203,7 @@ void StandingStairs::cut(const LevelWays& level, const CutterForm& form) {
     ways.reserve(level.ways.size());
     for (const Path& way : level.ways)
         ways.emplace_back(way, tol_);
-    tbb::parallel_for(std::size_t{0}, slices_.size(), [&](std::size_t i) {
+    parallelFor(slices_.size(), [&](std::size_t i) {
         Slice& slice = slices_[i];
         const double over_mm = slice.z_mm - level.tip_z_mm;
         const double radius_mm = form.radiusAt(over_mm);
@@ -286,7 +285,7 @@ std::vector<Run> surfaceRuns(const Vec3& start, const std::vector<Move>& moves) 
 
 void StandingStairs::cut(const std::vector<SurfaceWay>& ways, const CutterForm& form) {
     if (ways.empty()) return;
-    tbb::parallel_for(std::size_t{0}, slices_.size(), [&](std::size_t i) {
+    parallelFor(slices_.size(), [&](std::size_t i) {
         Slice& slice = slices_[i];
         bool changed = false;
         for (const double over_mm : kCountedOverTipMm) {

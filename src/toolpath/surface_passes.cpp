@@ -8,8 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include <tbb/parallel_for.h>
-
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
 
@@ -106,8 +105,8 @@ class LineMaker {
     std::vector<SurfaceWay> over(const ShallowGround::Patch& patch, const Hatch& hatch) const {
         const std::vector<Line> stretches = stretchesOver(patch, hatch);
         std::vector<SurfaceWay> ways(stretches.size());
-        tbb::parallel_for(std::size_t{0}, stretches.size(),
-                          [&](std::size_t i) { ways[i] = wayOver(stretches[i].from, stretches[i].to); });
+        parallelFor(stretches.size(),
+                    [&](std::size_t i) { ways[i] = wayOver(stretches[i].from, stretches[i].to); });
         return joined(std::move(ways));
     }
 

@@ -9,9 +9,9 @@
 #include <set>
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/grown_feature.h"
 #include "stepmill/plan/hold_stage.h"
@@ -354,8 +354,7 @@ void append(std::vector<Value>& to, std::vector<Value>&& from) {
 Verification proofOfSetups(const RecordedPlan& plan, const Tolerances& tol) {
     const std::vector<RecordedSetup>& setups = plan.record.setups;
     std::vector<SetupProof> proofs(setups.size());
-    tbb::parallel_for(std::size_t{0}, setups.size(),
-                      [&](std::size_t i) { proofs[i] = proofOf(plan, setups[i], tol); });
+    parallelFor(setups.size(), [&](std::size_t i) { proofs[i] = proofOf(plan, setups[i], tol); });
     Verification whole;
     for (SetupProof& proof : proofs) {
         if (proof.ended) std::rethrow_exception(proof.ended);

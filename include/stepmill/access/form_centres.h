@@ -79,8 +79,8 @@ class FormCentres {
     /// In rooms where the cutter would meet stairs; others have no free centres. Errs inwards by the guard of
     /// paths, and by what a band is high times the sine of the wall's lean. Kept by height.
     const Region& at(double tip_z_mm) const;
-    /// Those of the upper of two heights, in rooms where the cutter would meet stairs somewhere between. A tip
-    /// that is lower has no others: more stands beside it.
+    /// Those of the upper of two heights, in rooms where the cutter would meet stairs somewhere between. A
+    /// tip that is lower has no others: more stands beside it.
     Region from(double top_z_mm, double bottom_z_mm) const;
     /// Where all of the cutter stays inside the window, whatever stands there.
     Region withinWindow() const;

@@ -30,7 +30,7 @@ struct RecordedSetup {
     std::vector<Prism> reserve;  ///< stands for later setups; in setup coordinates
     Clamping clamping;           ///< without jaws, which are fixtures; of plans of older versions none
     double time_s = 0;
-    std::optional<double> leaning_mm3;  ///< PlannedSetup::leaning_mm3
+    std::optional<double> leaning_mm3;       ///< PlannedSetup::leaning_mm3
     std::vector<std::string> feature_ids;    ///< of all bands, parents before children
     FeatureNames names;                      ///< PlannedSetup::names
     std::vector<std::string> operation_ids;  ///< in machining order

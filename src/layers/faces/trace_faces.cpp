@@ -2,7 +2,6 @@
 
 #include "layers/faces/trace_faces.h"
 
-#include <tbb/parallel_for.h>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -11,6 +10,7 @@
 
 #include "layers/faces/face_outline.h"
 #include "layers/faces/face_surface.h"
+#include "stepmill/core/parallel.h"
 
 namespace stepmill::layers {
 
@@ -98,8 +98,7 @@ FaceTrace traceFace(const SolidMesh& mesh, int index, const Tolerances& tol) {
 std::vector<FaceTrace> traceFaces(const SolidMesh& mesh, const std::vector<FaceEdge>& edges,
                                   const Tolerances& tol) {
     std::vector<FaceTrace> traces(mesh.faces().size());
-    tbb::parallel_for(std::size_t{0}, traces.size(),
-                      [&](std::size_t i) { traces[i] = traceFace(mesh, static_cast<int>(i), tol); });
+    parallelFor(traces.size(), [&](std::size_t i) { traces[i] = traceFace(mesh, static_cast<int>(i), tol); });
     std::vector<std::vector<FaceNeighbour>> neighbours = neighboursOf(edges, traces.size());
     for (std::size_t i = 0; i < traces.size(); ++i)
         traces[i].neighbours = std::move(neighbours[i]);

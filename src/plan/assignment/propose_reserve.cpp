@@ -6,11 +6,10 @@
 #include <set>
 #include <tuple>
 
-#include <tbb/parallel_for.h>
-
 #include "plan/assignment/best_closure.h"
 #include "plan/assignment/shared_cells.h"
 #include "plan/retract.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/stages.h"
 
@@ -79,9 +78,8 @@ bool weigh(LateBand& band, const Setup& setup, const PlanningShop& shop) {
 std::vector<LateBand> weighed(std::vector<LateBand> bands, const std::vector<Setup>& setups,
                               const PlanningShop& shop) {
     std::vector<char> able(bands.size(), 0);
-    tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) {
-        able[i] = weigh(bands[i], setups[bands[i].setup], shop) ? 1 : 0;
-    });
+    parallelFor(bands.size(),
+                [&](std::size_t i) { able[i] = weigh(bands[i], setups[bands[i].setup], shop) ? 1 : 0; });
     std::vector<LateBand> clear;
     for (std::size_t i = 0; i < bands.size(); ++i)
         if (able[i] != 0) clear.push_back(std::move(bands[i]));

@@ -90,8 +90,9 @@ SetupVerdict SetupWeigher::whyNot(const Plan& plan, const Plan& better, const Al
 SetupChoice SetupWeigher::choiceOf(const Plan& plan, const std::vector<Setup>& setups,
                                    SetupVerdict verdict) const {
     SetupChoice choice = unplanned(setups, verdict);
-    choice.planned = SetupChoice::Planned{
-        plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity), plan.balance.leftMm3()};
+    choice.planned =
+        SetupChoice::Planned{plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity),
+                             plan.balance.leftMm3()};
     return choice;
 }
 

@@ -2,8 +2,9 @@
 
 #include <numbers>
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include "stepmill/core/parallel.h"
 
 namespace stepmill::clearance {
 
@@ -75,10 +76,7 @@ Profile::Profile(const Region& region, bool outside) : tree_(region, outside) {
         work(0, all.size());
     else
         // Isolated: a thread that waits here must not take up a task that asks for this very profile.
-        tbb::this_task_arena::isolate([&] {
-            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, all.size(), kSitesPerTask),
-                              [&](const auto& range) { work(range.begin(), range.end()); });
-        });
+        tbb::this_task_arena::isolate([&] { parallelForParts(all.size(), kSitesPerTask, work); });
     for (int round = 0; round < kLookUpRounds && lookUpOneSided(all); ++round) {
     }
     first_.push_back(0);

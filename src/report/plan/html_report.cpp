@@ -1,7 +1,6 @@
 // report.html: head, setups with their features, volume books.
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include "report/page/document.h"
 #include "report/page/table.h"
@@ -10,6 +9,7 @@
 #include "report/plan/over_bound.h"
 #include "report/viewer/viewer_data.h"
 #include "report/viewer/viewer_section.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/plan/warning_order.h"
 #include "stepmill/report/report.h"
 
@@ -193,8 +193,8 @@ std::string stepmill::reportHtml(const ProvenPlan& proven, const ReportOptions& 
     part.solid();  // Both take the facets, side by side.
     std::optional<Element> main;
     std::string data;
-    tbb::parallel_invoke([&] { main = mainOf(plan, part, options.inch, tol, viewerSection()); },
-                         [&] { data = viewerData(proven, part, options.inch); });
+    parallelInvoke([&] { main = mainOf(plan, part, options.inch, tol, viewerSection()); },
+                   [&] { data = viewerData(proven, part, options.inch); });
     return viewerDocument(plan.part.name, std::move(*main), data);
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <oneapi/tbb/parallel_for.h>
+#include "stepmill/core/parallel.h"
 
 namespace stepmill::report {
 namespace {
@@ -321,7 +321,7 @@ StockImages stockImages(const std::vector<Body>& bodies, const Sight& sight) {
         image->cells.resize(static_cast<std::size_t>(image->columns) * image->rows);
         image->normals = normals;
     }
-    tbb::parallel_for(0, sight.rows(), [&](int row) { RowCaster(by_row[row], row, images).cast(); });
+    parallelFor(sight.rows(), [&](int row) { RowCaster(by_row[row], row, images).cast(); });
     return images;
 }
 

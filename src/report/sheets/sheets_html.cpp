@@ -4,7 +4,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include "report/page/document.h"
 #include "report/page/page_style.h"
@@ -13,6 +12,7 @@
 #include "report/sheets/setup_pictures.h"
 #include "report/sheets/sheet_sections.h"
 #include "report/sheets/sheets_page.h"
+#include "stepmill/core/parallel.h"
 
 namespace stepmill::report {
 
@@ -102,8 +102,7 @@ std::string paperStyle(Paper paper) {
 Element sheetsOf(const ProvenPlan& proven, const SheetOptions& options, const Tolerances& tol) {
     const SheetSubject subject{proven, options.job, Measures(options.inch), tol, setupsOnSheets(proven.plan)};
     std::vector<std::optional<Element>> sheets(subject.setups.size());
-    tbb::parallel_for(std::size_t{0}, sheets.size(),
-                      [&](std::size_t i) { sheets[i] = setupSheet(subject, i); });
+    parallelFor(sheets.size(), [&](std::size_t i) { sheets[i] = setupSheet(subject, i); });
     Element main("main.sheets");
     for (std::optional<Element>& sheet : sheets)
         main.add(std::move(sheet));

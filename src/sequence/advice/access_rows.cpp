@@ -1,9 +1,8 @@
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/dag/candidate.h"
 #include "sequence/holder/tool_areas.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/core/units.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/sequence/advice/ranking.h"
@@ -51,7 +50,7 @@ std::vector<AccessRow> accessTable(const std::vector<Feature>& features, const T
     std::vector<AccessRow> rows = emptyRows(library, machine, options.material);
     for (const Feature& feature : features) {
         const FeatureGround ground(feature, tol);
-        tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+        parallelFor(rows.size(), [&](std::size_t i) {
             addReach(rows[i], reachFor(ground, library.tool(rows[i].tool), options), feature.depth_mm());
         });
     }

@@ -2,11 +2,10 @@
 
 #include <tuple>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/advice/trial_tools.h"
 #include "sequence/dag/candidate.h"
 #include "sequence/holder/tool_areas.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/feature/hole_group.h"
 #include "stepmill/sequence/advice/area_models.h"
 
@@ -36,8 +35,7 @@ std::vector<ToolReach> reachesOf(const FeatureGround& ground, const ToolLibrary&
                                  const SequenceOptions& options) {
     const std::vector<const ToolAssembly*> tools = byFallingDiameter(library);
     std::vector<ToolReach> reaches(tools.size());
-    tbb::parallel_for(std::size_t{0}, tools.size(),
-                      [&](std::size_t i) { reaches[i] = reachFor(ground, *tools[i], options); });
+    parallelFor(tools.size(), [&](std::size_t i) { reaches[i] = reachFor(ground, *tools[i], options); });
     return reaches;
 }
 
@@ -92,8 +90,7 @@ class Adviser {
   private:
     std::vector<Purchase> helpful(const std::vector<TrialTool>& trials) const {
         std::vector<std::optional<Purchase>> tried(trials.size());
-        tbb::parallel_for(std::size_t{0}, trials.size(),
-                          [&](std::size_t i) { tried[i] = tryOut(trials[i]); });
+        parallelFor(trials.size(), [&](std::size_t i) { tried[i] = tryOut(trials[i]); });
         std::vector<Purchase> helpful;
         for (std::optional<Purchase>& purchase : tried)
             if (purchase) helpful.push_back(std::move(*purchase));
@@ -119,8 +116,7 @@ class Adviser {
     std::vector<TrialTool> promising(std::vector<TrialTool> trials) const {
         const Forecast now = forecast(library_, usable_);
         std::vector<Forecast> forecasts(trials.size());
-        tbb::parallel_for(std::size_t{0}, trials.size(),
-                          [&](std::size_t i) { forecasts[i] = forecastWith(trials[i].tool); });
+        parallelFor(trials.size(), [&](std::size_t i) { forecasts[i] = forecastWith(trials[i].tool); });
         std::vector<std::size_t> order;
         for (std::size_t i = 0; i < trials.size(); ++i)
             if (trials[i].unforeseen || isBetter(forecasts[i], now)) order.push_back(i);

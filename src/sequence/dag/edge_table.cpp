@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/dag/step_paths.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
 
@@ -106,7 +105,7 @@ EdgeTable::EdgeTable(const DagTask& task) : task_(task), n_(static_cast<int>(tas
 int EdgeTable::evaluate(const EdgeList& edges, double known) {
     makeMissingRings(edges);
     std::vector<char> left_out(edges.size(), 0);
-    tbb::parallel_for(std::size_t{0}, edges.size(), [&](std::size_t i) {
+    parallelFor(edges.size(), [&](std::size_t i) {
         checkTime(task_);
         const auto [m, n] = edges[i];
         slot(m, n).settled = true;
@@ -127,7 +126,7 @@ void EdgeTable::makeMissingRings(const EdgeList& edges) {
         if (!rings_[sameWork(n)] && task_.tools[n].mills() && needsPaths(task_)) missing.insert(sameWork(n));
     }
     const std::vector<int> tools(missing.begin(), missing.end());
-    tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
+    parallelFor(tools.size(), [&](std::size_t i) {
         checkTime(task_);
         rings_[tools[i]] = ringsOf(task_, task_.tools[tools[i]]);
     });

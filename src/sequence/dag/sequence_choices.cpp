@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/dag/step_paths.h"
 #include "sequence/steps/finishing.h"
 #include "sequence/steps/residuals.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/spotting.h"
@@ -157,7 +156,7 @@ std::vector<SequenceStep> SequenceChoices::stepsOn(const std::vector<int>& path)
     const DagTask on = task();
     // Every tool's step and after it those of its surrogates.
     std::vector<std::vector<SequenceStep>> steps(path.size());
-    tbb::parallel_for(std::size_t{0}, path.size(), [&](std::size_t i) {
+    parallelFor(path.size(), [&](std::size_t i) {
         const Candidate& tool = tools_[path[i]];
         const Candidate* before = i == 0 ? nullptr : &tools_[path[i - 1]];
         steps[i] = makeSteps(on, before, tool);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/dag/candidate.h"
 #include "stepmill/access/lumps.h"
+#include "stepmill/core/parallel.h"
 
 namespace stepmill {
 namespace {
@@ -89,7 +88,7 @@ std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrar
     const Feature& feature = ground.feature();
     const double least_mm3 = known_mm3 + kWorthShare * feature.area_mm2 * feature.depth_mm();
     std::vector<std::optional<Shallower>> found(reaches.size());
-    tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
+    parallelFor(reaches.size(), [&](std::size_t i) {
         if (!isShortOfReach(reaches[i])) return;
         const ToolAssembly& tool = library.tool(reaches[i].tool_id);
         const CutterArea& cutter = reaches[i].cutter;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/dag/candidate.h"
 #include "sequence/holder/holder_limits.h"
 #include "sequence/holder/tool_areas.h"
 #include "sequence/surrogates/held_off.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/spotting.h"
@@ -105,7 +104,7 @@ double Admission::mostCoveredMm2() const {
 std::vector<ToolReach> reachesOfAllTools(const SequenceJob& job) {
     const std::vector<const ToolAssembly*> tools = byFallingDiameter(job.library);
     std::vector<ToolReach> reaches(tools.size());
-    tbb::parallel_for(std::size_t{0}, tools.size(), [&](std::size_t i) {
+    parallelFor(tools.size(), [&](std::size_t i) {
         job.checkTime();
         reaches[i] = reachFor(job.ground, *tools[i], job.options);
         checkHoleTool(job, *tools[i], reaches[i]);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/holder/holder_limits.h"
 #include "stepmill/access/lumps.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -53,7 +52,7 @@ HeldOffTools heldOffTools(const SequenceJob& job, const std::vector<ToolReach>& 
     HeldOffTools found;
     found.own.resize(reaches.size());
     found.held_off.resize(reaches.size());
-    tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
+    parallelFor(reaches.size(), [&](std::size_t i) {
         job.checkTime();
         const ToolReach& reach = reaches[i];
         if (!isHeldOff(reach) || reach.collision_free_area_mm2 <= tol.area_mm2) return;
@@ -79,7 +78,7 @@ std::vector<ToolReach> withSurrogates(const SequenceJob& job, const HeldOffTools
     const Tolerances& tol = job.tolerances();
     const Region none_reaches =
         given_up.empty() ? held_off.out_of_reach : unite(held_off.out_of_reach, given_up, tol);
-    tbb::parallel_for(std::size_t{0}, reaches.size(), [&](std::size_t i) {
+    parallelFor(reaches.size(), [&](std::size_t i) {
         if (!held_off.own[i]) return;
         ToolReach& reach = reaches[i];
         Region others = held_off.held_off[i];

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "sequence/dag/step_paths.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -135,7 +135,7 @@ void LumpSolver::findWitnesses() {
     witnesses_.clear();
     std::vector<Region> left(tools_.nodes().size());
     std::vector<std::vector<Vec2>> middles(left.size());
-    tbb::parallel_for(std::size_t{0}, left.size(), [&](std::size_t i) {
+    parallelFor(left.size(), [&](std::size_t i) {
         left[i] = subtract(tools_.lump(), tools_.nodes()[i].cleared->coverable, tol());
         for (const Region& part : components(left[i]))
             if (const auto disc = ClearanceDiagram(part, tol()).largestInscribedDisc())
@@ -204,14 +204,13 @@ void LumpSolver::weighSingles() {
     std::vector<int> nodes;
     for (int node = 0; node < static_cast<int>(tools_.nodes().size()); ++node) {
         const std::vector<int> way{tools_.surrogateOf(node)};
-        const bool weighed = std::any_of(ways_.begin(), ways_.end(),
-                                         [&](const LumpWay& known) { return known.tools == way; });
+        const bool weighed =
+            std::any_of(ways_.begin(), ways_.end(), [&](const LumpWay& known) { return known.tools == way; });
         if (!weighed) nodes.push_back(node);
     }
     tools_.makeRings(nodes);
     std::vector<std::optional<PathTotals>> totals(nodes.size());
-    tbb::parallel_for(std::size_t{0}, nodes.size(),
-                      [&](std::size_t i) { totals[i] = tools_.totalsOf(kSource, nodes[i]); });
+    parallelFor(nodes.size(), [&](std::size_t i) { totals[i] = tools_.totalsOf(kSource, nodes[i]); });
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (totals[i]) addWay({nodes[i]}, {*totals[i]});
 }

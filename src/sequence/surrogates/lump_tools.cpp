@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/dag/edge_work.h"
 #include "sequence/dag/step_paths.h"
 #include "stepmill/access/lumps.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -54,8 +53,7 @@ ToolReach LumpTools::reachIn(int surrogate) const {
 
 void LumpTools::offer(const std::vector<int>& surrogates) {
     std::vector<ToolReach> found(surrogates.size());
-    tbb::parallel_for(std::size_t{0}, surrogates.size(),
-                      [&](std::size_t i) { found[i] = reachIn(surrogates[i]); });
+    parallelFor(surrogates.size(), [&](std::size_t i) { found[i] = reachIn(surrogates[i]); });
     std::vector<std::pair<int, ToolReach>> all;
     for (std::size_t i = 0; i < reaches_.size(); ++i)
         all.emplace_back(numbers_[i], std::move(reaches_[i]));
@@ -116,7 +114,7 @@ DagTask LumpTools::task() const {
 }
 
 void LumpTools::makeRings(const std::vector<int>& nodes) {
-    tbb::parallel_for(std::size_t{0}, nodes.size(), [&](std::size_t i) {
+    parallelFor(nodes.size(), [&](std::size_t i) {
         job().checkTime();
         SharedRings& rings = rings_[nodes[i]];
         if (!rings && needsPaths(task())) rings = ringsOf(task(), nodes_[nodes[i]]);

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <tbb/parallel_for.h>
-
 #include "sequence/surrogates/lump_solver.h"
+#include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 
 namespace stepmill {
@@ -49,7 +48,7 @@ Lumps SurrogateFinder::lumpsOf(const CutterArea* m, const ToolReach& n) const {
     if (use == nullptr) return {};
     const Tolerances& tol = impl_->tools->job().tolerances();
     Lumps lumps(use->lumps.size());
-    tbb::parallel_for(std::size_t{0}, lumps.size(), [&](std::size_t i) {
+    parallelFor(lumps.size(), [&](std::size_t i) {
         const BlockedLump& lump = use->lumps[i];
         const Region rest =
             m != nullptr ? withoutCrumbs(subtract(lump.region, m->coverable, tol), tol) : lump.region;

@@ -93,9 +93,10 @@ TEST_P(RevisedPart, TakesLessToPlanAndIsAsGood) {
 INSTANTIATE_TEST_SUITE_P(Parts, RevisedPart,
                          testing::Values(MovedHole{"machined/hole_model.stp", {0, -20, 0}, 5, 20, 3}),
                          holeName);
-INSTANTIATE_TEST_SUITE_P(
-    Slow, RevisedPart,
-    testing::Values(MovedHole{"nist/nist_ctc_01_asme1_rd.stp", {-160, 45, -50}, 25, 50, -150}), holeName);
+INSTANTIATE_TEST_SUITE_P(Slow, RevisedPart,
+                         testing::Values(MovedHole{
+                             "nist/nist_ctc_01_asme1_rd.stp", {-160, 45, -50}, 25, 50, -150}),
+                         holeName);
 
 }  // namespace
 }  // namespace stepmill::test
