@@ -328,11 +328,15 @@ std::optional<Plan> planAsBefore(const SetupSets& sets, const PlanRequest& reque
     if (!sameAxes(axesSeen(request, sets.chosen), before.assignment.seen)) return std::nullopt;
     PlanRequest as_before = request;
     as_before.assignment = before.assignment;
-    Plan plan = planOn(setupsFor(from.part, as_before), as_before, from, {});
-    const double may_stay_mm3 =
-        before.left_mm3 + kMoreMayStayShare * plan.balance.stock_minus_part_mm3 + kVolumeRoundingMm3;
-    if (plan.balance.leftMm3() > may_stay_mm3) return std::nullopt;
-    return plan;
+    try {
+        Plan plan = planOn(setupsFor(from.part, as_before), as_before, from, {});
+        const double may_stay_mm3 =
+            before.left_mm3 + kMoreMayStayShare * plan.balance.stock_minus_part_mm3 + kVolumeRoundingMm3;
+        if (plan.balance.leftMm3() <= may_stay_mm3) return plan;
+    } catch (const Error&) {
+        // What was right for another part must not lose the plan of this one.
+    }
+    return std::nullopt;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// The seeds of the fuzz target are plans as small as can be: "disc" of one band, "bands" of two and a child
-/// of the first.
+/// of the first, "assigned" with a setup in which nothing is cut and one that leaves stock.
 Json seed(const std::string& name) {
     return Json::parse(
         readFile(std::string(STEPMILL_SOURCE_DIR) + "/tests/fuzz/corpus/plan_record_fuzz/" + name));
@@ -60,6 +60,39 @@ TEST(PlanRecord, HasEveryBandWithItsNameAndParents) {
     EXPECT_EQ(lower.parents, std::vector<std::string>{"S1.F1.1"});
     EXPECT_EQ(record.features.at("S1.F2").feature.parents, std::vector<std::string>{"S1.F1.1"});
     EXPECT_EQ(record.operations.at("S1.O1").feature_id, "S1.F1.2");
+}
+
+TEST(PlanRecord, GivesALaterPlanItsSetupsAndWhatEachLeaves) {
+    const PlanRecord record = recordOf(seed("assigned"));
+    const auto earlier = earlierAssignment(record);
+    ASSERT_TRUE(earlier);
+    const Assignment& assignment = earlier->assignment;
+    EXPECT_EQ(assignment.seen.size(), 1u);
+    ASSERT_EQ(assignment.axes.size(), 2u);
+    ASSERT_EQ(assignment.reserves.size(), 2u);
+    EXPECT_TRUE(assignment.reserves[0].prisms.empty());
+    ASSERT_EQ(assignment.reserves[1].prisms.size(), 1u);
+    EXPECT_EQ(assignment.reserves[1].prisms[0].bottom_z_mm, -1);
+    ASSERT_EQ(assignment.choices.size(), 2u);
+    EXPECT_EQ(assignment.choices[1].verdict, SetupVerdict::NoTime);
+    EXPECT_EQ(assignment.choices[1].axes[1], -Vec3::UnitX());
+    ASSERT_EQ(assignment.tried.size(), 1u);
+    EXPECT_EQ(assignment.tried[0].verdict, Verdict::Taken);
+    EXPECT_EQ(earlier->left_mm3, record.books.leftMm3());
+    EXPECT_EQ(earlierSetups(record).front().leaning_mm3, 12.5);
+}
+
+TEST(PlanRecord, GivesALaterPlanNoSetupsWhereItTellsNoneOrOthers) {
+    EXPECT_FALSE(earlierAssignment(recordOf(seed("disc"))));
+    Json plan = seed("assigned");
+    plan["setup_axes"]["taken"] = {{1.0, 0.0, 0.0}};
+    EXPECT_FALSE(earlierAssignment(recordOf(plan)));
+}
+
+TEST(PlanRecord, RefusesAnAxisThatIsNoDirection) {
+    Json plan = seed("assigned");
+    plan["setup_axes"]["taken"][0] = {0.0, 0.0, 0.0};
+    expectRefused(plan, "#/setup_axes/taken/0", "expected a direction of length 1");
 }
 
 TEST(PlanRecord, RefusesAPlanOfAnotherFormatWithAdvice) {
