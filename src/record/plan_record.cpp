@@ -1,5 +1,6 @@
 #include "stepmill/record/plan_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -497,7 +498,10 @@ std::vector<EarlierSetup> earlierSetups(const PlanRecord& record) {
 std::optional<EarlierAssignment> earlierAssignment(const PlanRecord& record) {
     EarlierAssignment earlier{record.assignment, record.books.leftMm3()};
     Assignment& assignment = earlier.assignment;
-    if (assignment.seen.empty()) return std::nullopt;
+    const bool hasty =
+        std::any_of(assignment.choices.begin(), assignment.choices.end(),
+                    [](const SetupChoice& choice) { return choice.verdict == SetupVerdict::NoTime; });
+    if (assignment.seen.empty() || hasty) return std::nullopt;
     assignment.reserves.resize(assignment.axes.size());
     std::size_t place = 0;  // setups in which nothing is cut have one too
     for (const RecordedSetup& setup : record.setups) {

@@ -108,7 +108,8 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol);
 /// What a plan that is made after this one keeps of it.
 std::vector<EarlierSetup> earlierSetups(const PlanRecord& record);
 
-/// The same of which setup cuts what; nothing where the plan had no choice there, or does not tell.
+/// The same of which setup cuts what; nothing where the plan had no choice there, had no time to look at all
+/// sets of setups, or does not tell.
 std::optional<EarlierAssignment> earlierAssignment(const PlanRecord& record);
 
 }  // namespace stepmill

@@ -74,7 +74,7 @@ TEST(PlanRecord, GivesALaterPlanItsSetupsAndWhatEachLeaves) {
     ASSERT_EQ(assignment.reserves[1].prisms.size(), 1u);
     EXPECT_EQ(assignment.reserves[1].prisms[0].bottom_z_mm, -1);
     ASSERT_EQ(assignment.choices.size(), 2u);
-    EXPECT_EQ(assignment.choices[1].verdict, SetupVerdict::NoTime);
+    EXPECT_EQ(assignment.choices[1].verdict, SetupVerdict::CannotTakeLess);
     EXPECT_EQ(assignment.choices[1].axes[1], -Vec3::UnitX());
     ASSERT_EQ(assignment.tried.size(), 1u);
     EXPECT_EQ(assignment.tried[0].verdict, Verdict::Taken);
@@ -82,8 +82,11 @@ TEST(PlanRecord, GivesALaterPlanItsSetupsAndWhatEachLeaves) {
     EXPECT_EQ(earlierSetups(record).front().leaning_mm3, 12.5);
 }
 
-TEST(PlanRecord, GivesALaterPlanNoSetupsWhereItTellsNoneOrOthers) {
+TEST(PlanRecord, GivesALaterPlanNoSetupsWhereItTellsNoneOrOthersOrHadNoTime) {
     EXPECT_FALSE(earlierAssignment(recordOf(seed("disc"))));
+    Json hasty = seed("assigned");
+    hasty["setup_choices"][1]["verdict"] = "no time";
+    EXPECT_FALSE(earlierAssignment(recordOf(hasty)));
     Json plan = seed("assigned");
     plan["setup_axes"]["taken"] = {{1.0, 0.0, 0.0}};
     EXPECT_FALSE(earlierAssignment(recordOf(plan)));
