@@ -10,30 +10,13 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/nearer_than.h"
 
 namespace stepmill::access {
 namespace {
 
 /// A cylinder that comes into standing material by less than this share of the gouge budget touches it.
 constexpr double kTouchShare = 0.5;
-
-/// Has one of the loops its start in the region?
-bool anyStartsIn(const Region& region, const Region& loops) {
-    return std::any_of(loops.loops.begin(), loops.loops.end(),
-                       [&](const Loop& loop) { return contains(region, loop.start); });
-}
-
-/// Is some point of one region nearer than that to the other? Obstacles are shadows of the whole part: the
-/// few of their edges near the centres tell, where an offset would be made of all.
-bool isNearer(const Region& centres, const Region& obstacle, double distance_mm) {
-    if (centres.empty() || obstacle.empty()) return false;
-    const EdgeIndex edges(centres);
-    const Box2 reach = grown(edges.box(), distance_mm);
-    for (const Edge& edge : edgesOf(obstacle))
-        if (edge.box.intersects(reach) && edges.anyNearer(edge, distance_mm)) return true;
-    // Where no boundaries are near, one lies wholly inside the other or they are apart.
-    return anyStartsIn(obstacle, centres) || anyStartsIn(centres, obstacle);
-}
 
 /// The axis goes no farther than this beyond the ground that its centres are asked for: entries lie beside it
 /// [mm].
@@ -150,7 +133,10 @@ bool losesCentres(const FeatureGround& ground, const Blocker& blocker, const Reg
     const Tolerances& tol = ground.tolerances();
     // Strips of centres that coincide with their end are none.
     const double touching_mm = blocker.radius_mm - kTouchShare * tol.gouge_mm - tol.linear_mm;
-    return isNearer(centres, ground.feature().obstacles.at(blocker.obstacle).section, touching_mm);
+    // Obstacles are shadows of the whole part: the few of their edges near the centres tell, where an offset
+    // would be made of all.
+    return isNearer(centres, EdgeIndex(centres), ground.feature().obstacles.at(blocker.obstacle).section,
+                    touching_mm);
 }
 
 }  // namespace stepmill::access

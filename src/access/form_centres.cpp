@@ -93,11 +93,6 @@ FormCentres::FormCentres(const FormBands& bands, const ToolAssembly& tool) : ban
             offset(room.window(), -tool.radius_mm() - bands.tolerances().guard_mm, bands.tolerances()));
 }
 
-const Region& FormCentres::at(double tip_z_mm) const {
-    if (const auto found = known_.find(tip_z_mm); found != known_.end()) return found->second;
-    return known_.emplace(tip_z_mm, from(tip_z_mm, tip_z_mm)).first->second;
-}
-
 Region FormCentres::from(double top_z_mm, double bottom_z_mm) const {
     Region free;
     for (std::size_t room = 0; room < within_.size(); ++room) {

@@ -134,17 +134,16 @@ void warnOfRawFaces(const PlannedSetup& setup, std::vector<Warning>& warnings) {
 
 /// The form cutters of the setup in the plan that this one is made after, where as much leans as then;
 /// nothing: they are chosen.
-std::optional<std::vector<std::string>> cuttersBefore(const FormSources& sources,
+std::optional<std::vector<std::string>> cuttersBefore(const Setup& setup, double leans_mm3,
                                                       const FeatureCaution& caution,
                                                       const PlanRequest& request) {
     if (!request.as_before || !request.assignment || !caution.why.empty()) return std::nullopt;
-    const EarlierSetup* earlier = earlierOf(sources.setup, request.earlier);
+    const EarlierSetup* earlier = earlierOf(setup, request.earlier);
     if (earlier == nullptr || !earlier->leaning_mm3) return std::nullopt;
-    const double leans_mm3 = mostStairsMm3(sources.layers);
     if (std::abs(leans_mm3 - *earlier->leaning_mm3) >= leastFormGainMm3(leans_mm3)) return std::nullopt;
     std::vector<std::string> ids;
     for (const EarlierOperation& operation : earlier->operations) {
-        if (operation.feature_id != formGroundId(sources.setup.id)) continue;
+        if (operation.feature_id != formGroundId(setup.id)) continue;
         if (ids.empty() || ids.back() != operation.tool_id) ids.push_back(operation.tool_id);
     }
     return ids;
@@ -162,20 +161,20 @@ std::vector<PlannedSetup> withForms(std::vector<PlannedSetup> setups, const std:
                                     const PlanningShop& shop, const Progress& progress,
                                     std::vector<Warning>& warnings) {
     if (!finishesForms(shop)) return setups;
-    const FormKind walls{formGroundId, &PlannedSetup::form, "leaning walls of ",
-                         "leaning walls stay as flat layers leave them",
-                         [&](const FormSources& sources, FormShop forms) {
-                             forms.cutters = cuttersBefore(sources, forms.caution, shop.request);
-                             return finishForms(sources, forms);
-                         }};
-    const std::size_t before = warnings.size();
+    std::map<std::string, double> leaning_mm3;  // where no error ended the weighing of cutters
+    const FormKind walls{
+        formGroundId, &PlannedSetup::form, "leaning walls of ",
+        "leaning walls stay as flat layers leave them", [&](const FormSources& sources, FormShop forms) {
+            const double leans_mm3 = mostStairsMm3(sources.layers);
+            forms.cutters = cuttersBefore(sources.setup, leans_mm3, forms.caution, shop.request);
+            std::optional<FormFinishing> finishing = finishForms(sources, forms);
+            leaning_mm3[sources.setup.id] = leans_mm3;
+            return finishing;
+        }};
     FormSetups(walls, shop, warnings).addTo(setups, stages, progress);
-    for (std::size_t i = 0; i < setups.size(); ++i) {
-        const bool failed = std::any_of(
-            warnings.begin() + static_cast<std::ptrdiff_t>(before), warnings.end(),
-            [&](const Warning& warning) { return warning.subject == formGroundId(setups[i].setup.id); });
-        if (!failed) setups[i].leaning_mm3 = mostStairsMm3(stages[i].layers);
-    }
+    for (PlannedSetup& setup : setups)
+        if (const auto found = leaning_mm3.find(setup.setup.id); found != leaning_mm3.end())
+            setup.leaning_mm3 = found->second;
     return setups;
 }
 

@@ -32,7 +32,7 @@ constexpr double kSameAxis = 1e-6;
 
 /// Of stock minus part so much more may stay with the setups of an earlier plan: what a revision's own
 /// corners keep.
-constexpr double kMoreMayStayShare = 0.002;
+constexpr double kRevisionMayLeaveShare = 0.002;
 
 /// Form cutters have little to finish where less of a part's surface leans than this share: broken edges.
 constexpr double kLittleLeansShare = 0.1;
@@ -236,6 +236,13 @@ PlanRequest flatBy(PlanRequest request, const Deadline& flat_by) {
     return request;
 }
 
+std::vector<Vec3> axesOf(const std::vector<Setup>& setups) {
+    std::vector<Vec3> axes;
+    for (const Setup& setup : setups)
+        axes.push_back(setup.axis);
+    return axes;
+}
+
 /// The plan of these setups, or of some of them.
 /// \param flat_by  for flat layers alone
 /// \throws Error(TimedOut) where they are not planned by then
@@ -253,9 +260,7 @@ Plan planOn(const std::vector<Setup>& setups, const PlanRequest& request, const 
     const Stock& stock = setups.front().stock;
     Assignment assignment =
         request.assignment ? *request.assignment : heldByTabs(setups, usable.library, request, from.tol);
-    assignment.axes.clear();
-    for (const Setup& setup : setups)
-        assignment.axes.push_back(setup.axis);
+    assignment.axes = axesOf(setups);
     const PlanRequest flat = flatBy(request, flat_by);
     CutSetups cut = cutWhereCheapest(setups, stock.volume_mm3 - from.part.volume_mm3, shop.with(flat),
                                      from.progress, assignment);
@@ -291,11 +296,12 @@ bool areWorthPlanning(const std::vector<Setup>& setups, const std::vector<Setup>
            area.leaning_mm2 < kLittleLeansShare * area.surface_mm2;
 }
 
-/// The sets of setups that are weighed, of which the first are those chosen by reach.
-SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibrary& library) {
+/// The sets of setups that are weighed.
+/// \param chosen  by reach, the first of them
+SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibrary& library,
+                    std::vector<Setup> chosen) {
     SetupSets sets;
-    sets.chosen = setupsFor(part, request);
-    STEPMILL_CHECK(!sets.chosen.empty(), "a part has at least one setup");
+    sets.chosen = std::move(chosen);
     sets.more_may_follow = mayChooseSetups(request);
     if (sets.chosen.size() < 2 || !sets.more_may_follow) return sets;
     sets.with_forms = setupsWithForms(part, request, library);
@@ -309,11 +315,8 @@ SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibr
 /// The axes along which sight, or whoever asks, wants setups; none where setups have no choice of what they
 /// leave.
 std::vector<Vec3> axesSeen(const PlanRequest& request, const std::vector<Setup>& chosen) {
-    std::vector<Vec3> axes;
-    if (request.roughing || request.hold == HoldKind::Tabs) return axes;
-    for (const Setup& setup : chosen)
-        axes.push_back(setup.axis);
-    return axes;
+    const bool free_to_leave = !request.roughing && request.hold != HoldKind::Tabs;
+    return free_to_leave ? axesOf(chosen) : std::vector<Vec3>();
 }
 
 bool sameAxes(const std::vector<Vec3>& some, const std::vector<Vec3>& others) {
@@ -323,15 +326,16 @@ bool sameAxes(const std::vector<Vec3>& some, const std::vector<Vec3>& others) {
 
 /// The plan with the setups of an earlier one and what each leaves for later ones; nothing where sight asks
 /// for others, or where more stays: others may take that.
-std::optional<Plan> planAsBefore(const SetupSets& sets, const PlanRequest& request, const PlanSources& from) {
+std::optional<Plan> planAsBefore(const std::vector<Setup>& chosen, const PlanRequest& request,
+                                 const PlanSources& from) {
     const EarlierAssignment& before = *request.as_before;
-    if (!sameAxes(axesSeen(request, sets.chosen), before.assignment.seen)) return std::nullopt;
+    if (!sameAxes(axesSeen(request, chosen), before.assignment.seen)) return std::nullopt;
     PlanRequest as_before = request;
     as_before.assignment = before.assignment;
     try {
         Plan plan = planOn(setupsFor(from.part, as_before), as_before, from, {});
         const double may_stay_mm3 =
-            before.left_mm3 + kMoreMayStayShare * plan.balance.stock_minus_part_mm3 + kVolumeRoundingMm3;
+            before.left_mm3 + kRevisionMayLeaveShare * plan.balance.stock_minus_part_mm3 + kVolumeRoundingMm3;
         if (plan.balance.leftMm3() <= may_stay_mm3) return plan;
     } catch (const Error&) {
         // What was right for another part must not lose the plan of this one.
@@ -352,12 +356,14 @@ Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& l
               SequenceMemory& memory) {
     requireMaterial(library, request.sequence.material);
     if (progress) progress("setups", 0);
-    const SetupSets sets = setupSets(part, request, library);
-    requireMachinableSize(part, sets.chosen, machine);
+    std::vector<Setup> chosen = setupsFor(part, request);
+    STEPMILL_CHECK(!chosen.empty(), "a part has at least one setup");
+    requireMachinableSize(part, chosen, machine);
     const PlanSources from{part, library, machine, tol, progress, memory};
     std::optional<Plan> plan;
-    if (request.as_before && !request.assignment) plan = planAsBefore(sets, request, from);
+    if (request.as_before && !request.assignment) plan = planAsBefore(chosen, request, from);
     if (!plan) {
+        const SetupSets sets = setupSets(part, request, library, std::move(chosen));
         plan =
             bestPlan(sets, request, machine, [&](const std::vector<Setup>& setups, const Deadline& flat_by) {
                 return planOn(setups, request, from, flat_by);

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/nearer_than.h"
 #include "stepmill/planar/unsure_offset.h"
 #include "stepmill/planar/walk_inside.h"
 #include "toolpath/needed_pieces.h"
@@ -48,15 +49,13 @@ double farthestFrom(const EdgeIndex& others, const Edge& edge, double limit_mm) 
     return farthest_mm;
 }
 
-/// Do two regions come nearer to each other than that?
-bool comeNear(const Region& one, const EdgeIndex& edges_of_one, const Region& other, double distance_mm) {
-    for (const auto& [from, segment] : eachEdge(other))
-        if (edges_of_one.anyNearer(makeEdge(from, segment), distance_mm)) return true;
-    const auto anyIn = [](const Region& inner, const Region& outer) {
-        return std::any_of(inner.loops.begin(), inner.loops.end(),
-                           [&](const Loop& loop) { return contains(outer, loop.start); });
-    };
-    return anyIn(one, other) || anyIn(other, one);
+/// How near to what stands at the slice's height a cutter's centre comes that meets it, its tip between two
+/// heights; nothing above 0 where it meets nothing thicker than `least_mm` there.
+double meetingMm(const StandingStairs::Slice& slice, const CutterForm& form, double top_z_mm,
+                 double bottom_z_mm, double least_mm) {
+    const bool out_of_reach = slice.z_mm - top_z_mm > form.heightMm() + kAboveFormMm;
+    if (out_of_reach || slice.region.empty()) return 0;
+    return form.radiusAt(slice.z_mm - bottom_z_mm) - least_mm;
 }
 
 }  // namespace
@@ -66,9 +65,8 @@ class FormPasses::Meeting {
   public:
     Meeting(const StandingStairs& stairs, const CutterForm& form, double tip_z_mm, double least_mm) {
         for (const StandingStairs::Slice& slice : stairs.slices()) {
-            const double over_mm = slice.z_mm - tip_z_mm;
-            const double radius_mm = form.radiusAt(over_mm) - least_mm;
-            if (over_mm > form.heightMm() + kAboveFormMm || radius_mm <= 0 || slice.region.empty()) continue;
+            const double radius_mm = meetingMm(slice, form, tip_z_mm, tip_z_mm, least_mm);
+            if (radius_mm <= 0) continue;
             auto edges = std::make_unique<EdgeIndex>(slice.region);
             const WalkInside walk(slice.region, *edges);
             near_.push_back({std::move(edges), walk, radius_mm});
@@ -116,9 +114,8 @@ bool FormPasses::mayPass(double top_z_mm, double bottom_z_mm, const StandingStai
     const EdgeIndex edges(free);
     const auto& slices = stairs.slices();
     return std::any_of(slices.begin(), slices.end(), [&](const StandingStairs::Slice& slice) {
-        const double radius_mm = form_.radiusAt(slice.z_mm - bottom_z_mm) - spacing_.skin_mm;
-        if (slice.z_mm - top_z_mm > form_.heightMm() + kAboveFormMm || radius_mm <= 0) return false;
-        return !slice.region.empty() && comeNear(free, edges, slice.region, radius_mm);
+        const double radius_mm = meetingMm(slice, form_, top_z_mm, bottom_z_mm, spacing_.skin_mm);
+        return radius_mm > 0 && isNearer(free, edges, slice.region, radius_mm);
     });
 }
 

@@ -78,7 +78,7 @@ class FormCentres {
 
     /// In rooms where the cutter would meet stairs; others have no free centres. Errs inwards by the guard of
     /// paths, and by what a band is high times the sine of the wall's lean. Kept by height.
-    const Region& at(double tip_z_mm) const;
+    Region at(double tip_z_mm) const { return from(tip_z_mm, tip_z_mm); }
     /// Those of the upper of two heights, in rooms where the cutter would meet stairs somewhere between. A
     /// tip that is lower has no others: more stands beside it.
     Region from(double top_z_mm, double bottom_z_mm) const;
@@ -95,7 +95,6 @@ class FormCentres {
     const ToolAssembly& tool_;
     std::vector<Region> within_;  ///< the rooms' windows less the cutter's radius
     mutable std::map<std::pair<double, std::size_t>, Region> in_rooms_;  ///< by height and room
-    mutable std::map<double, Region> known_;
 };
 
 }  // namespace stepmill

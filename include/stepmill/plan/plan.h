@@ -189,14 +189,17 @@ class SequenceMemory;
 /// Called at the start of each stage ("slicing S1", "S1.F2") with the share done in [0, 1].
 using Progress = std::function<void(const std::string& stage, double share)>;
 
-/// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books. After an
-/// earlier plan of a part like it (`PlanRequest::as_before`) without the trials that chose its setups and
-/// what each leaves, and where as much leans with the same form cutters: a third of the time. Every setup is
-/// planned on the stock that the paths of those before it leave (plan/stages.h). A chosen setup in which no
-/// tool finds anything new to do is left out. A feature whose planning fails becomes a residual with a
-/// warning; the rest of the plan stands; so does one that the cautions drop ("proof"). Books that do not
-/// close are a warning "books" that says where. \throws Error for input the plan cannot go on with (stock too
-/// small, a part many times larger than the
+/// Plans one part: setups, layers, features, tool sequences, merged operations, totals and books.
+///
+/// Every setup is planned on the stock that the paths of those before it leave (plan/stages.h). A chosen
+/// setup in which no tool finds anything new to do is left out. A feature whose planning fails becomes a
+/// residual with a warning; the rest of the plan stands; so does one that the cautions drop ("proof"). Books
+/// that do not close are a warning "books" that says where.
+///
+/// After an earlier plan of a part like it (`PlanRequest::as_before`) without the trials that chose its
+/// setups and what each leaves, and where as much leans with the same form cutters: a third of the time.
+///
+/// \throws Error for input the plan cannot go on with (stock too small, a part many times larger than the
 ///         machine, no tool for the material).
 Plan planPart(const Part& part, const PlanRequest& request, const ToolLibrary& library,
               const Machine& machine, const Tolerances& tol, const Progress& progress = {});
