@@ -238,6 +238,7 @@ PlanRequest flatBy(PlanRequest request, const Deadline& flat_by) {
 
 std::vector<Vec3> axesOf(const std::vector<Setup>& setups) {
     std::vector<Vec3> axes;
+    axes.reserve(setups.size());
     for (const Setup& setup : setups)
         axes.push_back(setup.axis);
     return axes;
