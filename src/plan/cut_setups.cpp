@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "plan/make_operations.h"
+#include "plan/features/threads.h"
+#include "plan/operations/make_operations.h"
+#include "plan/operations/stick_outs.h"
 #include "plan/plan_warnings.h"
-#include "plan/stick_outs.h"
-#include "plan/threads.h"
 #include "plan/totals.h"
 
 namespace stepmill {

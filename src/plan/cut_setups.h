@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "plan/order/share_tools.h"
 #include "plan/planned_stage.h"
-#include "plan/share_tools.h"
 #include "stepmill/plan/books.h"
 
 namespace stepmill {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "plan/hold_warnings.h"
+#include "plan/holding/hold_warnings.h"
 #include "stepmill/catalog/spindle.h"
 #include "stepmill/plan/hold_stage.h"
 #include "stepmill/planar/edge.h"

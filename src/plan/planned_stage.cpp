@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "plan/earlier_operations.h"
-#include "plan/form_finishing.h"
-#include "plan/form_setups.h"
-#include "plan/loose_pieces.h"
+#include "plan/forms/form_finishing.h"
+#include "plan/forms/form_setups.h"
+#include "plan/holding/loose_pieces.h"
+#include "plan/operations/earlier_operations.h"
 #include "plan/plan_warnings.h"
 #include "plan/residual_prisms.h"
 #include "stepmill/plan/deep_bands.h"

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "plan/feature_planner.h"
-#include "plan/loose_pieces.h"
+#include "plan/features/feature_planner.h"
+#include "plan/holding/loose_pieces.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/plan/books.h"
 #include "stepmill/plan/plan.h"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "plan/form_stairs.h"
+#include "plan/forms/form_stairs.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/layers/reserve.h"
 #include "stepmill/layers/stock_after.h"

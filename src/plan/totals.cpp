@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plan/joint_bound.h"
+#include "plan/order/joint_bound.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {

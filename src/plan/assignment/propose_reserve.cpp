@@ -8,7 +8,7 @@
 
 #include "plan/assignment/best_closure.h"
 #include "plan/assignment/shared_cells.h"
-#include "plan/retract.h"
+#include "plan/operations/retract.h"
 #include "stepmill/core/parallel.h"
 #include "stepmill/plan/deep_bands.h"
 #include "stepmill/plan/stages.h"

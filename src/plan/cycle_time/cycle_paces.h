@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "plan/cutting_feeds.h"
+#include "plan/operations/cutting_feeds.h"
 #include "plan/totals.h"
 #include "stepmill/plan/cycle_time.h"
 

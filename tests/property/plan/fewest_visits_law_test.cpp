@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/fewest_visits.h"
+#include "plan/order/fewest_visits.h"
 
 namespace stepmill::test {
 namespace {

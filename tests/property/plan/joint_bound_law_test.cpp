@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/joint_bound.h"
+#include "plan/order/joint_bound.h"
 #include "stepmill/sequence/tool_dag.h"
 
 namespace stepmill::test {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/share_tools.h"
+#include "plan/order/share_tools.h"
 
 namespace stepmill::test {
 namespace {

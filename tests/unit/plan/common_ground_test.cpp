@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/nests.h"
+#include "plan/features/nests.h"
 #include "stepmill/feature/describe_boundary.h"
 #include "stepmill/plan/common_ground.h"
 #include "stepmill/planar/boolean.h"

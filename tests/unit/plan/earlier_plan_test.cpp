@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/earlier_operations.h"
-#include "plan/order_operations.h"
+#include "plan/operations/earlier_operations.h"
+#include "plan/order/order_operations.h"
 
 namespace stepmill {
 namespace {

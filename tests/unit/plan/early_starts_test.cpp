@@ -1,4 +1,4 @@
-#include "plan/early_starts.h"
+#include "plan/order/early_starts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "plan/fewest_visits.h"
+#include "plan/order/fewest_visits.h"
 
 #include <gtest/gtest.h>
 

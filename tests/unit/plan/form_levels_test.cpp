@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "plan/form_levels.h"
+#include "plan/forms/form_levels.h"
 #include "stepmill/planar/region.h"
 #include "support/tool_makers.h"
 

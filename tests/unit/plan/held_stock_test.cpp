@@ -1,6 +1,6 @@
 // Features of a setup whose stock is held at the bottom.
 
-#include "plan/held_stock.h"
+#include "plan/holding/held_stock.h"
 
 #include <gtest/gtest.h>
 

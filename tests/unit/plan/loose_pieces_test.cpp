@@ -1,6 +1,6 @@
 // Pieces of stock that nothing holds when a setup is cut.
 
-#include "plan/loose_pieces.h"
+#include "plan/holding/loose_pieces.h"
 
 #include <gtest/gtest.h>
 

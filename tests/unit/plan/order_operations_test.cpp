@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "plan/fewest_visits.h"
-#include "plan/order_operations.h"
+#include "plan/order/fewest_visits.h"
+#include "plan/order/order_operations.h"
 
 namespace stepmill {
 namespace {

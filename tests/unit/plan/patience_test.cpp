@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "plan/few_tools.h"
+#include "plan/features/few_tools.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "stepmill/plan/plan.h"
 #include "support/tolerances.h"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "plan/operations/stick_outs.h"
 #include "plan/plan_warnings.h"
-#include "plan/stick_outs.h"
 #include "stepmill/catalog/read_catalog.h"
 #include "support/told.h"
 #include "support/tolerances.h"

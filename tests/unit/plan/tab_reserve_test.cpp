@@ -1,6 +1,6 @@
 // A frame round a part and the tabs that tie the part to it.
 
-#include "plan/tab_reserve.h"
+#include "plan/holding/tab_reserve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,189 @@
+#include "plan/features/propose_ground.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "stepmill/access/collision.h"
+#include "stepmill/access/slivers.h"
+#include "stepmill/core/units.h"
+#include "stepmill/feature/heights.h"
+#include "stepmill/feature/region_compare.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/toolpath/step_over.h"
+
+namespace stepmill {
+namespace {
+
+/// So many grounds of one nest are tried.
+constexpr std::size_t kMostGrounds = 4;
+/// Gains below this are within the error of the estimate [s], [share of what the levels take].
+constexpr double kLeastGainS = 1;
+constexpr double kLeastGainShare = 0.02;
+
+/// What one tool could cut through levels `from` to `to`.
+struct Proposal {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    Region region;
+    double gain_s = 0;
+};
+
+class GroundSearch {
+  public:
+    GroundSearch(const std::vector<PlannedFeature>& nest, const ToolLibrary& library,
+                 const std::string& material, const Tolerances& tol)
+        : library_(library), material_(material), tol_(tol) {
+        for (const PlannedFeature& planned : nest) {
+            if (planned.feature.ground_of.empty()) levels_.push_back(&planned);
+            for (const SequenceStep& step : planned.sequence.steps)
+                all_s_ += step.path.totals.motion_time_s;
+        }
+    }
+
+    const Feature& level(std::size_t i) const { return levels_[i]->feature; }
+
+    std::vector<Proposal> run() {
+        std::vector<Proposal> found;
+        while (found.size() < kMostGrounds) {
+            std::optional<Proposal> best = mostGain();
+            if (!best) break;
+            taken_ = taken_.empty() ? best->region : unite(taken_, best->region, tol_);
+            begins_.push_back(best->from);
+            found.push_back(std::move(*best));
+        }
+        return found;
+    }
+
+  private:
+    std::optional<Proposal> mostGain() const {
+        std::optional<Proposal> best;
+        for (const ToolAssembly& tool : library_.tools) {
+            const CuttingData* cutting = tool.cuttingFor(material_);
+            if (tool.isForHoles() || cutting == nullptr) continue;
+            for (std::size_t to = 1; to < levels_.size(); ++to)
+                consider(tool, *cutting, to, best);
+        }
+        return best;
+    }
+
+    void consider(const ToolAssembly& tool, const CuttingData& cutting, std::size_t to,
+                  std::optional<Proposal>& best) const {
+        const CutterArea* own = ownArea(tool, to);
+        const Region region = own != nullptr ? notTaken(*own) : Region{};
+        if (region.empty()) return;
+        const double layer_s = area(region) * secondsPerMm2(tool, cutting, *own, to);
+        double replaced_s = replacedS(to, region);
+        for (std::size_t from = to; from-- > highestBegin(to) && goesOn(from);) {
+            replaced_s += replacedS(from, region);
+            const double height_mm = level(from).top_z_mm - level(to).floor_z_mm;
+            if (height_mm > access::freeReachMm(tool)) return;
+            const double gain_s = replaced_s - layer_s * depthsOf(height_mm, cutting);
+            if (gain_s < kLeastGainS + kLeastGainShare * all_s_) continue;
+            if (!best || gain_s > best->gain_s) best = Proposal{from, to, region, gain_s};
+        }
+    }
+
+    /// Where ground down to that level may begin: none goes down past the top of one that was found before,
+    /// which stands until the levels above it are cut.
+    std::size_t highestBegin(std::size_t to) const {
+        std::size_t highest = 0;
+        for (const std::size_t begin : begins_)
+            if (begin <= to) highest = std::max(highest, begin);
+        return highest;
+    }
+
+    /// Does the next level lie straight below, with no ground between that begins there?
+    bool goesOn(std::size_t i) const {
+        return level(i + 1).parents == std::vector<std::string>{level(i).id} &&
+               std::abs(level(i).floor_z_mm - level(i + 1).top_z_mm) <= kSameHeightMm;
+    }
+
+    /// What the tool itself does on a level; null where it takes no part.
+    const CutterArea* ownArea(const ToolAssembly& tool, std::size_t level) const {
+        for (const ToolReach& reach : levels_[level]->sequence.tools)
+            if (reach.tool_id == tool.id) return reach.exclusion() == nullptr ? &reach.own() : nullptr;
+        return nullptr;
+    }
+
+    /// What the tool covers of a level and no ground has yet.
+    Region notTaken(const CutterArea& own) const {
+        return access::withoutSliverComponents(
+            taken_.empty() ? own.coverable : subtract(own.coverable, taken_, tol_), tol_);
+    }
+
+    static double depthsOf(double height_mm, const CuttingData& cutting) {
+        constexpr double kRounding = 1e-9;
+        return cutting.step_down_mm > 0 ? std::ceil(height_mm / cutting.step_down_mm - kRounding) : 1;
+    }
+
+    /// What a depth of cut takes there: as where the tool has a path on that level, else all over its centres
+    /// at the step-over and along their boundary.
+    double secondsPerMm2(const ToolAssembly& tool, const CuttingData& cutting, const CutterArea& own,
+                         std::size_t level) const {
+        for (const SequenceStep& step : levels_[level]->sequence.steps) {
+            if (step.tool_id != tool.id || step.path.depths == 0 || step.area.new_area_mm2 <= 0) continue;
+            return step.path.totals.motion_time_s / step.path.depths / area(step.area.area);
+        }
+        const double step_over_mm = toolpath::usedStepOver(cutting, tool.radius_mm());
+        const double length_mm = area(own.free_centres) / step_over_mm + perimeter(own.free_centres);
+        return length_mm / cutting.feed_mm_per_min * kSecondsPerMinute / own.coverable_area_mm2;
+    }
+
+    /// What the level's own steps take for the ground.
+    double replacedS(std::size_t level, const Region& ground) const {
+        double replaced_s = 0;
+        for (const SequenceStep& step : levels_[level]->sequence.steps) {
+            const double all_mm2 = area(step.area.area);
+            if (all_mm2 <= 0) continue;
+            replaced_s +=
+                step.path.totals.motion_time_s * area(intersect(step.area.area, ground, tol_)) / all_mm2;
+        }
+        return replaced_s;
+    }
+
+    std::vector<const PlannedFeature*> levels_;  ///< from above
+    const ToolLibrary& library_;
+    const std::string& material_;
+    const Tolerances& tol_;
+    double all_s_ = 0;
+    Region taken_;
+    std::vector<std::size_t> begins_;  ///< first levels of what was found
+};
+
+/// The region within the targets of all levels: what tolerances leave outside would be cut by nobody.
+Region within(Region region, const GroundSearch& search, std::size_t from, std::size_t to,
+              const Tolerances& tol) {
+    for (std::size_t i = from; i <= to; ++i)
+        if (!subtract(region, search.level(i).target, tol).empty())
+            region = intersect(region, search.level(i).target, tol);
+    return region;
+}
+
+}  // namespace
+
+std::vector<CommonGround> proposeGround(const std::vector<PlannedFeature>& nest, const ToolLibrary& library,
+                                        const std::string& material, const std::string& ids,
+                                        const Tolerances& tol) {
+    const auto known = std::count_if(nest.begin(), nest.end(), [](const PlannedFeature& planned) {
+        return !planned.feature.ground_of.empty();
+    });
+    GroundSearch search(nest, library, material, tol);
+    std::vector<CommonGround> grounds;
+    for (Proposal& proposal : search.run()) {
+        Region region = within(std::move(proposal.region), search, proposal.from, proposal.to, tol);
+        // Levels that each have a part of it need not have one in common.
+        if (feature::isSliver(region, tol)) continue;
+        CommonGround ground;
+        ground.id = fmt::format("{}.{}", ids, known + static_cast<std::ptrdiff_t>(grounds.size()) + 1);
+        for (std::size_t i = proposal.from; i <= proposal.to; ++i)
+            ground.levels.push_back(search.level(i).id);
+        ground.region = std::move(region);
+        grounds.push_back(std::move(ground));
+    }
+    return grounds;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "plan/forms/form_site.h"
+#include "stepmill/layers/section_cutter.h"
+
+namespace stepmill {
+
+struct Heights {
+    double bottom_mm = 0;
+    double top_mm = 0;
+};
+
+/// The walls that form cutters work on in a setup, and how the part is cut for them.
+class SiteWalls {
+  public:
+    SiteWalls() = default;
+    SiteWalls(const SiteWalls&) = delete;
+    SiteWalls& operator=(const SiteWalls&) = delete;
+    virtual ~SiteWalls() = default;
+
+    virtual std::string groundId(const std::string& setup_id) const = 0;
+    /// What is to go, from below.
+    virtual std::vector<Obstacle> stairs() const = 0;
+    /// Where the work ends below at the foot of a wall, ascending.
+    virtual std::vector<double> feet() const = 0;
+    /// Is the layer cut finer, and its part not the layer's own?
+    virtual bool cuts(const Layer& layer) const = 0;
+    /// The bands of such a layer from below, no higher than leaves a skin of that thickness on its walls.
+    virtual std::vector<Heights> bandsOf(const Layer& layer, double skin_mm) const = 0;
+    /// What must stay of the part at all heights of a band.
+    virtual Region mustStay(const Heights& band) const = 0;
+    /// How walls lean there, as FormSite::leans.
+    virtual std::vector<double> leans(const Heights& band) const = 0;
+};
+
+/// The ground of these walls with what must stand beside them.
+/// \param widest_mm  radius of the widest cutter
+/// \return nothing where nothing is to go
+std::optional<FormSite> siteOf(const FormSources& sources, const SiteWalls& walls, double skin_mm,
+                               double widest_mm, const Tolerances& tol);
+
+}  // namespace stepmill
