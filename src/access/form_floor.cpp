@@ -14,12 +14,12 @@ namespace {
 /// Which bands are near is found for stretches of a way no longer than so many radii.
 constexpr double kStretchRadii = 0.5;
 
-std::vector<EdgeIndex> indexed(const std::vector<Obstacle>& obstacles) {
-    std::vector<EdgeIndex> edges;
-    edges.reserve(obstacles.size());
+std::vector<IndexedRegion> indexed(const std::vector<Obstacle>& obstacles) {
+    std::vector<IndexedRegion> sections;
+    sections.reserve(obstacles.size());
     for (const Obstacle& obstacle : obstacles)
-        edges.emplace_back(obstacle.section);
-    return edges;
+        sections.emplace_back(obstacle.section);
+    return sections;
 }
 
 Edge partOf(const Vec2& from, const Vec2& to, int first, int last, int pieces) {
@@ -35,15 +35,18 @@ struct FormFloor::Stretch {
     std::vector<std::size_t> near;  ///< bands whose boundary is, from above
 };
 
-FormFloor::FormFloor(const FormGround& ground, const ToolAssembly& tool, const Tolerances& tol)
+FormFloor::FormFloor(const FormGround& ground, const ToolAssembly& tool, const Tolerances& tol,
+                     const Deadline& deadline)
     : ground_(ground),
       tool_(tool),
       form_(tool),
       guard_mm_(tol.guard_mm),
+      deadline_(deadline),
       bands_(indexed(ground.must_stand)),
       obstacles_(indexed(ground.obstacles)) {}
 
 std::vector<double> FormFloor::over(const Vec2& from, const Vec2& to, int pieces) const {
+    deadline_.check(ground_.id);
     std::vector<double> lowest_mm;
     std::vector<WalkInside> along = walks();
     std::vector<WalkInside> within = along;
@@ -61,8 +64,8 @@ std::vector<double> FormFloor::over(const Vec2& from, const Vec2& to, int pieces
 std::vector<WalkInside> FormFloor::walks() const {
     std::vector<WalkInside> walks;
     walks.reserve(bands_.size());
-    for (std::size_t i = 0; i < bands_.size(); ++i)
-        walks.emplace_back(ground_.must_stand[i].section, bands_[i]);
+    for (const IndexedRegion& band : bands_)
+        walks.emplace_back(band);
     return walks;
 }
 
@@ -70,8 +73,8 @@ FormFloor::Stretch FormFloor::stretchOver(const Edge& stretch, std::vector<WalkI
     const std::vector<Obstacle>& bands = ground_.must_stand;
     Stretch found{bands.front().bottom_z_mm, {}};
     for (std::size_t i = bands.size(); i-- > 0;) {
-        if (bands_[i].empty()) continue;
-        if (bands_[i].anyNearer(stretch, form_.fullRadiusMm() + guard_mm_)) {
+        if (bands_[i].boundary().empty()) continue;
+        if (bands_[i].boundary().anyNearer(stretch, form_.fullRadiusMm() + guard_mm_)) {
             found.near.push_back(i);
         } else if (walks[i].isInside(stretch)) {
             found.lowest_mm = bands[i].top_z_mm;
@@ -89,7 +92,7 @@ double FormFloor::lowestOver(const Edge& piece, const Stretch& stretch,
         const double top_mm = ground_.must_stand[i].top_z_mm;
         if (top_mm <= tip_mm + kSameHeightMm) break;
         const double limit_mm = form_.radiusAt(top_mm - tip_mm) + guard_mm_;
-        const double distance_mm = bands_[i].distanceTo(piece, limit_mm);
+        const double distance_mm = bands_[i].boundary().distanceTo(piece, limit_mm);
         if (distance_mm <= 0 || walks[i].isInside(piece))
             tip_mm = top_mm;
         else if (distance_mm < limit_mm)
@@ -104,8 +107,10 @@ double FormFloor::holderOver(const Edge& stretch, double tip_mm) const {
     for (const HolderCylinder& cylinder : access::cylindersOf(tool_))
         while (const auto over =
                    access::obstacleAbove(obstacles, tip_mm + cylinder.bottom_mm, kSameHeightMm)) {
-            const bool meets = obstacles_[*over].anyNearer(stretch, cylinder.diameter_mm / 2 + guard_mm_) ||
-                               contains(obstacles[*over].section, stretch.from);
+            const IndexedRegion& section = obstacles_[*over];
+            const bool meets =
+                section.boundary().anyNearer(stretch, cylinder.diameter_mm / 2 + guard_mm_) ||
+                section.contains(stretch.from);
             if (!meets) break;
             tip_mm = obstacles[*over].top_z_mm - cylinder.bottom_mm;
         }

@@ -67,9 +67,9 @@ class FormPasses::Meeting {
         for (const StandingStairs::Slice& slice : stairs.slices()) {
             const double radius_mm = meetingMm(slice, form, tip_z_mm, tip_z_mm, least_mm);
             if (radius_mm <= 0) continue;
-            auto edges = std::make_unique<EdgeIndex>(slice.region);
-            const WalkInside walk(slice.region, *edges);
-            near_.push_back({std::move(edges), walk, radius_mm});
+            auto region = std::make_unique<IndexedRegion>(slice.region);
+            const WalkInside walk(*region);
+            near_.push_back({std::move(region), walk, radius_mm});
         }
     }
 
@@ -91,7 +91,7 @@ class FormPasses::Meeting {
     }
 
     struct Near {
-        std::unique_ptr<EdgeIndex> edges;  ///< at one place, for the walk
+        std::unique_ptr<IndexedRegion> region;  ///< at one place, for the walk
         WalkInside walk;
         double radius_mm;
     };

@@ -9,6 +9,7 @@
 #include "stepmill/core/parallel.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
+#include "stepmill/planar/indexed_region.h"
 
 namespace stepmill::toolpath {
 namespace {
@@ -126,6 +127,7 @@ void ShallowGround::findShallow(const CutterForm& form, const Region& stairs) {
     shallow_.assign(heights_.size(), 0);
     const double corner_mm = form.heightMm();
     const double flat_mm = form.fullRadiusMm() - corner_mm;
+    const IndexedRegion under(stairs);
     parallelFor(rows_, [&](int row) {
         for (int column = 0; column < columns_; ++column) {
             const Place place{column, row};
@@ -136,7 +138,7 @@ void ShallowGround::findShallow(const CutterForm& form, const Region& stairs) {
             Vec2 touched = middleOf(place);
             if (slope > 0)
                 touched += (flat_mm + corner_mm * slope / std::sqrt(1 + slope * slope)) * rise / slope;
-            shallow_[indexOf(place)] = static_cast<char>(contains(stairs, touched));
+            shallow_[indexOf(place)] = static_cast<char>(under.contains(touched));
         }
     });
 }

@@ -80,9 +80,9 @@ class SweptWay {
     bool takeFrom(Region& region, double radius_mm) const {
         if (region.empty() || !grown(box_, radius_mm).intersects(boundingBox(region))) return false;
         if (edges_.empty()) return takeDisc(region, radius_mm);
-        const EdgeIndex edges(region);
+        const IndexedRegion indexed(region);
         std::size_t count = 0;
-        const std::vector<Path> near = stretchesNear(WalkInside(region, edges), radius_mm, count);
+        const std::vector<Path> near = stretchesNear(WalkInside(indexed), radius_mm, count);
         if (near.empty()) return false;
         const bool around = around_ && 2 * count > edges_.size() && takeAround(region, radius_mm);
         if (!around) region = toolpath::notSwept(region, near, radius_mm, tol_);

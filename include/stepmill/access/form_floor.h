@@ -4,9 +4,9 @@
 
 #include "stepmill/catalog/cutter_form.h"
 #include "stepmill/catalog/tool.h"
+#include "stepmill/core/deadline.h"
 #include "stepmill/core/tolerances.h"
 #include "stepmill/feature/form_ground.h"
-#include "stepmill/planar/edge_index.h"
 #include "stepmill/planar/walk_inside.h"
 
 namespace stepmill {
@@ -20,12 +20,15 @@ inline constexpr double kSlopeRiseMm = 0.005;
 class FormFloor {
   public:
     /// Keeps `ground` and `tool`.
-    FormFloor(const FormGround& ground, const ToolAssembly& tool, const Tolerances& tol);
+    /// \param deadline  of all that is asked of it
+    FormFloor(const FormGround& ground, const ToolAssembly& tool, const Tolerances& tol,
+              const Deadline& deadline = {});
 
     /// The lowest heights of the tip at which neither cutter nor shank nor holder touches anything, for each
     /// of the equal pieces of a straight way: all along it, and with the guard of paths. Errs upwards as
     /// FormCentres errs inwards. No lower than the bands that must stand are known.
     /// \pre the way keeps inside the window by the cutter's radius; pieces > 0
+    /// \throws Error(TimedOut) after the deadline
     std::vector<double> over(const Vec2& from, const Vec2& to, int pieces) const;
 
   private:
@@ -39,8 +42,9 @@ class FormFloor {
     const ToolAssembly& tool_;
     CutterForm form_;
     double guard_mm_;
-    std::vector<EdgeIndex> bands_;
-    std::vector<EdgeIndex> obstacles_;
+    Deadline deadline_;
+    std::vector<IndexedRegion> bands_;
+    std::vector<IndexedRegion> obstacles_;
 };
 
 }  // namespace stepmill

@@ -2,8 +2,7 @@
 
 #include <optional>
 
-#include "stepmill/planar/edge_index.h"
-#include "stepmill/planar/region.h"
+#include "stepmill/planar/indexed_region.h"
 
 namespace stepmill {
 
@@ -11,12 +10,12 @@ namespace stepmill {
 /// the boundary it stays inside or outside: the region is asked only where that may have changed.
 class WalkInside {
   public:
-    /// Keeps both.
-    WalkInside(const Region& region, const EdgeIndex& edges) : region_(&region), edges_(&edges) {}
+    /// Keeps it.
+    explicit WalkInside(const IndexedRegion& region) : region_(&region) {}
 
     /// Does the disc come nearer to the boundary than its radius, or is its centre inside?
     bool meets(const Edge& way, double radius_mm) {
-        if (edges_->anyNearer(way, radius_mm)) return true;
+        if (region_->boundary().anyNearer(way, radius_mm)) return true;
         const bool inside = isInside(way);
         // A disc of no width may cross the boundary unseen.
         if (radius_mm <= 0) end_.reset();
@@ -27,14 +26,13 @@ class WalkInside {
     /// \pre the way does not meet the boundary
     bool isInside(const Edge& way) {
         if (!end_ || *end_ != way.from)
-            inside_ = edges_->box().contains(way.from) && contains(*region_, way.from);
+            inside_ = region_->boundary().box().contains(way.from) && region_->contains(way.from);
         end_ = way.segment.to;
         return inside_;
     }
 
   private:
-    const Region* region_;
-    const EdgeIndex* edges_;
+    const IndexedRegion* region_;
     std::optional<Vec2> end_;  ///< of the last edge, where it stayed off the boundary
     bool inside_ = false;      ///< was it?
 };

@@ -160,7 +160,7 @@ const FormWork::Shallow& FormWork::shallowFor(const ToolAssembly& tool) {
     if (shallow) return *shallow;
     shallow = std::make_unique<Shallow>();
     if (shallow_stairs_.empty() || tool.hasFlanks()) return *shallow;
-    shallow->floor.emplace(site_.ground, tool, shop_.tol);
+    shallow->floor.emplace(site_.ground, tool, shop_.tol, shop_.deadline);
     shallow->ground = toolpath::ShallowGround(*shallow->floor, CutterForm(tool), shallow_stairs_,
                                               centresOf(tool).withinWindow(), shop_.tol);
     return *shallow;
