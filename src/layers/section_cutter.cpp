@@ -117,9 +117,14 @@ Region StockSections::between(double bottom_mm, double top_mm) const {
     return subtract(impl_->rawBetween(bottom_mm, top_mm), impl_->air.between(bottom_mm, top_mm), impl_->tol);
 }
 
-Region StockSections::throughout(double bottom_mm, double top_mm) const {
-    return subtract(impl_->rawThroughout(bottom_mm, top_mm), impl_->air.somewhere(bottom_mm, top_mm),
-                    impl_->tol);
+Region StockSections::between(const Region& ground, double bottom_mm, double top_mm) const {
+    return impl_->air.subtractedFrom(intersect(ground, impl_->rawBetween(bottom_mm, top_mm), impl_->tol),
+                                     bottom_mm, top_mm, layers::AtHeights::All);
+}
+
+Region StockSections::throughout(const Region& ground, double bottom_mm, double top_mm) const {
+    return impl_->air.subtractedFrom(intersect(ground, impl_->rawThroughout(bottom_mm, top_mm), impl_->tol),
+                                     bottom_mm, top_mm, layers::AtHeights::Some);
 }
 
 Region StockSections::at(double z_mm) const {

@@ -61,6 +61,48 @@ Region insidePolygon(const Region& region) {
     return inside;
 }
 
+/// A polygon's part in the half plane, as one loop: where it leaves and comes back it runs along the edge, and
+/// may run there twice, which windings do not mind [Sutherland and Hodgman 1974].
+std::vector<Vec2> clipped(const std::vector<Vec2>& corners, const HalfPlane& half) {
+    std::vector<Vec2> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2& from = corners[i];
+        const Vec2& to = corners[(i + 1) % corners.size()];
+        const double from_beyond = half.beyond(from);
+        const double to_beyond = half.beyond(to);
+        if (from_beyond <= 0) kept.push_back(from);
+        if ((from_beyond < 0 && to_beyond > 0) || (from_beyond > 0 && to_beyond < 0))
+            kept.push_back(snapToGrid(Vec2(from + from_beyond / (from_beyond - to_beyond) * (to - from))));
+    }
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+    while (kept.size() > 1 && kept.front() == kept.back())
+        kept.pop_back();
+    return kept;
+}
+
+/// The polygons' part in all of the half planes. Mostly they lie in each or beside it as a whole.
+Region clipped(const Region& polygons, const std::vector<HalfPlane>& halves) {
+    Region inside;
+    for (const Loop& loop : polygons.loops) {
+        std::vector<Vec2> corners;
+        for (const Segment& segment : loop.segments)
+            corners.push_back(segment.to);
+        for (const HalfPlane& half : halves) {
+            const auto is_out = [&](const Vec2& p) { return half.beyond(p) > 0; };
+            if (std::any_of(corners.begin(), corners.end(), is_out)) corners = clipped(corners, half);
+        }
+        if (corners.size() > 2) inside.loops.push_back(closedPath(corners));
+    }
+    return inside;
+}
+
+void addSides(const Box2& box, std::vector<HalfPlane>& halves) {
+    for (int axis = 0; axis < 2; ++axis) {
+        halves.push_back({Vec2::Unit(axis), box.max()[axis]});
+        halves.push_back({-Vec2::Unit(axis), -box.min()[axis]});
+    }
+}
+
 /// How a way crosses the boundary of a region.
 enum class WallCrossing { Leaves, Enters };
 
@@ -99,16 +141,7 @@ Region staysInside(const Region& from_where, const Region& outline, const Vec2& 
     std::vector<Region> meets_wall;
     for (const Loop& loop : outline.loops)
         addSwept(loop, travel, WallCrossing::Leaves, reached, meets_wall);
-    return meets_wall.empty() ? from_where : subtract(from_where, unite(meets_wall, tol), tol);
-}
-
-/// Points inside the outline, and those that come in on the way.
-Region comesInside(const Region& outline, const Vec2& travel, const Tolerances& tol) {
-    const Box2 everywhere = grown(boundingBox(outline), travel.norm());
-    std::vector<Region> inside{outline};
-    for (const Loop& loop : outline.loops)
-        addSwept(loop, travel, WallCrossing::Enters, everywhere, inside);
-    return unite(inside, tol);
+    return subtract(from_where, meets_wall, tol);
 }
 
 }  // namespace
@@ -120,13 +153,8 @@ AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup)
       to_setup_(to_setup),
       up_(to_setup.linear().transpose() * Vec3::UnitZ()) {
     for (Region& piece : components(outline_)) {
-        Piece found{std::move(piece)};
-        for (const Segment& segment : found.region.loops.front().segments) {
-            const double at = across().dot(segment.to);
-            found.from_mm = std::min(found.from_mm, at);
-            found.to_mm = std::max(found.to_mm, at);
-        }
-        pieces_.push_back(std::move(found));
+        const Box2 box = boundingBox(piece);
+        pieces_.push_back({std::move(piece), box});
     }
     for (const Loop& loop : outline_.loops) {
         for (const Segment& segment : loop.segments) {
@@ -139,27 +167,46 @@ AskewCut::AskewCut(const Prism& prism, const Eigen::Isometry3d& to_setup)
     }
 }
 
-Region AskewCut::between(double low_mm, double high_mm, const Tolerances& tol) const {
-    if (outline_.empty() || high_mm <= low_mm_ || low_mm >= high_mm_) return {};
+Region AskewCut::between(double low_mm, double high_mm, const Tolerances& tol,
+                         const std::optional<Box2>& near) const {
     const double rise_mm = high_mm - low_mm;
     const double along_mm = rise_mm * up_.z();
-    const std::optional<Strip> in_reach =
-        strip(low_mm, std::max(bottom_mm_, bottom_mm_ - along_mm), std::min(top_mm_, top_mm_ - along_mm));
-    if (!in_reach) return {};
-    Region inside = within(*in_reach, tol);
+    const std::optional<Window> window =
+        windowAt(low_mm, high_mm, std::max(bottom_mm_, bottom_mm_ - along_mm),
+                 std::min(top_mm_, top_mm_ - along_mm), near);
+    if (!window) return {};
+    Region inside;
+    for (const Piece& piece : pieces_) {
+        if (!piece.box.intersects(window->box)) continue;
+        Region part = clipped(piece.region, window->sides);
+        std::move(part.loops.begin(), part.loops.end(), std::back_inserter(inside.loops));
+    }
     if (rise_mm > 0 && !inside.empty()) inside = staysInside(inside, outline_, up_.head<2>() * rise_mm, tol);
     return toSetup(inside, low_mm);
 }
 
-Region AskewCut::somewhere(double low_mm, double high_mm, const Tolerances& tol) const {
-    if (outline_.empty() || high_mm <= low_mm_ || low_mm >= high_mm_) return {};
+std::vector<Region> AskewCut::somewhere(double low_mm, double high_mm,
+                                        const std::optional<Box2>& near) const {
     const double rise_mm = high_mm - low_mm;
     const double along_mm = rise_mm * up_.z();
-    const std::optional<Strip> in_reach =
-        strip(low_mm, std::min(bottom_mm_, bottom_mm_ - along_mm), std::max(top_mm_, top_mm_ - along_mm));
-    if (!in_reach) return {};
-    const Region inside = rise_mm > 0 ? comesInside(outline_, up_.head<2>() * rise_mm, tol) : outline_;
-    return toSetup(intersect(inside, polygonOf(*in_reach), tol), low_mm);
+    const std::optional<Window> window =
+        windowAt(low_mm, high_mm, std::min(bottom_mm_, bottom_mm_ - along_mm),
+                 std::max(top_mm_, top_mm_ - along_mm), near);
+    if (!window) return {};
+    const Vec2 travel = up_.head<2>() * rise_mm;
+    const Box2 reached = grown(window->box, travel.norm());
+    // Points inside, and those that come in on the way.
+    std::vector<Region> inside;
+    for (const Piece& piece : pieces_) {
+        if (!piece.box.intersects(reached)) continue;
+        inside.push_back(piece.region);
+        for (const Loop& loop : piece.region.loops)
+            addSwept(loop, travel, WallCrossing::Enters, reached, inside);
+    }
+    for (Region& part : inside)
+        part = toSetup(clipped(part, window->sides), low_mm);
+    std::erase_if(inside, [](const Region& part) { return part.empty(); });
+    return inside;
 }
 
 BandedPolygon AskewCut::at(double z_mm) const {
@@ -186,39 +233,28 @@ BandedPolygon AskewCut::at(double z_mm) const {
     return section;
 }
 
-/// Where a point of the setup's plane at z lies between two places along the prism's axis.
-std::optional<AskewCut::Strip> AskewCut::strip(double z_mm, double lowest_mm, double highest_mm) const {
-    if (lowest_mm >= highest_mm) return std::nullopt;
-    const double along = up_.z();
+/// The ground that is asked for, on that of the prism: where a point of the setup's plane at the lower height
+/// lies between two places along the prism's axis, and near the box, if it is given. Nothing where the prism
+/// does not reach.
+std::optional<AskewCut::Window> AskewCut::windowAt(double low_mm, double high_mm, double lowest_mm,
+                                                   double highest_mm, const std::optional<Box2>& near) const {
+    if (outline_.empty() || high_mm <= low_mm_ || low_mm >= high_mm_ || lowest_mm >= highest_mm)
+        return std::nullopt;
+    const double base = low_mm - to_setup_.translation().z();
     const double aslant = up_.head<2>().norm();
-    const double base = z_mm - to_setup_.translation().z();
-    const double one = (base - along * lowest_mm) / aslant;
-    const double other = (base - along * highest_mm) / aslant;
-    return Strip{std::min(one, other), std::max(one, other)};
-}
-
-/// The outline's part in the strip. Most pieces lie in it or beside it as a whole.
-Region AskewCut::within(const Strip& strip, const Tolerances& tol) const {
-    Region inside;
-    for (const Piece& piece : pieces_) {
-        if (piece.to_mm <= strip.from_mm || piece.from_mm >= strip.to_mm) continue;
-        const bool whole = strip.from_mm <= piece.from_mm && piece.to_mm <= strip.to_mm;
-        Region part = whole ? piece.region : intersect(piece.region, polygonOf(strip), tol);
-        std::move(part.loops.begin(), part.loops.end(), std::back_inserter(inside.loops));
-    }
-    return inside;
-}
-
-/// The strip as far as the outline may reach; empty where it does not.
-Region AskewCut::polygonOf(const Strip& strip) const {
-    const Vec2 level(-across().y(), across().x());
-    const Box2 box = boundingBox(outline_);
-    const double beyond = (box.min().norm() + box.max().norm()) * 2 + 1;
-    const double near_mm = std::max(strip.from_mm, -beyond);
-    const double far_mm = std::min(strip.to_mm, beyond);
-    if (near_mm >= far_mm) return {};
-    return makePolygon({near_mm * across() + beyond * level, near_mm * across() - beyond * level,
-                        far_mm * across() - beyond * level, far_mm * across() + beyond * level});
+    const double one = (base - up_.z() * lowest_mm) / aslant;
+    const double other = (base - up_.z() * highest_mm) / aslant;
+    const Vec2 across = up_.head<2>() / aslant;
+    Window window{boundingBox(outline_), {{across, std::max(one, other)}, {-across, -std::min(one, other)}}};
+    if (!near) return window;
+    const Eigen::Isometry3d to_ground = to_setup_.inverse();
+    window.box = Box2();
+    for (const double x : {near->min().x(), near->max().x()})
+        for (const double y : {near->min().y(), near->max().y()})
+            window.box.extend(Vec2((to_ground * Vec3(x, y, low_mm)).head<2>()));
+    window.box = grown(window.box, kAskewChordMm);
+    addSides(window.box, window.sides);
+    return window;
 }
 
 Region AskewCut::toSetup(const Region& region, double z_mm) const {

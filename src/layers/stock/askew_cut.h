@@ -13,6 +13,14 @@
 
 namespace stepmill::layers {
 
+/// All points p with normal . p <= reach_mm.
+struct HalfPlane {
+    Vec2 normal;
+    double reach_mm;
+
+    double beyond(const Vec2& p) const { return normal.dot(p) - reach_mm; }
+};
+
 /// A prism whose axis is neither along a setup's axis nor across it.
 ///
 /// Kept as a polygon inside the prism's outline, off it by Tolerances::chord_mm at arcs only, in the prism's
@@ -31,30 +39,31 @@ class AskewCut {
     double high_mm() const { return high_mm_; }
     /// Points over and under which the prism goes on at all heights between, in the setup's plane. The same
     /// height twice gives the section there. O(n log n) in the outline's edges.
-    Region between(double low_mm, double high_mm, const Tolerances& tol) const;
-    /// Points over or under which the prism is at some height between, in the setup's plane. O(n log n).
-    Region somewhere(double low_mm, double high_mm, const Tolerances& tol) const;
+    /// \param near  in the setup's plane; outside of it the answer may be less. Without it the whole plane
+    Region between(double low_mm, double high_mm, const Tolerances& tol,
+                   const std::optional<Box2>& near = std::nullopt) const;
+    /// Points over or under which the prism is at some height between, in the setup's plane, as regions that
+    /// may overlap. O(n).
+    /// \param near  as above
+    std::vector<Region> somewhere(double low_mm, double high_mm,
+                                  const std::optional<Box2>& near = std::nullopt) const;
     /// The section at a height as its sides seen in the setup. O(edges).
     BandedPolygon at(double z_mm) const;
 
   private:
-    /// A connected part of the outline and how far it reaches across().
+    /// A connected part of the outline.
     struct Piece {
         Region region;
-        double from_mm = 1e300;
-        double to_mm = -1e300;
+        Box2 box;
     };
-    /// Ground between two lines across the way up.
-    struct Strip {
-        double from_mm = 0;
-        double to_mm = 0;
+    /// Convex ground, and a box around its part of the outline or around what is asked for.
+    struct Window {
+        Box2 box;
+        std::vector<HalfPlane> sides;
     };
 
-    /// Direction over the prism's ground in which the setup's axis leans.
-    Vec2 across() const { return up_.head<2>().normalized(); }
-    std::optional<Strip> strip(double z_mm, double lowest_mm, double highest_mm) const;
-    Region within(const Strip& strip, const Tolerances& tol) const;
-    Region polygonOf(const Strip& strip) const;
+    std::optional<Window> windowAt(double low_mm, double high_mm, double lowest_mm, double highest_mm,
+                                   const std::optional<Box2>& near) const;
     Region toSetup(const Region& region, double z_mm) const;
 
     Region outline_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <span>
 #include <utility>
@@ -302,22 +303,37 @@ Region StockAir::uprightUnion(const std::vector<int>& numbers) const {
 }
 
 Region StockAir::between(double bottom_mm, double top_mm) const {
-    return joined(partsBetween(bottom_mm, top_mm), bottom_mm, top_mm, AtHeights::All);
+    return unite(air(bottom_mm, top_mm, AtHeights::All, std::nullopt), tol_);
 }
 
-Region StockAir::somewhere(double bottom_mm, double top_mm) const {
-    return joined(partsBetween(bottom_mm, top_mm, AtHeights::Some), bottom_mm, top_mm, AtHeights::Some);
+Region StockAir::subtractedFrom(const Region& ground, double bottom_mm, double top_mm,
+                                AtHeights which) const {
+    if (ground.empty() || empty()) return ground;
+    return subtract(ground, air(bottom_mm, top_mm, which, boundingBox(ground)), tol_);
 }
 
-Region StockAir::joined(AirParts parts, double bottom_mm, double top_mm, AtHeights which) const {
-    const Slab slab(bottom_mm, top_mm);
+/// As regions that may overlap. Outside of `near`, if it is given, there may be less.
+std::vector<Region> StockAir::air(double bottom_mm, double top_mm, AtHeights which,
+                                  const std::optional<Box2>& near) const {
+    AirParts parts = partsBetween(bottom_mm, top_mm, which);
+    if (near) {
+        std::erase_if(parts.boxes, [&](const Box2& box) { return !box.intersects(*near); });
+        std::erase_if(parts.turned,
+                      [&](const Region& turned) { return !boundingBox(turned).intersects(*near); });
+    }
     std::vector<Region> air = std::move(parts.turned);
     air.push_back(uprightUnion(parts.upright));
     air.push_back(RectangleUnion(parts.boxes, tol_.linear_mm).outline());
-    for (const AskewCut& cut : askew_)
-        air.push_back(which == AtHeights::All ? cut.between(slab.low_mm, slab.high_mm, tol_)
-                                              : cut.somewhere(slab.low_mm, slab.high_mm, tol_));
-    return unite(air, tol_);
+    const Slab slab(bottom_mm, top_mm);
+    for (const AskewCut& cut : askew_) {
+        if (which == AtHeights::All) {
+            air.push_back(cut.between(slab.low_mm, slab.high_mm, tol_, near));
+            continue;
+        }
+        std::vector<Region> some = cut.somewhere(slab.low_mm, slab.high_mm, near);
+        std::move(some.begin(), some.end(), std::back_inserter(air));
+    }
+    return air;
 }
 
 void StockAir::addLyingBoxes(double bottom_mm, double top_mm, AtHeights which, AirParts& air) const {

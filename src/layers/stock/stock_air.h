@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "layers/monotone_piece.h"
@@ -32,7 +33,7 @@ struct LyingCut {
     bool alongAxes() const;
 };
 
-/// At which of the heights between two something is asked for.
+/// At which of the heights between two something is air.
 enum class AtHeights { All, Some };
 
 /// What is air at all or some of the heights between two, as what it comes from.
@@ -65,8 +66,9 @@ class StockAir {
     /// What is air at every height of the slab. O(edges of the cuts) and a union. The union of the upright
     /// prisms is made once for all slabs they span.
     Region between(double bottom_mm, double top_mm) const;
-    /// What may be air at some height of the slab: no less than that.
-    Region somewhere(double bottom_mm, double top_mm) const;
+    /// The ground without what is air at all, or what may be air at some height of the slab. Of the cuts only
+    /// those near the ground cost anything.
+    Region subtractedFrom(const Region& ground, double bottom_mm, double top_mm, AtHeights which) const;
     /// What is air at that height.
     Region at(double z_mm) const { return between(z_mm, z_mm); }
     /// Air at that height over the region [mm2], from boundaries and scan lines.
@@ -84,7 +86,8 @@ class StockAir {
     void add(const CutPrisms& cut, const Setup& setup);
     AirParts partsBetween(double bottom_mm, double top_mm, AtHeights which = AtHeights::All) const;
     void addLyingBoxes(double bottom_mm, double top_mm, AtHeights which, AirParts& air) const;
-    Region joined(AirParts parts, double bottom_mm, double top_mm, AtHeights which) const;
+    std::vector<Region> air(double bottom_mm, double top_mm, AtHeights which,
+                            const std::optional<Box2>& near) const;
     Region uprightUnion(const std::vector<int>& numbers) const;
     void addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup);
     void addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying);

@@ -103,16 +103,31 @@ Vec3 axisOf(unsigned number) {
 /// Arcs of cuts askew to the setup's axis are polygons that near.
 constexpr double kAskewMm = 0.03;
 
+/// What stands on a part of the ground is what stands anywhere, there.
+void expectAlikeOverPart(const StockSections& sections, const Region& everywhere, double bottom_mm,
+                         double top_mm, RandomCuts& random) {
+    const Box2 box = boundingBox(everywhere);
+    const Vec2 low(random.number(box.min().x(), box.max().x() - 5),
+                   random.number(box.min().y(), box.max().y() - 5));
+    const Region ground = makeRectangle(low, low + Vec2(random.number(1, 5), random.number(1, 5)));
+    const double throughout_mm2 =
+        area(intersect(sections.throughout(everywhere, bottom_mm, top_mm), ground, kTol));
+    EXPECT_NEAR(area(sections.throughout(ground, bottom_mm, top_mm)), throughout_mm2, 1e-3);
+    const double somewhere_mm2 = area(intersect(sections.between(bottom_mm, top_mm), ground, kTol));
+    EXPECT_NEAR(area(sections.between(ground, bottom_mm, top_mm)), somewhere_mm2, 1e-3);
+}
+
 /// Points in what stands throughout a slab lie in the solid at all its heights, and in a thin slab that is
 /// all there is.
 void expectStandsThroughout(const StockSections& sections, const stepmill::Setup& setup,
                             BRepClass3d_SolidClassifier& inside, RandomCuts& random) {
     const Box3& box = setup.stock_bbox_mm;
     const Eigen::Isometry3d to_part = setup.part_to_setup.inverse();
+    const Region everywhere = makeRectangle(box.min().head<2>(), box.max().head<2>());
     for (int slab = 0; slab < 4; ++slab) {
         const double bottom_mm = random.number(box.min().z(), box.max().z() - 2);
         const double top_mm = bottom_mm + random.number(0.05, 2);
-        const Region stands = sections.throughout(bottom_mm, top_mm);
+        const Region stands = sections.throughout(everywhere, bottom_mm, top_mm);
         for (int i = 0; i < 20; ++i) {
             const Vec2 p(random.number(box.min().x(), box.max().x()),
                          random.number(box.min().y(), box.max().y()));
@@ -121,9 +136,10 @@ void expectStandsThroughout(const StockSections& sections, const stepmill::Setup
             inside.Perform(gp_Pnt(q.x(), q.y(), q.z()), 1e-6);
             EXPECT_NE(inside.State(), TopAbs_OUT) << q.transpose();
         }
-        const double thin_mm2 = area(sections.throughout(bottom_mm, bottom_mm + 0.01));
+        const double thin_mm2 = area(sections.throughout(everywhere, bottom_mm, bottom_mm + 0.01));
         EXPECT_NEAR(thin_mm2, area(sections.at(bottom_mm + 0.005)), 0.02 * thin_mm2 + 1);
         EXPECT_LE(area(stands), area(sections.between(bottom_mm, top_mm)) + 1e-3);
+        expectAlikeOverPart(sections, everywhere, bottom_mm, top_mm, random);
     }
 }
 
