@@ -53,7 +53,7 @@ class EdgeWalls : public SiteWalls {
             const Heights band{cuts_mm_[i - 1], cuts_mm_[i]};
             const Region goes = breaks_.goesHalfWay(band.bottom_mm, band.top_mm);
             if (goes.empty()) continue;
-            Region stands = intersect(goes, at_end_.throughout(band.bottom_mm, band.top_mm), tol_);
+            Region stands = at_end_.throughout(goes, band.bottom_mm, band.top_mm);
             if (area(stands) > tol_.area_mm2)
                 found.push_back({band.bottom_mm, band.top_mm, std::move(stands)});
         }
@@ -177,7 +177,7 @@ std::vector<double> fixtureTops(const Setup& setup) {
 std::optional<FormFinishing> breakEdges(const FormSources& cut, double width_mm, const FormShop& shop) {
     shop.deadline.check(edgeGroundId(cut.setup.id));
     const LayerStack layers = partedAt(cut.layers, fixtureTops(cut.setup));
-    const FormSources sources{cut.setup, layers, cut.after, cut.at_end};
+    const FormSources sources{cut.setup, layers, cut.after, cut.at_end, cut.deadline};
     const EdgeBreaks breaks(layers, width_mm, shop.tol);
     std::optional<FormSite> site =
         siteOf(sources, EdgeWalls(sources, breaks, shop.tol), width_mm, widestFormCutterMm(shop), shop.tol);

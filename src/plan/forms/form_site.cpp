@@ -109,6 +109,8 @@ class SiteMaker {
     }
 
   private:
+    void checkTime() const { from_.deadline.check(walls_.groundId(from_.setup.id)); }
+
     void findWindow() {
         const double by_mm = 2 * widest_mm_ + kRoomMm;
         std::vector<Region> boxes;
@@ -147,6 +149,7 @@ class SiteMaker {
         const StockSections after(from_.setup, from_.after, tol_);
         const std::vector<Layer>& layers = from_.layers.layers;
         for (std::size_t i = layers.size(); i-- > 0;) {
+            checkTime();
             const Layer& layer = layers[i];
             const Region stock = after.between(layer.bottom_z_mm, layer.top_z_mm);
             const Region left = toolpath::beyondSkins(subtract(stock, layer.part, tol_), tol_);
@@ -195,6 +198,7 @@ class SiteMaker {
     }
 
     void cutBand(const LayerBand& band, std::size_t i) {
+        checkTime();
         const StandingLayer& standing = *band.standing;
         const Region part = standing.cut ? walls_.mustStay(band.heights) : standing.layer->part;
         site_.ground.must_stand[i] = {
@@ -224,6 +228,7 @@ class SiteMaker {
             shadow = fixtures_over_.section;
         }
         for (std::size_t i = standing_.size(); i-- > 0;) {
+            checkTime();
             const StandingLayer& standing = standing_[i];
             const Region here = unite(standing.layer->part, standing.beside, tol_);
             Region with = unite(here, shadow, tol_);

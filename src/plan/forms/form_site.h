@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "stepmill/core/deadline.h"
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/layers/hole_cone.h"
 #include "stepmill/layers/layer_stack.h"
@@ -16,6 +17,7 @@ struct FormSources {
     const LayerStack& layers;
     const Stock& after;   ///< as the setup's flat operations leave it
     const Stock& at_end;  ///< as those of all setups leave it
+    Deadline deadline;    ///< a ground that takes longer is given up
 };
 
 /// A form ground, and how its walls lean.
@@ -31,6 +33,7 @@ struct FormSite {
 /// height times the sine of its wall's lean is no more than `skin_mm`.
 /// \param widest_mm  radius of the widest cutter that may come
 /// \return nothing where no leaning wall keeps material
+/// \throws Error(TimedOut) soon after the sources' deadline
 std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
                                  const Tolerances& tol);
 

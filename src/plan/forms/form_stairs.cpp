@@ -37,7 +37,7 @@ double seenFromAboveMm3(const Layer& layer) {
 class StairMaker {
   public:
     StairMaker(const FormSources& from, const SectionCutter& part, const Tolerances& tol)
-        : part_(part), at_end_(from.setup, from.at_end, tol), tol_(tol) {}
+        : from_(from), part_(part), at_end_(from.setup, from.at_end, tol), tol_(tol) {}
 
     LayerStairs of(const Layer& layer) const {
         LayerStairs found{layer.bottom_z_mm, {}};
@@ -51,15 +51,19 @@ class StairMaker {
 
   private:
     void add(const Region& ground, double bottom_mm, double top_mm, std::vector<Obstacle>& into) const {
-        const Region may_stand = intersect(ground, at_end_.between(bottom_mm, top_mm), tol_);
+        from_.deadline.check(formGroundId(from_.setup.id));
+        const Region may_stand = at_end_.between(ground, bottom_mm, top_mm);
         if (may_stand.empty()) return;
-        Region stands = intersect(ground, at_end_.throughout(bottom_mm, top_mm), tol_);
+        Region stands = at_end_.throughout(may_stand, bottom_mm, top_mm);
         const double height_mm = top_mm - bottom_mm;
         if (height_mm < 2 * kThinnestStairMm || isNearlyAll(stands, may_stand, bottom_mm, top_mm))
             return push({bottom_mm, top_mm, std::move(stands)}, into);
         const double middle_mm = onHeightStep((bottom_mm + top_mm) / 2);
-        add(may_stand, bottom_mm, middle_mm, into);
-        add(may_stand, middle_mm, top_mm, into);
+        std::vector<Obstacle> above;
+        parallelInvoke([&] { add(may_stand, bottom_mm, middle_mm, into); },
+                       [&] { add(may_stand, middle_mm, top_mm, above); });
+        for (Obstacle& stair : above)
+            append(std::move(stair), into);
     }
 
     /// What stands at some height only does not count where the part is.
@@ -99,7 +103,10 @@ class StairMaker {
 
     void push(Obstacle stair, std::vector<Obstacle>& into) const {
         stair.section = toolpath::beyondSkins(stair.section, tol_);
-        if (stair.section.empty()) return;
+        if (!stair.section.empty()) append(std::move(stair), into);
+    }
+
+    void append(Obstacle stair, std::vector<Obstacle>& into) const {
         const bool goes_on = !into.empty() && into.back().top_z_mm == stair.bottom_z_mm &&
                              feature::sameRegion(into.back().section, stair.section, tol_);
         if (goes_on)
@@ -108,6 +115,7 @@ class StairMaker {
             into.push_back(std::move(stair));
     }
 
+    const FormSources& from_;
     const SectionCutter& part_;
     StockSections at_end_;
     const Tolerances& tol_;

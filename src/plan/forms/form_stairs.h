@@ -17,6 +17,7 @@ struct LayerStairs {
 /// take, layer by layer from below. A stair stands at every height of its band: where other setups cut the
 /// stock at a slant or across, bands are halved until that is nearly all that stands there, so the stairs are
 /// no more than there is, and less by no more than a tenth of a millimetre of height or a fiftieth of them.
+/// \throws Error(TimedOut) soon after the sources' deadline
 std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutter& part,
                                   const Tolerances& tol);
 
