@@ -22,11 +22,6 @@ std::vector<IndexedRegion> indexed(const std::vector<Obstacle>& obstacles) {
     return sections;
 }
 
-Edge partOf(const Vec2& from, const Vec2& to, int first, int last, int pieces) {
-    const Vec2 by = (to - from) / pieces;
-    return makeLine(from + first * by, last == pieces ? to : Vec2(from + last * by));
-}
-
 }  // namespace
 
 /// What counts over a stretch.
@@ -45,18 +40,19 @@ FormFloor::FormFloor(const FormGround& ground, const ToolAssembly& tool, const T
       bands_(indexed(ground.must_stand)),
       obstacles_(indexed(ground.obstacles)) {}
 
-std::vector<double> FormFloor::over(const Vec2& from, const Vec2& to, int pieces) const {
+std::vector<double> FormFloor::over(const std::vector<Vec2>& way) const {
     deadline_.check(ground_.id);
     std::vector<double> lowest_mm;
     std::vector<WalkInside> along = walks();
     std::vector<WalkInside> within = along;
-    const double stretches = (to - from).norm() / (kStretchRadii * form_.fullRadiusMm());
-    const int most = std::max(1, static_cast<int>(pieces / std::max(1.0, stretches)));
-    for (int first = 0; first < pieces; first += most) {
-        const int last = std::min(first + most, pieces);
-        const Stretch stretch = stretchOver(partOf(from, to, first, last, pieces), along);
-        for (int i = first; i < last; ++i)
-            lowest_mm.push_back(lowestOver(partOf(from, to, i, i + 1, pieces), stretch, within));
+    const double most_mm = kStretchRadii * form_.fullRadiusMm();
+    for (std::size_t first = 0; first + 1 < way.size();) {
+        std::size_t last = first + 1;
+        while (last + 1 < way.size() && (way[last + 1] - way[first]).norm() <= most_mm)
+            ++last;
+        const Stretch stretch = stretchOver(makeLine(way[first], way[last]), along);
+        for (; first < last; ++first)
+            lowest_mm.push_back(lowestOver(makeLine(way[first], way[first + 1]), stretch, within));
     }
     return lowest_mm;
 }
@@ -108,13 +104,21 @@ double FormFloor::holderOver(const Edge& stretch, double tip_mm) const {
         while (const auto over =
                    access::obstacleAbove(obstacles, tip_mm + cylinder.bottom_mm, kSameHeightMm)) {
             const IndexedRegion& section = obstacles_[*over];
-            const bool meets =
-                section.boundary().anyNearer(stretch, cylinder.diameter_mm / 2 + guard_mm_) ||
-                section.contains(stretch.from);
+            const bool meets = section.boundary().anyNearer(stretch, cylinder.diameter_mm / 2 + guard_mm_) ||
+                               section.contains(stretch.from);
             if (!meets) break;
             tip_mm = obstacles[*over].top_z_mm - cylinder.bottom_mm;
         }
     return tip_mm;
+}
+
+std::vector<Vec2> equalPieces(const Vec2& from, const Vec2& to, int pieces) {
+    std::vector<Vec2> ends;
+    ends.reserve(static_cast<std::size_t>(pieces) + 1);
+    for (int i = 0; i < pieces; ++i)
+        ends.emplace_back(from + i * (to - from) / pieces);
+    ends.push_back(to);
+    return ends;
 }
 
 }  // namespace stepmill

@@ -95,7 +95,7 @@ void ShallowGround::findHeights(const FormFloor& floor, const Tolerances& tol) {
             if (last <= first) continue;
             const Vec2 from(box_.min().x() + first * cell_mm_, y_mm);
             const std::vector<double> lowest_mm =
-                floor.over(from, from + Vec2((last - first) * cell_mm_, 0), last - first);
+                floor.over(equalPieces(from, from + Vec2((last - first) * cell_mm_, 0), last - first));
             std::copy(lowest_mm.begin(), lowest_mm.end(),
                       heights_.begin() + static_cast<std::ptrdiff_t>(indexOf({first, row})));
         }

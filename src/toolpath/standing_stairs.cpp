@@ -230,8 +230,11 @@ void goOn(Path& path, const Vec2& to) {
     if (to != at) path.segments.push_back({to, std::nullopt});
 }
 
-/// What of the ways lies at or below a height, seen from above, as far as it may be near the box.
-std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, const Box2& near) {
+/// What of the ways lies at or below a height, seen from above, as far as a disc on it may meet the region.
+std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, const IndexedRegion& region,
+                            double radius_mm) {
+    WalkInside walk(region);
+    const Box2 near = grown(region.boundary().box(), radius_mm);
     std::vector<Path> below;
     for (const SurfaceWay& way : ways) {
         bool goes_on = false;
@@ -239,7 +242,7 @@ std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, co
             const Vec3& a = way[i];
             const Vec3& b = way[i + 1];
             const Edge line = makeLine(a.head<2>(), b.head<2>());
-            if (std::min(a.z(), b.z()) > z_mm || !line.box.intersects(near)) {
+            if (std::min(a.z(), b.z()) > z_mm || !line.box.intersects(near) || !walk.meets(line, radius_mm)) {
                 goes_on = false;
                 continue;
             }
@@ -287,13 +290,14 @@ void StandingStairs::cut(const std::vector<SurfaceWay>& ways, const CutterForm& 
     if (ways.empty()) return;
     parallelFor(slices_.size(), [&](std::size_t i) {
         Slice& slice = slices_[i];
+        if (slice.region.empty()) return;
+        const IndexedRegion before(slice.region);
         bool changed = false;
         for (const double over_mm : kCountedOverTipMm) {
             if (slice.region.empty()) return;
             const double radius_mm = form.radiusAt(over_mm) - kSkinMm;
-            const std::vector<Path> below =
-                waysBelow(ways, slice.z_mm - over_mm, grown(boundingBox(slice.region), radius_mm));
-            if (below.empty()) break;
+            const std::vector<Path> below = waysBelow(ways, slice.z_mm - over_mm, before, radius_mm);
+            if (below.empty()) continue;
             slice.region = toolpath::notSwept(slice.region, below, radius_mm, tol_);
             changed = true;
         }

@@ -160,18 +160,8 @@ class LineMaker {
 
     /// As low as may be between the two points, and a little over it, as the proof asks.
     SurfaceWay wayOver(const Vec2& from, const Vec2& to) const {
-        const int stretches = std::max(1, static_cast<int>(std::ceil((to - from).norm() / kStretchMm)));
-        std::vector<Vec2> ends{from};
-        std::vector<double> lowest_mm;
-        for (int i = 0; i < stretches; ++i) {
-            const Vec2 begin = ends.back();
-            const Vec2 end = i + 1 == stretches ? to : Vec2(from + (to - from) * (i + 1) / stretches);
-            const int pieces = piecesOf(begin, end);
-            for (const double low_mm : floor_.over(begin, end, pieces))
-                lowest_mm.push_back(low_mm);
-            for (int k = 1; k <= pieces; ++k)
-                ends.push_back(k == pieces ? end : Vec2(begin + (end - begin) * k / pieces));
-        }
+        const std::vector<Vec2> ends = piecesOver(from, to);
+        const std::vector<double> lowest_mm = floor_.over(ends);
         SurfaceWay way;
         for (std::size_t i = 0; i < ends.size(); ++i) {
             const double before_mm = lowest_mm[i == 0 ? 0 : i - 1];
@@ -182,14 +172,25 @@ class LineMaker {
         return smoothed(way);
     }
 
-    /// Of a short stretch: so many that it rises little over each.
-    int piecesOf(const Vec2& from, const Vec2& to) const {
-        const double long_mm = (to - from).norm();
+    /// The ends of pieces so short that the ground rises little over each: by how steep it is over each of
+    /// its short stretches.
+    std::vector<Vec2> piecesOver(const Vec2& from, const Vec2& to) const {
+        const int stretches = std::max(1, static_cast<int>(std::ceil((to - from).norm() / kStretchMm)));
+        const double long_mm = (to - from).norm() / stretches;
         const int least = std::max(2, static_cast<int>(std::ceil(long_mm / kLongestPieceMm)));
         const int most = std::max(least, static_cast<int>(long_mm / kShortestPieceMm));
-        const std::vector<double> lowest_mm = floor_.over(from, to, least);
-        const auto [low, high] = std::minmax_element(lowest_mm.begin(), lowest_mm.end());
-        return std::clamp(static_cast<int>(std::ceil((*high - *low) / kPieceRiseMm)), least, most);
+        const std::vector<double> lowest_mm = floor_.over(equalPieces(from, to, stretches * least));
+        const std::vector<Vec2> marks = equalPieces(from, to, stretches);
+        std::vector<Vec2> ends{from};
+        for (int i = 0; i < stretches; ++i) {
+            const auto first = lowest_mm.begin() + static_cast<std::ptrdiff_t>(i) * least;
+            const auto [low, high] = std::minmax_element(first, first + least);
+            const int pieces =
+                std::clamp(static_cast<int>(std::ceil((*high - *low) / kPieceRiseMm)), least, most);
+            const std::vector<Vec2> stretch = equalPieces(marks[i], marks[i + 1], pieces);
+            ends.insert(ends.end(), stretch.begin() + 1, stretch.end());
+        }
+        return ends;
     }
 
     /// The same way or a little above it in fewer moves.

@@ -25,11 +25,12 @@ class FormFloor {
               const Deadline& deadline = {});
 
     /// The lowest heights of the tip at which neither cutter nor shank nor holder touches anything, for each
-    /// of the equal pieces of a straight way: all along it, and with the guard of paths. Errs upwards as
-    /// FormCentres errs inwards. No lower than the bands that must stand are known.
-    /// \pre the way keeps inside the window by the cutter's radius; pieces > 0
+    /// of the pieces of a straight way between these points: all along it, and with the guard of paths. Errs
+    /// upwards as FormCentres errs inwards. No lower than the bands that must stand are known. One long way
+    /// costs less than its parts.
+    /// \pre the way keeps inside the window by the cutter's radius; the points follow each other along it
     /// \throws Error(TimedOut) after the deadline
-    std::vector<double> over(const Vec2& from, const Vec2& to, int pieces) const;
+    std::vector<double> over(const std::vector<Vec2>& way) const;
 
   private:
     struct Stretch;
@@ -46,5 +47,9 @@ class FormFloor {
     std::vector<IndexedRegion> bands_;
     std::vector<IndexedRegion> obstacles_;
 };
+
+/// The ends of the equal pieces of a straight way, its own included.
+/// \pre pieces > 0
+std::vector<Vec2> equalPieces(const Vec2& from, const Vec2& to, int pieces);
 
 }  // namespace stepmill

@@ -213,8 +213,11 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
         lines = toolpath::surfacePasses(shallow.ground, *shallow.floor, form,
                                         {shop_.scallop_mm, step_over_mm}, shop_.tol);
     toolpath::FormPath written = pathOf(tool, levels, lines);
-    for (const LevelWays& ways : written.between)
+    for (const LevelWays& ways : written.between) {
+        shop_.deadline.check(site_.ground.id);
         step.left.cut(ways, form);
+    }
+    shop_.deadline.check(site_.ground.id);
     step.left.cut(lines, form);
     step.path = std::move(written.path);
     step.taken_mm3 = stairs.volumeMm3() - step.left.volumeMm3();

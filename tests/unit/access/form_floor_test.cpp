@@ -26,7 +26,7 @@ TEST(FormFloor, IsTheGroundAwayFromTheWall) {
     const FormGround ground = wall();
     const ToolAssembly ball = ballMill(6);
     const FormFloor floor(ground, ball, kTol);
-    for (const double low_mm : floor.over({-20, 0}, {-4, 0}, 7))
+    for (const double low_mm : floor.over(equalPieces({-20, 0}, {-4, 0}, 7)))
         EXPECT_DOUBLE_EQ(low_mm, 0);
 }
 
@@ -34,7 +34,7 @@ TEST(FormFloor, IsTheWallsTopOverIt) {
     const FormGround ground = wall();
     const ToolAssembly ball = ballMill(6);
     const FormFloor floor(ground, ball, kTol);
-    const std::vector<double> over = floor.over({5, 0}, {15, 0}, 3);
+    const std::vector<double> over = floor.over(equalPieces({5, 0}, {15, 0}, 3));
     EXPECT_EQ(over, (std::vector<double>{10, 10, 10}));
 }
 
@@ -43,7 +43,7 @@ TEST(FormFloor, RisesBesideTheWallAsTheBallDoes) {
     const ToolAssembly ball = ballMill(6);
     const FormFloor floor(ground, ball, kTol);
     // The end that is nearer counts.
-    const double low_mm = floor.over({-2.1, 0}, {-2, 0}, 1).front();
+    const double low_mm = floor.over(equalPieces({-2.1, 0}, {-2, 0}, 1)).front();
     const double gap_mm = 2 - kTol.guard_mm;
     EXPECT_NEAR(low_mm, 10 - (3 - std::sqrt(9 - gap_mm * gap_mm)), 1e-9);
 }
@@ -52,7 +52,7 @@ TEST(FormFloor, KnowsWhichPiecesOfAWayLieOverTheWall) {
     const FormGround ground = wall();
     const ToolAssembly ball = ballMill(6);
     const FormFloor floor(ground, ball, kTol);
-    const std::vector<double> over = floor.over({-10, 3}, {10, 3}, 5);
+    const std::vector<double> over = floor.over(equalPieces({-10, 3}, {10, 3}, 5));
     ASSERT_EQ(over.size(), 5U);
     EXPECT_DOUBLE_EQ(over[0], 0);
     EXPECT_DOUBLE_EQ(over[2], 10);
@@ -64,8 +64,8 @@ TEST(FormFloor, KeepsTheHolderOffWhatStands) {
     ToolAssembly ball = ballMill(6);
     ball.holder = {{40, 8, 30}};
     const FormFloor floor(ground, ball, kTol);
-    EXPECT_DOUBLE_EQ(floor.over({-15, 0}, {-14, 0}, 1).front(), 2);
-    EXPECT_DOUBLE_EQ(floor.over({-30, 0}, {-29, 0}, 1).front(), 0);
+    EXPECT_DOUBLE_EQ(floor.over(equalPieces({-15, 0}, {-14, 0}, 1)).front(), 2);
+    EXPECT_DOUBLE_EQ(floor.over(equalPieces({-30, 0}, {-29, 0}, 1)).front(), 0);
 }
 
 }  // namespace
