@@ -30,6 +30,24 @@ TEST(FormFloor, IsTheGroundAwayFromTheWall) {
         EXPECT_DOUBLE_EQ(low_mm, 0);
 }
 
+TEST(FormFloor, IsOverALongWayWhatItIsOverItsPieces) {
+    const FormGround ground = wall();
+    const ToolAssembly ball = ballMill(6);
+    const FormFloor floor(ground, ball, kTol);
+    const std::vector<Vec2> way = equalPieces({-15, -4}, {15, 4}, 60);
+    const std::vector<double> over = floor.over(way);
+    ASSERT_EQ(over.size(), 60U);
+    for (std::size_t i = 0; i < over.size(); ++i)
+        EXPECT_DOUBLE_EQ(over[i], floor.over({way[i], way[i + 1]}).front()) << i;
+}
+
+TEST(FormFloor, GivesUpAfterItsDeadline) {
+    const FormGround ground = wall();
+    const ToolAssembly ball = ballMill(6);
+    const FormFloor floor(ground, ball, kTol, Deadline::in(0));
+    EXPECT_THROW(floor.over({{-20, 0}, {-4, 0}}), Error);
+}
+
 TEST(FormFloor, IsTheWallsTopOverIt) {
     const FormGround ground = wall();
     const ToolAssembly ball = ballMill(6);

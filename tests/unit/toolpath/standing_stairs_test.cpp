@@ -89,6 +89,15 @@ TEST(StandingStairs, LoseUnderASlopeLessThanUnderALevelAtItsFoot) {
     EXPECT_LT(leftBy(0.8), StandingStairs(leaningWall(0.05), kTol).volumeMm3());
 }
 
+TEST(StandingStairs, LoseToABallOnASlopeWhatItsTipAloneDoesNotMeet) {
+    // A millimetre off the wall's foot, where the ball is half a millimetre wide just over its tip and 1.66
+    // half a millimetre over it.
+    StandingStairs stairs(leaningWall(0.05), kTol);
+    const double before_mm3 = stairs.volumeMm3();
+    stairs.cut(std::vector<SurfaceWay>{{{-10, -1, 0}, {kLengthMm + 10, -1, 0.05}}}, CutterForm(ballMill(6)));
+    EXPECT_LT(stairs.volumeMm3(), before_mm3 - kLengthMm * 0.5 * (kHeightMm - 0.7));
+}
+
 TEST(SurfaceWays, AreStraightFeedsThatRiseOrFallSomewhere) {
     const Arc arc{{10.5, 0}, 1.5, true};
     const auto move = [](MoveKind kind, const Vec3& to, const std::optional<Arc>& along = std::nullopt) {
