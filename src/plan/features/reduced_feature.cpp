@@ -184,7 +184,9 @@ ReducedFeature reduced(const Feature& feature, const std::vector<CutFeature>& pa
     const InTheWay held = inTheWay(fixtures, feature);
     keepClear(found, held.standing, {Reason::Fixture, {}},
               fmt::format("another clamping than {}", fmt::join(held.names, ", ")), tol);
-    const std::string names = namesOf(parents);
+    // Where the parents left nothing it comes from farther up.
+    const std::string near = namesOf(parents);
+    const std::string names = near.empty() ? namesOf(ancestors) : near;
     keepClear(found, standingOf(ancestors), {Reason::BelowStanding, names}, "what " + names + " needs", tol);
     return found;
 }

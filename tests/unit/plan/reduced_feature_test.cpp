@@ -53,6 +53,16 @@ TEST(Reduced, WhatLiesBelowMaterialThatStaysIsNotPlanned) {
     EXPECT_TRUE(contains(free.feature.obstruction, Vec2(65, 50)));
 }
 
+TEST(Reduced, MaterialThatParentsOnlyGoRoundIsNamedByWhoLeftIt) {
+    const PlannedFeature grandparent = parentLeaving(makeRectangle(Vec2(60, 0), Vec2(100, 100)));
+    PlannedFeature parent = parentLeaving({});
+    parent.feature.id = "S1.F1.2";
+    const ReducedFeature free =
+        reduced(child(), {asCut(parent)}, {asCut(parent), asCut(grandparent)}, {}, kTol);
+    ASSERT_EQ(free.blocked.size(), 1U);
+    EXPECT_EQ(free.blocked.front().reason.detail, grandparent.feature.id);
+}
+
 TEST(Reduced, HoldersKeepClearOfMaterialBesideTheFeatureToo) {
     const PlannedFeature parent = parentLeaving(makeRectangle(Vec2(0, 0), Vec2(10, 100)));
     const ReducedFeature free = reduced(child(), {asCut(parent)}, {asCut(parent)}, {}, kTol);
