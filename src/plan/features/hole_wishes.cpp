@@ -97,7 +97,7 @@ std::vector<Warning> HoleWishes::unused(const std::vector<PlannedSetup>& setups)
     for (const HoleEntry& entry : table_.entries) {
         const auto found = of_entry.find(&entry);
         if (found != of_entry.end())
-            append(warnings, std::move(found->second));
+            append(warnings, found->second);
         else
             warnings.push_back({"hole-table", table_.file + entry.pointer,
                                 fmt::format("{}{} chooses no hole of the part", table_.file, entry.pointer)});

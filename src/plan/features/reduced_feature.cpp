@@ -29,6 +29,7 @@ std::vector<Standing> standingOf(const std::vector<CutFeature>& ancestors) {
 
 Region unionOf(const std::vector<Standing>& standing, const Tolerances& tol) {
     std::vector<Region> regions;
+    regions.reserve(standing.size());
     for (const Standing& one : standing)
         regions.push_back(one.region);
     return regions.empty() ? Region{} : unite(regions, tol);
@@ -59,14 +60,15 @@ void raiseObstacles(Feature& feature, std::vector<Standing> standing, const Tole
               [](const Standing& a, const Standing& b) { return a.top_z_mm > b.top_z_mm; });
     Region above;
     std::size_t next = 0;
-    for (auto obstacle = feature.obstacles.rbegin(); obstacle != feature.obstacles.rend(); ++obstacle) {
+    for (std::size_t i = feature.obstacles.size(); i-- > 0;) {
+        Obstacle& obstacle = feature.obstacles[i];
         std::vector<Region> sections;
         if (!above.empty()) sections.push_back(above);
-        for (; next < standing.size() && standing[next].top_z_mm > obstacle->bottom_z_mm; ++next)
+        for (; next < standing.size() && standing[next].top_z_mm > obstacle.bottom_z_mm; ++next)
             sections.push_back(standing[next].region);
         if (sections.empty()) continue;
         above = sections.size() > 1 ? unite(sections, tol) : sections.front();
-        obstacle->section = obstacle->section.empty() ? above : unite(obstacle->section, above, tol);
+        obstacle.section = obstacle.section.empty() ? above : unite(obstacle.section, above, tol);
     }
 }
 

@@ -100,6 +100,7 @@ class Pieces {
             if (removed_[i].top_z_mm > z_mm && removed_[i].bottom_z_mm < z_mm) prisms.push_back(i);
         if (prisms == gone_prisms_) return gone_;
         std::vector<Region> regions;
+        regions.reserve(prisms.size());
         for (const std::size_t i : prisms)
             regions.push_back(removed_[i].region);
         gone_ = regions.empty() ? Region{} : unite(regions, tol_);
@@ -162,6 +163,7 @@ std::vector<LoosePiece> loosePieces(const Stage& stage, const std::vector<Prism>
 
 std::vector<Warning> looseWarnings(const std::vector<LoosePiece>& pieces, const std::string& setup_id) {
     std::vector<Warning> warnings;
+    warnings.reserve(pieces.size());
     for (const LoosePiece& piece : pieces)
         warnings.push_back(
             {"loose", setup_id,

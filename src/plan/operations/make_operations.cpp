@@ -104,6 +104,7 @@ EarlierPlaces placesBefore(const std::vector<Operation>& operations, const std::
                            const std::vector<EarlierSetup>& earlier) {
     if (earlier.empty()) return {};
     std::vector<EarlierOperations> before;
+    before.reserve(setups.size());
     for (const PlannedSetup& setup : setups)
         before.emplace_back(setup, earlier);
     EarlierPlaces places;
@@ -139,6 +140,7 @@ std::vector<PlannedSetup> withOperations(std::vector<PlannedSetup> setups,
     const ShortestOrder shortest = shortestOrder(
         operations, inSetupOrder(setups), placesBefore(operations, setup_of, setups, settings.earlier));
     std::vector<EarlierOperations> before;
+    before.reserve(setups.size());
     for (const PlannedSetup& setup : setups)
         before.emplace_back(setup, settings.earlier);
     for (std::size_t s = 0; s < setups.size(); ++s)
