@@ -62,7 +62,7 @@ Region insidePolygon(const Region& region) {
 }
 
 /// A polygon's part in the half plane, as one loop: where it leaves and comes back it runs along the edge, and
-/// may run there twice, which windings do not mind [Sutherland and Hodgman 1974].
+/// may run there twice, which windings do not mind [Sutherland1974].
 std::vector<Vec2> clipped(const std::vector<Vec2>& corners, const HalfPlane& half) {
     std::vector<Vec2> kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -252,6 +252,7 @@ std::optional<AskewCut::Window> AskewCut::windowAt(double low_mm, double high_mm
     for (const double x : {near->min().x(), near->max().x()})
         for (const double y : {near->min().y(), near->max().y()})
             window.box.extend(Vec2((to_ground * Vec3(x, y, low_mm)).head<2>()));
+    // A little more, whatever the rounding.
     window.box = grown(window.box, kAskewChordMm);
     addSides(window.box, window.sides);
     return window;
