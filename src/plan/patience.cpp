@@ -3,8 +3,8 @@
 namespace stepmill {
 namespace {
 
-// Shares of the time a run has. Paths, proof and pages come after the choice of tools: of ctc_02, planned with
-// few tools, they take a third as long as all before. On a machine half as fast that must still fit in.
+// Shares of the time a run has. Paths, proof and pages come after the choice of tools: of ctc_02, planned
+// with few tools, they take a third as long as all before. On a machine half as fast that must still fit in.
 constexpr double kAllToolsShare = 0.38;
 constexpr double kFewToolsShare = 0.58;
 /// Of the time that is left after a proof: another proof must fit in, and what to do after it.
