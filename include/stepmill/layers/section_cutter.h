@@ -47,9 +47,9 @@ class StockSections {
     Region between(double bottom_mm, double top_mm) const;
     /// All of the ground that stands at some height between the two.
     Region between(const Region& ground, double bottom_mm, double top_mm) const;
-    /// What of the ground stands at every height between the two, or less; on walls that were cut along axes askew to the
-    /// setup's it may be more by the chord of their arcs [layers/stock/askew_cut.h]. A raw solid whose walls
-    /// bend between the heights is looked at in three of them.
+    /// What of the ground stands at every height between the two, or less; on walls that were cut along axes
+    /// askew to the setup's it may be more by the chord of their arcs [layers/stock/askew_cut.h]. A raw solid
+    /// whose walls bend between the heights is looked at in three of them.
     Region throughout(const Region& ground, double bottom_mm, double top_mm) const;
     /// What stands at that height.
     Region at(double z_mm) const;

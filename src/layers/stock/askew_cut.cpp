@@ -61,8 +61,8 @@ Region insidePolygon(const Region& region) {
     return inside;
 }
 
-/// A polygon's part in the half plane, as one loop: where it leaves and comes back it runs along the edge, and
-/// may run there twice, which windings do not mind [Sutherland1974].
+/// A polygon's part in the half plane, as one loop: where it leaves and comes back it runs along the edge,
+/// and may run there twice, which windings do not mind [Sutherland1974].
 std::vector<Vec2> clipped(const std::vector<Vec2>& corners, const HalfPlane& half) {
     std::vector<Vec2> kept;
     for (std::size_t i = 0; i < corners.size(); ++i) {
