@@ -2,6 +2,8 @@
 
 #include "layers/slab/slab_facets.h"
 
+#include "layers/clip_polygon.h"
+
 namespace stepmill::layers {
 
 namespace {
@@ -23,17 +25,13 @@ struct Polygon {
 /// Keeps what lies above (sign +1) or below (sign -1) the height.
 Polygon clip(const Polygon& polygon, double z_mm, int sign) {
     Polygon kept;
-    for (int i = 0; i < polygon.size; ++i) {
-        const FacetPoint& a = polygon[i];
-        const FacetPoint& b = polygon[(i + 1) % polygon.size];
-        const double da = sign * (a.p.z() - z_mm);
-        const double db = sign * (b.p.z() - z_mm);
-        if (da >= 0) kept.add(a);
-        if ((da > 0 && db < 0) || (da < 0 && db > 0)) {
-            const double s = da / (da - db);
-            kept.add({a.p + s * (b.p - a.p), a.normal_z + s * (b.normal_z - a.normal_z)});
-        }
-    }
+    clipPolygon(
+        std::span(polygon.at.data(), static_cast<std::size_t>(polygon.size)),
+        [&](const FacetPoint& point) { return sign * (point.p.z() - z_mm); },
+        [](const FacetPoint& a, const FacetPoint& b, double share) {
+            return FacetPoint{a.p + share * (b.p - a.p), a.normal_z + share * (b.normal_z - a.normal_z)};
+        },
+        [&](const FacetPoint& point) { kept.add(point); });
     return kept;
 }
 

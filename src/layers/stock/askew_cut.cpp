@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "layers/clip_polygon.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
@@ -61,19 +62,12 @@ Region insidePolygon(const Region& region) {
     return inside;
 }
 
-/// A polygon's part in the half plane, as one loop: where it leaves and comes back it runs along the edge,
-/// and may run there twice, which windings do not mind [Sutherland1974].
 std::vector<Vec2> clipped(const std::vector<Vec2>& corners, const HalfPlane& half) {
     std::vector<Vec2> kept;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2& from = corners[i];
-        const Vec2& to = corners[(i + 1) % corners.size()];
-        const double from_beyond = half.beyond(from);
-        const double to_beyond = half.beyond(to);
-        if (from_beyond <= 0) kept.push_back(from);
-        if ((from_beyond < 0 && to_beyond > 0) || (from_beyond > 0 && to_beyond < 0))
-            kept.push_back(snapToGrid(Vec2(from + from_beyond / (from_beyond - to_beyond) * (to - from))));
-    }
+    clipPolygon(
+        std::span(corners), [&](const Vec2& p) { return half.inside(p); },
+        [](const Vec2& a, const Vec2& b, double share) { return snapToGrid(Vec2(a + share * (b - a))); },
+        [&](const Vec2& p) { kept.push_back(p); });
     kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
     while (kept.size() > 1 && kept.front() == kept.back())
         kept.pop_back();
@@ -88,7 +82,7 @@ Region clipped(const Region& polygons, const std::vector<HalfPlane>& halves) {
         for (const Segment& segment : loop.segments)
             corners.push_back(segment.to);
         for (const HalfPlane& half : halves) {
-            const auto is_out = [&](const Vec2& p) { return half.beyond(p) > 0; };
+            const auto is_out = [&](const Vec2& p) { return half.inside(p) < 0; };
             if (std::any_of(corners.begin(), corners.end(), is_out)) corners = clipped(corners, half);
         }
         if (corners.size() > 2) inside.loops.push_back(closedPath(corners));

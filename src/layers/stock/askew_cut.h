@@ -18,7 +18,8 @@ struct HalfPlane {
     Vec2 normal;
     double reach_mm;
 
-    double beyond(const Vec2& p) const { return normal.dot(p) - reach_mm; }
+    /// How far inside; negative beyond its edge [mm].
+    double inside(const Vec2& p) const { return reach_mm - normal.dot(p); }
 };
 
 /// A prism whose axis is neither along a setup's axis nor across it.
