@@ -234,7 +234,6 @@ void goOn(Path& path, const Vec2& to) {
 std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, const IndexedRegion& region,
                             double radius_mm) {
     WalkInside walk(region);
-    const Box2 near = grown(region.boundary().box(), radius_mm);
     std::vector<Path> below;
     for (const SurfaceWay& way : ways) {
         bool goes_on = false;
@@ -242,7 +241,7 @@ std::vector<Path> waysBelow(const std::vector<SurfaceWay>& ways, double z_mm, co
             const Vec3& a = way[i];
             const Vec3& b = way[i + 1];
             const Edge line = makeLine(a.head<2>(), b.head<2>());
-            if (std::min(a.z(), b.z()) > z_mm || !line.box.intersects(near) || !walk.meets(line, radius_mm)) {
+            if (std::min(a.z(), b.z()) > z_mm || !walk.meets(line, radius_mm)) {
                 goes_on = false;
                 continue;
             }
@@ -290,7 +289,6 @@ void StandingStairs::cut(const std::vector<SurfaceWay>& ways, const CutterForm& 
     if (ways.empty()) return;
     parallelFor(slices_.size(), [&](std::size_t i) {
         Slice& slice = slices_[i];
-        if (slice.region.empty()) return;
         const IndexedRegion before(slice.region);
         bool changed = false;
         for (const double over_mm : kCountedOverTipMm) {
