@@ -27,7 +27,7 @@ constexpr double kBelowFootMm = 0.5;
 /// What passes may leave counts as a ridge of this share of the break's width.
 constexpr double kScallopShare = 1.0 / 12;
 /// A further mill comes only for this share of what is there.
-constexpr double kLeastGainShare = 0.02;
+constexpr double kLeastBreakGainShare = 0.02;
 /// Stretches that stay sharp are no shorter than so many widths.
 constexpr double kShortestSharpWidths = 2;
 /// Sine of 45 degrees: how a break leans.
@@ -119,14 +119,14 @@ bool breaksEdges(const ToolAssembly& tool, const FormShop& shop) {
 std::vector<FormStep> stepsOver(const FormSite& site, const FormShop& shop) {
     FormWork work(site, shop);
     StandingStairs left(site.ground, shop.tol);
-    const double least_mm3 = kLeastGainShare * left.volumeMm3();
+    const double least_mm3 = kLeastBreakGainShare * left.volumeMm3();
     std::vector<FormStep> steps;
     while (true) {
         std::optional<FormStep> best;
         for (const ToolAssembly* tool : work.cutters()) {
             if (!breaksEdges(*tool, shop)) continue;
             FormStep step = work.step(*tool, left);
-            const bool more = !best || step.taken_mm3 > best->taken_mm3 * (1 + kLeastGainShare);
+            const bool more = !best || step.taken_mm3 > best->taken_mm3 * (1 + kLeastBreakGainShare);
             if (step.taken_mm3 > least_mm3 && more) best = std::move(step);
         }
         if (!best) return steps;
@@ -177,10 +177,10 @@ std::vector<double> fixtureTops(const Setup& setup) {
 std::optional<FormFinishing> breakEdges(const FormSources& cut, double width_mm, const FormShop& shop) {
     shop.deadline.check(edgeGroundId(cut.setup.id));
     const LayerStack layers = partedAt(cut.layers, fixtureTops(cut.setup));
-    const FormSources sources{cut.setup, layers, cut.after, cut.at_end, cut.deadline};
+    const FormSources sources{cut.setup, layers, cut.after, cut.at_end};
     const EdgeBreaks breaks(layers, width_mm, shop.tol);
-    std::optional<FormSite> site =
-        siteOf(sources, EdgeWalls(sources, breaks, shop.tol), width_mm, widestFormCutterMm(shop), shop.tol);
+    std::optional<FormSite> site = siteOf(sources, EdgeWalls(sources, breaks, shop.tol), width_mm,
+                                          widestFormCutterMm(shop), shop.tol, shop.deadline);
     if (!site || shop.caution.dropped) return std::nullopt;
     const StandingStairs all(site->ground, shop.tol);
     FormShop fine = shop;

@@ -239,8 +239,8 @@ bool hasFormCutters(const ToolLibrary& library, const std::string& material) {
 std::optional<FormFinishing> finishForms(const FormSources& sources, const FormShop& shop) {
     if (shop.cutters && shop.cutters->empty()) return std::nullopt;
     shop.deadline.check(formGroundId(sources.setup.id));
-    std::optional<FormSite> site =
-        formSite(sources, kBandSkinScallops * shop.scallop_mm, widestFormCutterMm(shop), shop.tol);
+    std::optional<FormSite> site = formSite(sources, kBandSkinScallops * shop.scallop_mm,
+                                            widestFormCutterMm(shop), shop.tol, shop.deadline);
     if (!site || shop.caution.dropped) return std::nullopt;
     FormChooser chooser(*site, shop);
     FormSteps steps = shop.cutters ? chooser.inOrder(*shop.cutters) : chooser.choose();

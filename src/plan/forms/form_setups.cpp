@@ -47,8 +47,7 @@ class FormSetups {
         for (std::size_t i = 0; i < setups.size(); ++i) {
             PlannedSetup& setup = setups[i];
             if (progress) progress(kind_.stage + setup.setup.id, 1);
-            auto finishing = finish(
-                {setup.setup, stages[i].layers, stages[i].left, at_end, shop_.request.patience.few_tools});
+            auto finishing = finish({setup.setup, stages[i].layers, stages[i].left, at_end});
             if (!finishing) continue;
             at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
             setup.*kind_.ground = std::move(finishing->ground);

@@ -44,8 +44,9 @@ void addBands(const SectionCutter& part, const Heights& heights, double skin_mm,
 /// Walls that look up and lean: flat layers leave stairs on them.
 class LeaningWalls : public SiteWalls {
   public:
-    LeaningWalls(const FormSources& from, const Tolerances& tol) : part_(from.setup, tol) {
-        for (LayerStairs& layer : stairsOf(from, part_, tol)) {
+    LeaningWalls(const FormSources& from, const Tolerances& tol, const Deadline& deadline)
+        : part_(from.setup, tol) {
+        for (LayerStairs& layer : stairsOf(from, part_, tol, deadline)) {
             feet_mm_.push_back(layer.foot_mm);
             std::move(layer.stairs.begin(), layer.stairs.end(), std::back_inserter(stairs_));
         }
@@ -92,8 +93,13 @@ struct StandingLayer {
 class SiteMaker {
   public:
     SiteMaker(const FormSources& from, const SiteWalls& walls, double skin_mm, double widest_mm,
-              const Tolerances& tol)
-        : from_(from), walls_(walls), skin_mm_(skin_mm), widest_mm_(widest_mm), tol_(tol) {}
+              const Tolerances& tol, const Deadline& deadline)
+        : from_(from),
+          walls_(walls),
+          skin_mm_(skin_mm),
+          widest_mm_(widest_mm),
+          tol_(tol),
+          deadline_(deadline) {}
 
     std::optional<FormSite> make() {
         site_.ground.stairs = walls_.stairs();
@@ -109,7 +115,7 @@ class SiteMaker {
     }
 
   private:
-    void checkTime() const { from_.deadline.check(walls_.groundId(from_.setup.id)); }
+    void checkTime() const { deadline_.check(walls_.groundId(from_.setup.id)); }
 
     void findWindow() {
         const double by_mm = 2 * widest_mm_ + kRoomMm;
@@ -250,6 +256,7 @@ class SiteMaker {
     double skin_mm_;
     double widest_mm_;
     const Tolerances& tol_;
+    const Deadline& deadline_;
     std::vector<StandingLayer> standing_;  ///< from below
     Obstacle fixtures_over_;
     FormSite site_;
@@ -258,13 +265,14 @@ class SiteMaker {
 }  // namespace
 
 std::optional<FormSite> siteOf(const FormSources& sources, const SiteWalls& walls, double skin_mm,
-                               double widest_mm, const Tolerances& tol) {
-    return SiteMaker(sources, walls, skin_mm, widest_mm, tol).make();
+                               double widest_mm, const Tolerances& tol, const Deadline& deadline) {
+    return SiteMaker(sources, walls, skin_mm, widest_mm, tol, deadline).make();
 }
 
 std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
-                                 const Tolerances& tol) {
-    std::optional<FormSite> site = siteOf(sources, LeaningWalls(sources, tol), skin_mm, widest_mm, tol);
+                                 const Tolerances& tol, const Deadline& deadline) {
+    std::optional<FormSite> site =
+        siteOf(sources, LeaningWalls(sources, tol, deadline), skin_mm, widest_mm, tol, deadline);
     if (site) site->cones = holeCones(sources.layers.traces);
     return site;
 }

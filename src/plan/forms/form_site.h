@@ -17,7 +17,6 @@ struct FormSources {
     const LayerStack& layers;
     const Stock& after;   ///< as the setup's flat operations leave it
     const Stock& at_end;  ///< as those of all setups leave it
-    Deadline deadline;    ///< a ground that takes longer is given up
 };
 
 /// A form ground, and how its walls lean.
@@ -33,8 +32,8 @@ struct FormSite {
 /// height times the sine of its wall's lean is no more than `skin_mm`.
 /// \param widest_mm  radius of the widest cutter that may come
 /// \return nothing where no leaning wall keeps material
-/// \throws Error(TimedOut) soon after the sources' deadline
+/// \throws Error(TimedOut) soon after the deadline
 std::optional<FormSite> formSite(const FormSources& sources, double skin_mm, double widest_mm,
-                                 const Tolerances& tol);
+                                 const Tolerances& tol, const Deadline& deadline);
 
 }  // namespace stepmill

@@ -36,8 +36,13 @@ double seenFromAboveMm3(const Layer& layer) {
 
 class StairMaker {
   public:
-    StairMaker(const FormSources& from, const SectionCutter& part, const Tolerances& tol)
-        : from_(from), part_(part), at_end_(from.setup, from.at_end, tol), tol_(tol) {}
+    StairMaker(const FormSources& from, const SectionCutter& part, const Tolerances& tol,
+               const Deadline& deadline)
+        : id_(formGroundId(from.setup.id)),
+          part_(part),
+          at_end_(from.setup, from.at_end, tol),
+          tol_(tol),
+          deadline_(deadline) {}
 
     LayerStairs of(const Layer& layer) const {
         LayerStairs found{layer.bottom_z_mm, {}};
@@ -51,7 +56,7 @@ class StairMaker {
 
   private:
     void add(const Region& ground, double bottom_mm, double top_mm, std::vector<Obstacle>& into) const {
-        from_.deadline.check(formGroundId(from_.setup.id));
+        deadline_.check(id_);
         const Region may_stand = at_end_.between(ground, bottom_mm, top_mm);
         if (may_stand.empty()) return;
         Region stands = at_end_.throughout(may_stand, bottom_mm, top_mm);
@@ -115,17 +120,18 @@ class StairMaker {
             into.push_back(std::move(stair));
     }
 
-    const FormSources& from_;
+    std::string id_;  ///< of the form ground
     const SectionCutter& part_;
     StockSections at_end_;
     const Tolerances& tol_;
+    const Deadline& deadline_;
 };
 
 }  // namespace
 
 std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutter& part,
-                                  const Tolerances& tol) {
-    const StairMaker maker(sources, part, tol);
+                                  const Tolerances& tol, const Deadline& deadline) {
+    const StairMaker maker(sources, part, tol, deadline);
     const std::vector<Layer>& layers = sources.layers.layers;
     std::vector<LayerStairs> all(layers.size());
     parallelFor(layers.size(), [&](std::size_t i) { all[i] = maker.of(layers[layers.size() - 1 - i]); });

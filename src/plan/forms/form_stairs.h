@@ -17,9 +17,9 @@ struct LayerStairs {
 /// take, layer by layer from below. A stair stands at every height of its band: where other setups cut the
 /// stock at a slant or across, bands are halved until that is nearly all that stands there, so the stairs are
 /// no more than there is, and less by no more than a tenth of a millimetre of height or a fiftieth of them.
-/// \throws Error(TimedOut) soon after the sources' deadline
+/// \throws Error(TimedOut) soon after the deadline
 std::vector<LayerStairs> stairsOf(const FormSources& sources, const SectionCutter& part,
-                                  const Tolerances& tol);
+                                  const Tolerances& tol, const Deadline& deadline);
 
 /// A setup for form cutters alone pays where they take this share of all that is to be removed.
 inline constexpr double kPaysForASetupShare = 2e-3;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/features/hole_sinks.h"
 #include "plan/forms/form_levels.h"
+#include "plan/forms/hole_sinks.h"
 #include "stepmill/access/form_floor.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"

@@ -1,6 +1,6 @@
 // Cones that a countersink makes in one stroke.
 
-#include "plan/features/hole_sinks.h"
+#include "plan/forms/hole_sinks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double kAsWideMm = 0.02;
 /// Tip heights are whole steps of this, so that equal sinks are one cycle [mm].
 constexpr double kTipStepMm = 1e-3;
 /// The axis has so much room on all sides where the tip is as deep as it goes [mm].
-constexpr double kRoomMm = 0.003;
+constexpr double kSinkRoomMm = 0.003;
 /// Where that is not enough (sections are polygons across curved walls) the tip stays higher, so often by so
 /// much [mm].
 constexpr int kHigherTries = 4;
@@ -47,7 +47,7 @@ double deepestTipMm(const FormSite& site, const HoleCone& cone, const ToolAssemb
             continue;
         const double foot_mm = std::max(band.bottom_z_mm, cone.bottom_z_mm);
         const double room_mm = cone.radius_mm - (cone.top_z_mm - foot_mm) * cone.slope() - tol.guard_mm -
-                               kRoomMm - tip_radius_mm;
+                               kSinkRoomMm - tip_radius_mm;
         tip_mm = std::max(tip_mm, std::min(band.top_z_mm, cone.top_z_mm) - room_mm / tool_slope);
     }
     return std::ceil(tip_mm / kTipStepMm) * kTipStepMm;

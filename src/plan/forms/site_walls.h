@@ -38,8 +38,8 @@ class SiteWalls {
 /// The ground of these walls with what must stand beside them.
 /// \param widest_mm  radius of the widest cutter
 /// \return nothing where nothing is to go
-/// \throws Error(TimedOut) soon after the sources' deadline
+/// \throws Error(TimedOut) soon after the deadline
 std::optional<FormSite> siteOf(const FormSources& sources, const SiteWalls& walls, double skin_mm,
-                               double widest_mm, const Tolerances& tol);
+                               double widest_mm, const Tolerances& tol, const Deadline& deadline);
 
 }  // namespace stepmill

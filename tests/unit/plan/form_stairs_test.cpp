@@ -23,10 +23,10 @@ TEST(FormStairs, AreNotLookedForAfterTheDeadline) {
     const stepmill::Setup setup = firstSetupOf("mold_core.step");
     const LayerStack layers = slice(setup, kTol);
     const SectionCutter part(setup, kTol);
-    EXPECT_FALSE(stairsOf({setup, layers, setup.stock, setup.stock, {}}, part, kTol).empty());
-    const FormSources late{setup, layers, setup.stock, setup.stock, Deadline::in(0)};
+    const FormSources sources{setup, layers, setup.stock, setup.stock};
+    EXPECT_FALSE(stairsOf(sources, part, kTol, {}).empty());
     try {
-        stairsOf(late, part, kTol);
+        stairsOf(sources, part, kTol, Deadline::in(0));
         FAIL() << "no deadline was heeded";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ErrorCode::TimedOut);
