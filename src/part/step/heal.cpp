@@ -144,8 +144,8 @@ Misfit measureMisfit(const TopoDS_Shape& solid, double exact_mm, double limit_mm
     return misfit;
 }
 
-TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, ShapeNames& names,
-                       std::vector<Remark>& remarks) {
+HealedSolid healSolid(const TopoDS_Shape& solid, const std::string& subject, ShapeNames& names,
+                      std::vector<Remark>& remarks) {
     if (const int free_edges = countFreeEdges(solid); free_edges > 0)
         throw Error(ErrorCode::OpenShell, subject,
                     fmt::format("the solid has {} free edges: it is not closed", free_edges));
@@ -161,7 +161,7 @@ TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, Sh
     }
     requireValid(healed, volume_mm3, subject);
     requireMesh(healed, volume_mm3, subject);
-    return healed;
+    return {healed, volume_mm3};
 }
 
 TopoDS_Shape scaleSolid(const TopoDS_Shape& solid, double factor, ShapeNames& names) {

@@ -34,11 +34,16 @@ double doubtfulGap(const Box3& box);
 /// \param limit_mm  what counts as off
 Misfit measureMisfit(const TopoDS_Shape& solid, double exact_mm, double limit_mm);
 
+struct HealedSolid {
+    TopoDS_Shape shape;
+    double volume_mm3 = 0;
+};
+
 /// Makes the solid valid, closed, outward-facing. Adds what it changed to `remarks`, as input-doubts, and
 /// tells `names` about faces it replaced.
 /// \throws Error(OpenShell, InvalidSolid)
-TopoDS_Shape healSolid(const TopoDS_Shape& solid, const std::string& subject, ShapeNames& names,
-                       std::vector<Remark>& remarks);
+HealedSolid healSolid(const TopoDS_Shape& solid, const std::string& subject, ShapeNames& names,
+                      std::vector<Remark>& remarks);
 
 /// Scaled about the origin; carries the face names over.
 TopoDS_Shape scaleSolid(const TopoDS_Shape& solid, double factor, ShapeNames& names);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "part/measure.h"
+#include "part/step/elementary_solid.h"
 #include "part/step/heal.h"
 #include "part/step/import.h"
 #include "part/step/text.h"
@@ -235,12 +236,12 @@ Part finishSolid(const ImportedSolid& solid, const Part& common, double factor, 
     part.count = solid.count;
     part.name = solid.name.empty() ? std::filesystem::path(common.file).stem().string() : solid.name;
     guardOcct(ErrorCode::InvalidSolid, subject, [&] {
-        TopoDS_Shape shape = healSolid(solid.shape, subject, names, part.remarks);
-        const TopoDS_Shape healed = shape;
+        const HealedSolid healed = healSolid(solid.shape, subject, names, part.remarks);
+        TopoDS_Shape shape = withElementarySurfaces(healed, names, part.remarks);
         if (factor != 1) shape = scaleSolid(shape, factor, names);
         describeShape(part, shape);
-        report.healed = shapeOf(healed, part.volume_mm3 / (factor * factor * factor));
-        const bool untouched = healed.IsEqual(solid.shape);
+        report.healed = shapeOf(healed.shape, healed.volume_mm3);
+        const bool untouched = healed.shape.IsEqual(solid.shape);
         report.built = untouched ? report.healed : shapeOf(solid.shape, volumeOf(solid.shape));
         const std::vector<TopoDS_Face> faces = facesOf(shape);
         for (PartFace& face : part.faces)

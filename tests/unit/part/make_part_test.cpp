@@ -121,8 +121,9 @@ TEST(HealSolid, TurnsASolidThatIsInsideOut) {
     std::vector<Remark> remarks;
     const TopoDS_Shape inside_out = block().Reversed();
     ASSERT_LT(volumeOf(inside_out), 0);
-    const TopoDS_Shape healed = healSolid(inside_out, "block", names, remarks);
-    EXPECT_NEAR(volumeOf(healed), 6000, 1e-6);
+    const HealedSolid healed = healSolid(inside_out, "block", names, remarks);
+    EXPECT_NEAR(volumeOf(healed.shape), 6000, 1e-6);
+    EXPECT_NEAR(healed.volume_mm3, 6000, 1e-6);
     ASSERT_EQ(remarks.size(), 1U);
     EXPECT_NE(remarks[0].text.find("inside out"), std::string::npos);
 }
@@ -131,7 +132,7 @@ TEST(HealSolid, LeavesAGoodSolidAloneAndRefusesAnOpenOne) {
     ShapeNames names;
     std::vector<Remark> remarks;
     const TopoDS_Shape good = block();
-    EXPECT_TRUE(healSolid(good, "block", names, remarks).IsEqual(good));
+    EXPECT_TRUE(healSolid(good, "block", names, remarks).shape.IsEqual(good));
     EXPECT_TRUE(remarks.empty());
     EXPECT_EQ(codeOf([&] { healSolid(openBlock(), "open", names, remarks); }), ErrorCode::OpenShell);
 }
