@@ -15,6 +15,12 @@
 namespace stepmill {
 namespace {
 
+/// The rings of all tools are most of what weighing takes of memory, and steps make their own.
+DagResult withoutRings(DagResult dag) {
+    dag.rings.clear();
+    return dag;
+}
+
 double leastStickOut(const DagTask& task, const Candidate& tool) {
     if (tool.mills()) return leastStickOutMm(task.ground, *tool.tool, *tool.own);
     return leastStickOutMm(*tool.tool, [&](const ToolAssembly& shorter) {
@@ -74,7 +80,7 @@ SequenceChoices::SequenceChoices(std::shared_ptr<const SequenceJob> job, Admissi
       tools_(usableTools(job_->feature(), admission_.reaches, job_->library, job_->options, job_->machine,
                          job_->tolerances())),
       ends_(endTools(job_->feature(), tools_, job_->tolerances())),
-      dag_(tools_.empty() ? DagResult{} : evaluateDag(task())),
+      dag_(tools_.empty() ? DagResult{} : withoutRings(evaluateDag(task()))),
       residuals_(empty() ? std::vector<Residual>{}
                          : residualsOf(job_->ground, usedOn(dag_.path), withheld_)) {}
 

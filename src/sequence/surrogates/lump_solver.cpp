@@ -40,7 +40,11 @@ LumpSolver::LumpSolver(std::shared_ptr<const SurrogateTools> surrogates, Region 
 void LumpSolver::weigh() {
     if (!servable_) return;
     const bool one_does = offered_ > 0;
-    if (!one_does) return weighSets();
+    one_does ? weighOneByOne() : weighSets();
+    tools_.dropRings();
+}
+
+void LumpSolver::weighOneByOne() {
     weighSingles();
     tools_.offer(othersThatMayPay());
     weighSingles();

@@ -53,6 +53,7 @@ class LumpSolver {
     void addWay(const std::vector<int>& nodes, std::vector<PathTotals> totals);
     double leastWeight(double mm3_per_s) const;
     std::vector<int> othersThatMayPay() const;
+    void weighOneByOne();
     void weighSingles();
     bool mayPayTwo() const;
     void weighSequences();

@@ -96,7 +96,7 @@ void LumpTools::makeNodes() {
         surrogate_of_.push_back(numbers_[node.reach - reaches_.data()]);
         ends_.push_back(covers(node.cleared->coverable, lump_, tol_.sliver_mm, tol_));
     }
-    rings_.assign(nodes_.size(), nullptr);
+    dropRings();
 }
 
 bool LumpTools::anyEnds() const {

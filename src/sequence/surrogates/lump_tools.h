@@ -45,6 +45,8 @@ class LumpTools {
     /// The rings of each node, where others made them.
     /// \pre one for each node, some null
     void useRings(std::vector<SharedRings> rings) { rings_ = std::move(rings); }
+    /// Rings take most of what a lump takes of memory, and are not needed once its ways are weighed.
+    void dropRings() { rings_.assign(nodes_.size(), nullptr); }
     /// The path of a node after another (kSource: nothing cut yet); nothing where it has nothing new to
     /// clear.
     /// \pre makeRings() was called for the node
