@@ -36,11 +36,16 @@ class SoftJaws {
             return {{},
                     fmt::format("no soft jaws: the vise opens {:.4g} mm, the stock is {:.4g} mm wide",
                                 vise_.opening_mm, opening_mm)};
+        const Vec2 along(-across.y(), across.x());
+        const double beside_mm = besideJawsMm(stock_, vise_, across, along.dot(box.center()));
+        if (holdsOneEndAlone(vise_, beside_mm)) return {{}, "no soft jaws: " + endsStickOut(beside_mm)};
         const double depth_mm = std::min(
             {sameOutlineMm(), lowestCutMm() - vise_.jaw_clearance_mm, kDeepestBoreMm, vise_.jaw_height_mm});
         if (depth_mm < vise_.grip_mm - kPlaneMm)
             return {{}, "no soft jaws: the outline is cut or changes too low for them"};
-        return {made(box, across, depth_mm), {}};
+        Clamping found = made(box, across, depth_mm);
+        found.text += supportWords(vise_, beside_mm);
+        return {std::move(found), {}};
     }
 
   private:

@@ -53,24 +53,56 @@ std::vector<Interval> sidesOn(const Region& region, const Vec2& normal, double o
     return found;
 }
 
-/// What two jaws hold: how long, and from where to where along them.
+/// What two jaws hold of the stock, and where their middle stands along them.
 struct Hold {
     double length_mm = 0;
-    Interval span{1e300, -1e300};
+    double middle_mm = 0;
 };
 
 /// Where both sides have material. Stretches of one side do not overlap.
-Hold facing(const std::vector<Interval>& a, const std::vector<Interval>& b) {
-    Hold hold;
-    for (const Interval& one : a) {
+std::vector<Interval> facing(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+    std::vector<Interval> found;
+    for (const Interval& one : a)
         for (const Interval& other : b) {
             const Interval both{std::max(one.from, other.from), std::min(one.to, other.to)};
-            if (both.to <= both.from) continue;
-            hold.length_mm += both.to - both.from;
-            hold.span = {std::min(hold.span.from, both.from), std::max(hold.span.to, both.to)};
+            if (both.to > both.from) found.push_back(both);
         }
+    return found;
+}
+
+/// So much of the stretches lies between the jaws' ends.
+double within(const std::vector<Interval>& stretches, const Interval& jaws) {
+    double length_mm = 0;
+    for (const Interval& stretch : stretches)
+        length_mm += std::max(0.0, std::min(stretch.to, jaws.to) - std::max(stretch.from, jaws.from));
+    return length_mm;
+}
+
+/// Jaws of that width where they hold most of the level at which they hold least; of equal places the one
+/// nearest to the middle of what they could hold.
+/// \param levels  the stretches they meet at each height
+Hold longestHold(const std::vector<std::vector<Interval>>& levels, double width_mm) {
+    Interval all{1e300, -1e300};
+    std::vector<double> starts;  // somewhere else nothing changes but in proportion
+    for (const std::vector<Interval>& stretches : levels)
+        for (const Interval& stretch : stretches) {
+            all = {std::min(all.from, stretch.from), std::max(all.to, stretch.to)};
+            starts.insert(starts.end(), {stretch.from, stretch.to - width_mm});
+        }
+    const double middle_mm = (all.from + all.to) / 2;
+    starts.push_back(middle_mm - width_mm / 2);
+    Hold best;
+    for (const double start : starts) {
+        double least_mm = 1e300;
+        for (const std::vector<Interval>& stretches : levels)
+            least_mm = std::min(least_mm, within(stretches, {start, start + width_mm}));
+        const double at = start + width_mm / 2;
+        const bool longer = least_mm > best.length_mm * (1 + kSameHold);
+        const bool as_long = least_mm > best.length_mm * (1 - kSameHold);
+        if (longer || (as_long && std::abs(at - middle_mm) < std::abs(best.middle_mm - middle_mm)))
+            best = {least_mm, at};
     }
-    return hold;
+    return best;
 }
 
 /// Heights over the stock's bottom at which the jaws can end, with what the stock stands on, from the
@@ -184,8 +216,7 @@ class ViseFinder {
 
     /// What faces the other jaw at every height of the grip.
     Hold held(const Vec2& across, const Grip& grip, double to_mm) const {
-        Hold least;
-        least.length_mm = 1e300;
+        std::vector<std::vector<Interval>> levels;
         for (std::size_t i = 0; i < stock_.arriving.size(); ++i) {
             const Prism& slab = stock_.arriving[i];
             const double low = slab.bottom_z_mm - bottom_mm_;
@@ -195,10 +226,10 @@ class ViseFinder {
             std::vector<Interval> opposite = sidesOn(slab.region, -across, grip.left_mm);
             for (Interval& interval : opposite)
                 interval = {-interval.to, -interval.from};
-            const Hold hold = facing(sidesOn(slab.region, across, grip.right_mm), opposite);
-            if (hold.length_mm < least.length_mm) least = hold;
+            levels.push_back(facing(sidesOn(slab.region, across, grip.right_mm), opposite));
+            if (levels.back().empty()) return {};
         }
-        return least.length_mm < 1e300 ? least : Hold{};
+        return levels.empty() ? Hold{} : longestHold(levels, vise_.jaw_width_mm);
     }
 
     /// The jaws reach no higher over the stock's bottom.
@@ -272,6 +303,11 @@ class ViseFinder {
         }
         const Hold hold = held(across, grip, top->over_bottom_mm);
         if (hold.length_mm < kLeastLengthMm) return;
+        const double out_mm = besideJawsMm(stock_, vise_, across, hold.middle_mm);
+        if (holdsOneEndAlone(vise_, out_mm)) {
+            why_ = endsStickOut(out_mm);
+            return;
+        }
         const double depth = top->over_bottom_mm - grip.from_mm;
         const double area = hold.length_mm * depth;
         const double most = best.length_mm * best.depth_mm;
@@ -300,11 +336,11 @@ class ViseFinder {
         made.parallels_mm = top.parallels_mm;
         made.held_mm = heldTo(top, use);
         made.holds_all = use == ViseUse::GripStock;
-        const double middle = (hold.span.from + hold.span.to) / 2;
         const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
-        made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, middle, top_z_mm),
-                         viseJaw(vise_, growth_mm_, -across, grip.left_mm, -middle, top_z_mm)};
+        made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, hold.middle_mm, top_z_mm),
+                         viseJaw(vise_, growth_mm_, -across, grip.left_mm, -hold.middle_mm, top_z_mm)};
         made.text = viseText(made);
+        made.text += supportWords(vise_, besideJawsMm(stock_, vise_, across, hold.middle_mm));
         return made;
     }
 
@@ -337,6 +373,30 @@ double furthest(const Region& region, const Vec2& direction) {
     for (const auto& [from, segment] : eachEdge(region))
         reach = std::max(reach, reachOf(from, segment, direction));
     return reach;
+}
+
+double besideJawsMm(const StockToHold& stock, const Vise& vise, const Vec2& across, double middle_mm) {
+    const Vec2 along(-across.y(), across.x());
+    double out_mm = 0;
+    for (const Prism& slab : stock.arriving)
+        out_mm = std::max(
+            {out_mm, furthest(slab.region, along) - middle_mm, furthest(slab.region, -along) + middle_mm});
+    return out_mm - vise.jaw_width_mm / 2;
+}
+
+bool holdsOneEndAlone(const Vise& vise, double beside_mm) {
+    constexpr double kMostOut = 2;
+    return beside_mm > kMostOut * vise.jaw_width_mm;
+}
+
+std::string endsStickOut(double beside_mm) {
+    return fmt::format("{:.3g} mm would stick out beside its jaws: two vises could hold it", beside_mm);
+}
+
+std::string supportWords(const Vise& vise, double beside_mm) {
+    if (beside_mm <= vise.jaw_width_mm) return {};
+    return fmt::format("; {:.3g} mm of stock stick out beside the jaws: support it, or use a second vise",
+                       beside_mm);
 }
 
 Fixture viseJaw(const Vise& vise, double growth_mm, const Vec2& out, double offset_mm, double middle_mm,

@@ -26,6 +26,15 @@ WayToHold inSoftJaws(const StockToHold& stock, const HoldWish& wish, const Toler
 /// By screws through upright holes that the stock arrives with, into a plate.
 WayToHold onScrews(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
 
+/// How far the stock sticks out beside jaws whose middle is there along them, at the end where that is more.
+double besideJawsMm(const StockToHold& stock, const Vise& vise, const Vec2& across, double middle_mm);
+/// Is that so much that no one clamps it so, with one vise? More than twice the jaws' width.
+bool holdsOneEndAlone(const Vise& vise, double beside_mm);
+/// That, as the reason why a vise will not do.
+std::string endsStickOut(double beside_mm);
+/// What to do about stock that sticks out by more than the jaws' width; else nothing.
+std::string supportWords(const Vise& vise, double beside_mm);
+
 /// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it, wider on both sides and
 /// thicker by `growth_mm` and higher by the clearance.
 Fixture viseJaw(const Vise& vise, double growth_mm, const Vec2& out, double offset_mm, double middle_mm,

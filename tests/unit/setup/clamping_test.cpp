@@ -114,6 +114,31 @@ TEST(SuggestClamping, AsksForNoWiderJawsThanTheViseHas) {
     EXPECT_NE(none.text.find("it opens 49 mm, the stock is 50 mm wide"), std::string::npos) << none.text;
 }
 
+TEST(SuggestClamping, HoldsNoMoreOfALongSideThanTheJawsAreWide) {
+    const Clamping long_bar = clampingOf({{makeRectangle(Vec2(0, 0), Vec2(500, 40)), 0, -30}}, {});
+    ASSERT_TRUE(long_bar.isVise()) << long_bar.text;
+    EXPECT_NEAR(long_bar.length_mm, 150, 1e-9);
+    EXPECT_NE(long_bar.text.find("175 mm of stock stick out"), std::string::npos) << long_bar.text;
+    const Clamping longer = clampingOf({{makeRectangle(Vec2(0, 0), Vec2(800, 40)), 0, -30}}, {});
+    EXPECT_FALSE(longer.isVise());
+    EXPECT_NE(longer.text.find("two vises"), std::string::npos) << longer.text;
+}
+
+TEST(SuggestClamping, PutsTheJawsWhereTheyHoldMost) {
+    // Pads of 60 and 30 mm at the ends of a bar that is narrower between them.
+    const Region bar = unite(
+        std::vector<Region>{makeRectangle(Vec2(0, 5), Vec2(300, 35)), makeRectangle(Vec2(0, 0), Vec2(60, 40)),
+                            makeRectangle(Vec2(270, 0), Vec2(300, 40))},
+        kTol);
+    const Clamping clamping = clampingOf({{bar, 0, -30}}, {{bar, 0, -1}});
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_NEAR(clamping.opening_mm, 40, 1e-9);
+    EXPECT_NEAR(clamping.length_mm, 60, 1e-9);
+    const Box2 jaw = boundingBox(clamping.fixtures.front().section);
+    EXPECT_LE(jaw.min().x(), 0);
+    EXPECT_GE(jaw.max().x(), 60);
+}
+
 TEST(SuggestClamping, StandsOnParallelsThatTheShopHas) {
     HoldWish wish;
     wish.vise.parallels_mm = {15, 33};
