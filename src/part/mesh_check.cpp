@@ -123,7 +123,8 @@ bool cross(const gp_Pnt2d& a, const gp_Pnt2d& b, const gp_Pnt2d& c, const gp_Pnt
 }
 
 /// Index of the first segment of a polyline that crosses a later one not beside it.
-std::optional<std::size_t> crossingOf(const std::vector<gp_Pnt2d>& line) {
+/// \param closed  the last segment ends where the first one starts: so they lie beside each other
+std::optional<std::size_t> crossingOf(const std::vector<gp_Pnt2d>& line, bool closed) {
     // By the left end, so that only segments that overlap in u are compared.
     std::vector<std::size_t> order(line.size() < 2 ? 0 : line.size() - 1);
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -136,7 +137,8 @@ std::optional<std::size_t> crossingOf(const std::vector<gp_Pnt2d>& line) {
         const std::size_t a = order[k];
         for (std::size_t m = k + 1; m < order.size() && left(order[m]) <= right(a); ++m) {
             const std::size_t b = order[m];
-            const bool beside = a + 1 == b || b + 1 == a;
+            const bool at_seam = closed && std::min(a, b) == 0 && std::max(a, b) + 1 == order.size();
+            const bool beside = a + 1 == b || b + 1 == a || at_seam;
             if (!beside && cross(line[a], line[a + 1], line[b], line[b + 1])) return a;
         }
     }
@@ -148,12 +150,12 @@ std::optional<Vec3> crossingOn(const TopoDS_Edge& edge, const TopoDS_Face& face)
     double last = 0;
     const Handle(Geom2d_Curve) on_surface = BRep_Tool::CurveOnSurface(edge, face, first, last);
     if (on_surface.IsNull()) return std::nullopt;
-    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_C2);
+    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_CN);
     const int segments = std::min(kSegmentsPerSpan * spans, kMostSegments);
     std::vector<gp_Pnt2d> line;
     for (int i = 0; i <= segments; ++i)
         line.push_back(on_surface->Value(first + (last - first) * i / segments));
-    const std::optional<std::size_t> at = crossingOf(line);
+    const std::optional<std::size_t> at = crossingOf(line, BRep_Tool::IsClosed(edge));
     if (!at) return std::nullopt;
     return toVec3(BRep_Tool::Surface(face)->Value(line[*at].X(), line[*at].Y()));
 }

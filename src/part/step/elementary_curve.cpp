@@ -21,7 +21,7 @@ constexpr int kFewestOnCurve = 17;
 constexpr int kOnCurveSpan = 5;
 
 std::vector<gp_Pnt> pointsOn(const BRepAdaptor_Curve& curve) {
-    const int steps = std::max(kFewestOnCurve, kOnCurveSpan * curve.NbIntervals(GeomAbs_C2));
+    const int steps = std::max(kFewestOnCurve, kOnCurveSpan * curve.NbIntervals(GeomAbs_CN));
     std::vector<gp_Pnt> points;
     points.reserve(static_cast<std::size_t>(steps) + 1);
     for (int i = 0; i <= steps; ++i)

@@ -69,8 +69,8 @@ FaceGrid gridOn(const TopoDS_Face& face) {
     const BRepAdaptor_Surface surface(face);
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
-    const int across = samplesAlong(surface.NbUIntervals(GeomAbs_C2));
-    const int along = samplesAlong(surface.NbVIntervals(GeomAbs_C2));
+    const int across = samplesAlong(surface.NbUIntervals(GeomAbs_CN));
+    const int along = samplesAlong(surface.NbVIntervals(GeomAbs_CN));
     FaceGrid grid;
     for (int i = 0; i < across; ++i)
         for (int j = 0; j < along; ++j) {

@@ -50,7 +50,7 @@ double vertexGap(const TopoDS_Edge& edge) {
 }
 
 int samplesOf(const TopoDS_Edge& edge) {
-    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_C2);
+    const int spans = BRepAdaptor_Curve(edge).NbIntervals(GeomAbs_CN);
     return std::clamp(kSamplesPerSpan * spans, kSamplesPerEdge, kMostSamples);
 }
 
