@@ -14,8 +14,10 @@
 namespace stepmill {
 namespace {
 
-/// Another set of setups whose flat layers are not planned in this share of the time is given up.
+/// Another set of setups whose flat layers are not planned in this share of the time is given up, ...
 constexpr double kOthersTimeShare = 0.25;
+/// ... in this one where there is a plan already: then no choice of tools has to follow.
+constexpr double kOthersTimeShareAtLast = 0.6;
 
 /// Lots that keep the machine busy for so long are worth the time to weigh other sides and orders: a shift
 /// [s].
@@ -94,8 +96,8 @@ class SetupSearch {
         }
         std::optional<Plan> plan;
         try {
-            plan =
-                plan_of_(setups, Deadline::in(kOthersTimeShare * request_.patience.all_tools.secondsLeft()));
+            const double share = best_ ? kOthersTimeShareAtLast : kOthersTimeShare;
+            plan = plan_of_(setups, Deadline::in(share * request_.patience.all_tools.secondsLeft()));
         } catch (const std::exception&) {
             turned_down_.push_back(SetupWeigher::unplanned(setups, SetupVerdict::NoTime));
             return;
