@@ -120,12 +120,14 @@ void addTermsOptions(CLI::App& quote, QuoteTerms& terms) {
         ->delimiter(',')
         ->check(CLI::Range(1, kMostPieces))
         ->capture_default_str();
-    quote.add_option("--setup-min", terms.setup_min, "minutes to make ready for a clamping, once a lot")
-        ->check(numberFrom(0, 1e5, "min"))
-        ->capture_default_str();
-    quote.add_option("--load-time", terms.load_s, "seconds to clamp and release a piece, each clamping")
-        ->check(numberFrom(0, 1e6, "s"))
-        ->capture_default_str();
+    quote
+        .add_option("--setup-min", terms.setup_min,
+                    "minutes to make ready for a clamping, once a lot; default: the machine's setup_time_min")
+        ->check(numberFrom(0, 1e5, "min"));
+    quote
+        .add_option("--load-time", terms.load_s,
+                    "seconds to clamp and release a piece, each clamping; default: the machine's load_time_s")
+        ->check(numberFrom(0, 1e6, "s"));
     quote.add_option("--programming-min", terms.programming_min, "minutes of programming, once a lot")
         ->check(numberFrom(0, 1e6, "min"))
         ->capture_default_str();

@@ -111,6 +111,7 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     machine.tool_change_s = from["tool_change_s"];
     machine.setup_time_min = from.value("setup_time_min", machine.setup_time_min);
     machine.indexed_setup_time_min = from.value("indexed_setup_time_min", machine.indexed_setup_time_min);
+    machine.load_time_s = from.value("load_time_s", machine.load_time_s);
     machine.hourly_rate = from["hourly_rate"];
     machine.currency = from["currency"];
     machine.travel_mm = from["travel_mm"].get<std::array<double, 3>>();

@@ -155,6 +155,7 @@ Json machineJson(const Machine& machine) {
     if (machine.setup_time_min != kSetupTimeMin) json["setup_time_min"] = number(machine.setup_time_min);
     if (machine.indexed_setup_time_min != kIndexedSetupTimeMin)
         json["indexed_setup_time_min"] = number(machine.indexed_setup_time_min);
+    if (machine.load_time_s != kLoadTimeS) json["load_time_s"] = number(machine.load_time_s);
     if (machine.acceleration_mm_per_s2 > 0) {
         json["acceleration_mm_per_s2"] = number(machine.acceleration_mm_per_s2);
         json["junction_deviation_mm"] = number(machine.junction_deviation_mm);

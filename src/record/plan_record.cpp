@@ -212,6 +212,7 @@ Machine machine(const Json& json) {
     machine.column_behind_mm = json.value("column_behind_mm", 0.0);
     machine.setup_time_min = json.value("setup_time_min", machine.setup_time_min);
     machine.indexed_setup_time_min = json.value("indexed_setup_time_min", machine.indexed_setup_time_min);
+    machine.load_time_s = json.value("load_time_s", machine.load_time_s);
     machine.dialect = json.value("dialect", toString(Dialect::LinuxCnc));
     machine.junction_deviation_mm = json.value("junction_deviation_mm", machine.junction_deviation_mm);
     machine.home_by = homeByFrom(json.value("home_by", ""));

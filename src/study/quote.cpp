@@ -20,14 +20,15 @@ void quotePiece(const Plan& plan, Quote& quote) {
     const QuoteTerms& terms = quote.terms;
     const double rate = plan.machine.hourly_rate;
     const double programming_rate = terms.programming_rate > 0 ? terms.programming_rate : rate;
-    quote.setups =
-        static_cast<int>(std::count_if(plan.setups.begin(), plan.setups.end(),
-                                       [](const PlannedSetup& setup) { return !setup.operations.empty(); }));
+    for (const PlannedSetup& setup : plan.setups) {
+        if (setup.operations.empty()) continue;
+        ++quote.setups;
+        quote.setup_min += terms.setup_min.value_or(plan.machine.settingUpMin(setup.setup.indexed));
+        quote.load_s += terms.load_s.value_or(plan.machine.load_time_s);
+    }
     const double slowest_s = quote.acceleration ? plan.totals.motion_s : plan.totals.time_s;
     quote.machining_s = {plan.totals.time_s, std::max(plan.totals.time_s, slowest_s)};
-    quote.load_s = quote.setups * terms.load_s;
     quote.wear = plan.totals.cost - plan.totals.time_s / kSecondsPerHour * rate;
-    quote.setup_min = quote.setups * terms.setup_min;
     quote.once =
         quote.setup_min / kMinutesPerHour * rate + terms.programming_min / kMinutesPerHour * programming_rate;
     const auto running = [&](double machining_s) {

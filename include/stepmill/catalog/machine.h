@@ -18,6 +18,8 @@ inline constexpr double kInsideClearanceMm = 0.5;
 /// What making ready for a clamping takes where the machine file does not say [min].
 inline constexpr double kSetupTimeMin = 20;
 inline constexpr double kIndexedSetupTimeMin = 40;
+/// What clamping and releasing a piece takes where the machine file does not say [s].
+inline constexpr double kLoadTimeS = 60;
 
 /// How a program takes the spindle up to the top of its travel.
 enum class HomeBy {
@@ -48,7 +50,8 @@ struct Machine {
     /// To make ready for a clamping, once a lot, and for one that is tilted off the box's directions [min].
     double setup_time_min = kSetupTimeMin;
     double indexed_setup_time_min = kIndexedSetupTimeMin;
-    double hourly_rate = 0;  ///< 0: machine time is free
+    double load_time_s = kLoadTimeS;  ///< to clamp and release a piece, in each clamping [s]
+    double hourly_rate = 0;           ///< 0: machine time is free
     std::string currency;
     std::array<double, 3> travel_mm{};  ///< along x, y, z; 0: not checked
     int magazine_size = 0;              ///< places for tools; 0: no limit
@@ -76,6 +79,8 @@ struct Machine {
     /// Where the table goes at the end of a program, x and y in the machine's own coordinates; empty: it
     /// stays.
     std::optional<std::array<double, 2>> part_change_mm;
+
+    double settingUpMin(bool indexed) const { return indexed ? indexed_setup_time_min : setup_time_min; }
 };
 
 }  // namespace stepmill

@@ -12,8 +12,10 @@ namespace stepmill {
 
 /// What a shop adds to a plan to make a price of it. Money is in the machine's currency.
 struct QuoteTerms {
-    double setup_min = 20;           ///< to make ready for a clamping, once a lot [min]
-    double load_s = 60;              ///< to clamp and release a piece, in each clamping [s]
+    /// To make ready for a clamping, once a lot [min]; nothing: as the machine's file says.
+    std::optional<double> setup_min;
+    /// To clamp and release a piece, in each clamping [s]; nothing: as the machine's file says.
+    std::optional<double> load_s;
     double programming_min = 30;     ///< to look through plan and programs, once [min]
     double programming_rate = 0;     ///< money an hour of that; 0: the machine's
     std::vector<int> quantities{1};  ///< lots to be quoted, in this order

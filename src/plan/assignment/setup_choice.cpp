@@ -50,10 +50,10 @@ std::optional<SetupVerdict> setupVerdictFrom(std::string_view word) {
 }
 
 double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity) {
-    double minutes = 0;
+    double once_min = 0;
     for (const Setup& setup : setups)
-        minutes += setup.indexed ? machine.indexed_setup_time_min : machine.setup_time_min;
-    return minutes * kSecondsPerMinute / quantity;
+        once_min += machine.settingUpMin(setup.indexed);
+    return once_min * kSecondsPerMinute / quantity + static_cast<double>(setups.size()) * machine.load_time_s;
 }
 
 double SetupWeigher::weightOfS(double setting_up_s) const {

@@ -7,8 +7,8 @@
 
 namespace stepmill {
 
-/// Minutes that the machine's file gives to set a part up along these axes, shared among the pieces of the
-/// lot [s].
+/// What the machine's file gives to set a part up along these axes, shared among the pieces of the lot, and
+/// to load each piece in each of the setups [s].
 double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity);
 
 /// Plans leave as much that differ by no more than the larger of these.

@@ -22,8 +22,8 @@ Json lotJson(const QuotedLot& lot) {
 }
 
 Json termsJson(const QuoteTerms& terms) {
-    return {{"setup_min", number(terms.setup_min)},
-            {"load_s", number(terms.load_s)},
+    return {{"setup_min", numberOrNull(terms.setup_min)},
+            {"load_s", numberOrNull(terms.load_s)},
             {"programming_min", number(terms.programming_min)},
             {"programming_rate", number(terms.programming_rate)}};
 }

@@ -15,12 +15,10 @@ std::vector<std::string> quoteContains(const Quote& quote) {
                             ? "at the programmed feeds alone, and with the machine's acceleration"
                             : "at the programmed feeds; the machine's acceleration is not known, so it "
                               "will take longer"),
-            fmt::format("loading {:.1f} s a piece: {:g} s in each of {} clampings", quote.load_s,
-                        terms.load_s, quote.setups),
+            fmt::format("loading {:.1f} s a piece, in {} clampings", quote.load_s, quote.setups),
             fmt::format("tool wear {:.2f} {} a piece, by the lives and prices of the library", quote.wear,
                         quote.currency),
-            fmt::format("setting up {:.1f} min once a lot: {:g} min for each clamping", quote.setup_min,
-                        terms.setup_min),
+            fmt::format("setting up {:.1f} min once a lot, {} clampings", quote.setup_min, quote.setups),
             fmt::format("programming {:g} min once a lot", terms.programming_min),
             fmt::format("the machine at {:.2f} {} an hour", quote.hourly_rate, quote.currency)};
 }

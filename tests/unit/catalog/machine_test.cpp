@@ -57,11 +57,16 @@ TEST(ReadMachine, MaySayHowLongSettingUpTakes) {
     const Machine silent = machineFromText(machine.dump(), "mill.json");
     EXPECT_EQ(silent.setup_time_min, 20);
     EXPECT_EQ(silent.indexed_setup_time_min, 40);
+    EXPECT_EQ(silent.load_time_s, 60);
     machine["setup_time_min"] = 12.5;
     machine["indexed_setup_time_min"] = 0;
+    machine["load_time_s"] = 45;
     const Machine said = machineFromText(machine.dump(), "mill.json");
     EXPECT_EQ(said.setup_time_min, 12.5);
     EXPECT_EQ(said.indexed_setup_time_min, 0);
+    EXPECT_EQ(said.load_time_s, 45);
+    EXPECT_EQ(said.settingUpMin(false), 12.5);
+    EXPECT_EQ(said.settingUpMin(true), 0);
     machine["setup_time_min"] = -1;
     EXPECT_THROW(machineFromText(machine.dump(), "mill.json"), Error);
 }

@@ -36,6 +36,7 @@ class SetupSearchOf : public testing::Test {
     SetupSearchOf() {
         machine_.setup_time_min = 10;
         machine_.indexed_setup_time_min = 30;
+        machine_.load_time_s = 0;
     }
 
     Plan best() {

@@ -14,6 +14,7 @@ Machine shopMachine() {
     Machine machine;
     machine.setup_time_min = 10;
     machine.indexed_setup_time_min = 30;
+    machine.load_time_s = 0;
     machine.hourly_rate = 60;
     return machine;
 }
@@ -57,6 +58,8 @@ TEST_F(SetupChoiceOf, AnIndexedSetupTakesItsOwnTime) {
     setups.back().indexed = true;
     EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 1), 40 * 60);
     EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 8), 5 * 60);
+    machine_.load_time_s = 30;
+    EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 8), 5 * 60 + 2 * 30) << "each piece is loaded twice";
 }
 
 TEST_F(SetupChoiceOf, RidgesAsHighAsAllowedCountAsNothing) {

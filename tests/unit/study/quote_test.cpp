@@ -59,6 +59,21 @@ TEST(Quote, ALotCostsWhatIsPaidOnceAndItsPieces) {
     EXPECT_GT(quote.wear, 0);
 }
 
+TEST(Quote, TakesTheMachinesTimesWhereTheTermsSayNone) {
+    Machine machine = defaultMachine();
+    machine.setup_time_min = 45;
+    machine.load_time_s = 90;
+    const Quote quote = quoteOf(pocketed(10, 4.2), {}, machine);
+    EXPECT_EQ(quote.setup_min, 45);
+    EXPECT_EQ(quote.load_s, 90);
+    QuoteTerms terms;
+    terms.setup_min = 5;
+    terms.load_s = 0;
+    const Quote said = quoteOf(pocketed(10, 4.2), terms, machine);
+    EXPECT_EQ(said.setup_min, 5);
+    EXPECT_EQ(said.load_s, 0);
+}
+
 TEST(Quote, PaysOffWhereWhatIsPaidOnceIsNoMoreThanThePieces) {
     const Quote quote = quoteOf(pocketed(10, 4.2));
     ASSERT_TRUE(quote.pays_off_at.has_value());
