@@ -24,8 +24,8 @@ bool isShortOfReach(const ToolReach& reach) {
 /// A drill of the hole's size, however long it is: others are turned down for their type.
 Shallower depthOfDrill(const Feature& feature, const ToolAssembly& drill) {
     Shallower found;
-    const double reach_mm =
-        drill.flute_length_mm > 0 ? std::min(drill.flute_length_mm, drill.stick_out_mm) : drill.stick_out_mm;
+    found.by_flutes = drill.flute_length_mm > 0 && drill.flute_length_mm < drill.stick_out_mm;
+    const double reach_mm = found.by_flutes ? drill.flute_length_mm : drill.stick_out_mm;
     found.floor_z_mm = std::max(feature.floor_z_mm, feature.top_z_mm - reach_mm);
     found.volume_mm3 = feature.area_mm2 * (feature.top_z_mm - found.floor_z_mm);
     found.stick_out_mm = feature.depth_mm();

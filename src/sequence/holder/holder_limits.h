@@ -26,6 +26,7 @@ struct Shallower {
     double volume_mm3 = 0;  ///< that the tool clears down to there
     double diameter_mm = 0;
     double stick_out_mm = 0;  ///< that would do for the whole depth
+    bool by_flutes = false;   ///< a drill's flutes end before its stick-out does
 };
 
 /// What the cutter that reaches most of a feature is kept off; nothing when tools that take part clear as

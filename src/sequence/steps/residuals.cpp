@@ -198,7 +198,12 @@ Residual belowReach(const Feature& feature, const Shallower& reached) {
                                                  feature.top_z_mm - reached.floor_z_mm, feature.depth_mm())};
     const bool drilled =
         isHole(feature.feature_class) && reached.diameter_mm >= 2 * holeRadiusMm(feature) - kDrillUndersizeMm;
-    below.advice = longerTool(drilled ? "a drill" : "an end mill", reached.diameter_mm, reached.stick_out_mm);
+    if (drilled && reached.by_flutes)
+        below.advice = fmt::format("a drill of {:.4g} mm with flutes of {:.4g} mm", reached.diameter_mm,
+                                   reached.stick_out_mm);
+    else
+        below.advice =
+            longerTool(drilled ? "a drill" : "an end mill", reached.diameter_mm, reached.stick_out_mm);
     return below;
 }
 

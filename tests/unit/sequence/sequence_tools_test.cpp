@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <fmt/format.h>
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge_index.h"
+
 #include "support/sample_feature.h"
 #include "support/tolerances.h"
 
@@ -351,6 +353,19 @@ TEST(SequenceTools, MillsABlindHoleThatACutterCanFinish) {
                       makeMachine(), inAluminium(), kTol);
     EXPECT_EQ(toolsOf(sequence), std::vector<std::string>{"EM6"});
     EXPECT_TRUE(sequence.residual.empty());
+}
+
+TEST(SequenceTools, ADrillWithShortFlutesIsToldItsFlutes) {
+    const Feature hole = makeHole(FeatureClass::HoleThrough);
+    ToolAssembly drill = makeDrill(8);
+    drill.flute_length_mm = hole.depth_mm() - 1;
+    const ToolSequence sequence =
+        sequenceTools(hole, makeLibrary({drill}), makeMachine(), inAluminium(), kTol);
+    ASSERT_EQ(toolsOf(sequence), std::vector<std::string>{"DR8"});
+    ASSERT_FALSE(sequence.residual.empty());
+    EXPECT_EQ(sequence.residual.back().reason, Reason::TooDeep);
+    EXPECT_EQ(sequence.residual.back().advice,
+              fmt::format("a drill of 8 mm with flutes of {:.4g} mm", hole.depth_mm()));
 }
 
 TEST(SequenceTools, ADrilledBlindHoleKeepsTheRimUnderTheDrillsPoint) {
