@@ -9,6 +9,8 @@
 #include "layers/slab/local_boolean.h"
 #include "layers/slab/slab_facets.h"
 #include "layers/slab/smooth_hulls.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill::layers {
 
@@ -18,6 +20,18 @@ namespace {
 /// lost to the obstruction; half the gouge budget at most.
 double insetMm(double height_mm, const Tolerances& tol) {
     return std::min(0.5 * tol.gouge_mm, 0.01 * height_mm);
+}
+
+/// Walls that run out level are closed over gaps no wider than this: no mill goes in there [mm].
+constexpr double kLevelGapMm = 1;
+/// Facets this near to level at a slab's bottom are where such walls run out: others close no gap there.
+constexpr double kNearlyLevel = 0.95;
+
+Region planOf(const SlabFacet& facet) {
+    std::vector<Vec2> corners(facet.corner.begin(), facet.corner.begin() + facet.corners);
+    const bool clockwise = cross(corners[1] - corners[0], corners[2] - corners[0]) < 0;
+    if (clockwise) std::reverse(corners.begin(), corners.end());
+    return makePolygon(corners);
 }
 
 bool allWallsVertical(const SolidMesh& mesh, double top_mm, double bottom_mm, double merge_mm) {
@@ -65,6 +79,7 @@ class SlabCutter {
         cut_.volume_mm3 = volumeInSlab(mesh_, facets, top_, bottom_);
         cut_.leaning = sharesOfFaces(facets);
         cutUnion(facets);
+        closeLevelGaps(facets);
         if (cut_.mended_by_mm > 0) {
             cut_.region = smoothHulls(cut_.region, cut_.mended_by_mm, tol_);
             cut_.mended_by_mm *= 2;
@@ -117,6 +132,24 @@ class SlabCutter {
         if (beyond.empty()) return;
         cut_.mended_by_mm = std::max(cut_.mended_by_mm, 2 * mesh_.chord_mm());
         cut_.region = uniteLocally(cut_.region, beyond, tol_);
+    }
+
+    /// At the bottom of a round groove its walls meet; half a micrometre over it they are a tenth of a
+    /// millimetre apart, over all the groove's length.
+    void closeLevelGaps(const std::vector<SlabFacet>& facets) {
+        std::vector<Region> level;
+        std::vector<Region> near;
+        for (const SlabFacet& facet : facets) {
+            if (facet.thin || facet.normal_z < kNearlyLevel || facet.low_mm > bottom_ + inset_) continue;
+            level.push_back(planOf(facet));
+            const Box2 box = grown(boundingBox(level.back()), kLevelGapMm);
+            near.push_back(makeRectangle(box.min(), box.max()));
+        }
+        if (level.empty()) return;
+        const Region walls = intersect(cut_.region, unite(near, tol_), tol_);
+        const Region closed = offset(offset(walls, kLevelGapMm / 2, tol_), -kLevelGapMm / 2, tol_);
+        const Region gaps = intersect(subtract(closed, walls, tol_), unite(level, tol_), tol_);
+        if (!gaps.empty()) cut_.region = uniteLocally(cut_.region, gaps, tol_);
     }
 
     const SolidMesh& mesh_;

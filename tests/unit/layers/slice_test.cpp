@@ -134,6 +134,20 @@ TEST(Slice, LyingCylinderCoversItsWidthBelowTheAxis) {
     EXPECT_NEAR(area(stack.layers.back().shadow), 1000, 0.01);
 }
 
+TEST(Slice, WallsThatMeetAtTheBottomOfARoundGrooveLeaveNoGap) {
+    const gp_Ax2 along_x(gp_Pnt(-1, 15, 10), gp::DX());
+    const TopoDS_Shape groove = BRepPrimAPI_MakeCylinder(along_x, 4, 42).Shape();
+    // A saw cut beside it is as narrow as the gap would be, and stays.
+    const TopoDS_Shape shape = cut(cut(box(0, 0, 0, 40, 30, 10), groove), box(-1, 24, 6, 42, 0.2, 5));
+    const LayerStack stack = sliced(shape, Vec3::UnitZ(), allLevels());
+    for (const Layer& layer : stack.layers) {
+        const double depth_mm = layer.bottom_z_mm + 4;
+        EXPECT_EQ(contains(layer.part, Vec2(20, 15)), depth_mm < 1e-6) << layer.bottom_z_mm;
+        EXPECT_EQ(contains(layer.part, Vec2(20, 24.1)), depth_mm < -1e-6) << layer.bottom_z_mm;
+    }
+    EXPECT_NEAR(booksError(stack), 0, 1e-3);
+}
+
 TEST(Slice, ShadowOfAnOverhangHidesTheSlotBelowIt) {
     const LayerStack stack = sliced(cut(box(0, 0, 0, 40, 30, 20), box(-1, 10, 5, 42, 30, 6)));
     ASSERT_EQ(stack.layers.size(), 3u);
