@@ -308,7 +308,7 @@ SetupSets setupSets(const Part& part, const PlanRequest& request, const ToolLibr
     sets.with_forms = setupsWithForms(part, request, library);
     const LeaningArea area = leaningArea(part, sets.with_forms);
     if (!areWorthPlanning(sets.with_forms, sets.chosen, area)) sets.with_forms.clear();
-    sets.forms_leave_mm3 = request.scallop_mm * area.leaning_mm2;
+    sets.forms_leave_mm3 = leftOnLeaningMm(request.scallop_mm) * area.leaning_mm2;
     sets.others = otherSetups(part, request.setup, sets.chosen);
     return sets;
 }

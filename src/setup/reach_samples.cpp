@@ -5,8 +5,13 @@
 
 #include <limits>
 
+#include <BRepAdaptor_Surface.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+
 #include "setup/ray_tree.h"
 #include "stepmill/core/parallel.h"
+#include "stepmill/part/part_shape.h"
 
 namespace stepmill::setup {
 
@@ -29,12 +34,47 @@ constexpr double kDeepRatio = 6;
 /// Deeper than this common end mills do not reach at all [mm].
 constexpr double kDeepMm = 100;
 
+/// A hollow cylinder that goes round by this much is a gap between its own sides [rad].
+constexpr double kGapTurnRad = 2.5;
+
+/// How wide a hollow round face is to a tool along its axis.
+struct RoundGap {
+    Vec3 axis = Vec3::Zero();
+    double width_mm = std::numeric_limits<double>::infinity();
+
+    double along(const Vec3& tool_axis) const {
+        const bool parallel = axis.cross(tool_axis).norm() < kUprightSine && !axis.isZero();
+        return parallel ? width_mm : std::numeric_limits<double>::infinity();
+    }
+};
+
+RoundGap roundGapOf(const TopoDS_Face& face) {
+    const BRepAdaptor_Surface surface(face);
+    if (surface.GetType() != GeomAbs_Cylinder) return {};
+    const double from = surface.FirstUParameter();
+    const double to = surface.LastUParameter();
+    if (to - from < kGapTurnRad) return {};
+    // The normals of a cylinder in a right-handed frame look away from its axis.
+    const bool hollow = surface.Cylinder().Direct() == (face.Orientation() == TopAbs_REVERSED);
+    if (!hollow) return {};
+    const gp_Dir axis = surface.Cylinder().Axis().Direction();
+    return {Vec3(axis.X(), axis.Y(), axis.Z()), 2 * surface.Cylinder().Radius()};
+}
+
+std::vector<RoundGap> roundGapsOf(const Part& part) {
+    std::vector<RoundGap> gaps;
+    for (TopExp_Explorer faces(part.shape->solid, TopAbs_FACE); faces.More(); faces.Next())
+        gaps.push_back(roundGapOf(TopoDS::Face(faces.Current())));
+    return gaps;
+}
+
 struct Place {
     Vec3 at;
     Vec3 normal;
     double volume_mm3 = 0;
     double of_face = 0;
     bool ruled = false;
+    RoundGap round_gap;  ///< of its face
     std::vector<Reach> reach;
     std::vector<double> depth_mm;
 };
@@ -69,6 +109,7 @@ std::vector<Place> placesOn(const Part& part, const FaceFacets& mesh) {
         face_mm2[mesh.face[i]] += facet_mm2;
         skin_mm2 += facet_mm2;
     }
+    const std::vector<RoundGap> round_gaps = roundGapsOf(part);
     std::vector<Place> places;
     int face = -1;
     double due_mm2 = 0;
@@ -88,6 +129,7 @@ std::vector<Place> placesOn(const Part& part, const FaceFacets& mesh) {
                               step_mm2,
                               step_mm2 / face_mm2[face],
                               isRuled(part.faces[face]),
+                              round_gaps[face],
                               {},
                               {}});
     }
@@ -126,7 +168,8 @@ class Sampler {
         for (const Vec3& axis : axes_) {
             const bool blocked = part_.blocked(from, axis);
             place.depth_mm.push_back(blocked ? 0 : wayToSkin(from, axis));
-            const bool deep = place.depth_mm.back() > std::min(kDeepMm, kDeepRatio * gap_mm);
+            const double width_mm = std::min(gap_mm, place.round_gap.along(axis));
+            const bool deep = place.depth_mm.back() > std::min(kDeepMm, kDeepRatio * width_mm);
             place.reach.push_back(blocked                                ? Reach::None
                                   : deep                                 ? Reach::Poor
                                   : isUprightOrLevel(place.normal, axis) ? Reach::Finished

@@ -11,7 +11,7 @@ namespace stepmill {
 struct SetupSets {
     std::vector<Setup> chosen;               ///< by what they reach and finish
     std::vector<Setup> with_forms;           ///< others, no more of them, for form cutters; empty: none are
-    double forms_leave_mm3 = 0;              ///< what those may leave, as ridges
+    double forms_leave_mm3 = 0;              ///< what those may leave, as ridges and skins of bands
     std::vector<std::vector<Setup>> others;  ///< that see about as much, the quickest to set up first
     bool more_may_follow = false;            ///< setups for what tools did not get to
 };

@@ -15,9 +15,6 @@ namespace {
 /// Sequences that take this share of what the best takes take as much.
 constexpr double kAsMuchShare = 0.99;
 
-/// What bands add to a leaning wall is at most so many scallops thick.
-constexpr double kBandSkinScallops = 2;
-
 using FormSteps = std::vector<FormStep>;
 
 double takenOf(const FormSteps& steps) {

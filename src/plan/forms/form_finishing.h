@@ -17,6 +17,13 @@ inline double leastFormGainMm3(double there_mm3) {
     return std::max(kLeastFormGainMm3, kLeastFormGainShare * there_mm3);
 }
 
+/// What bands add to a leaning wall is at most so many scallops thick.
+inline constexpr double kBandSkinScallops = 2;
+/// Form cutters leave no more than this on walls that lean: the skin of a band, and ridges on it.
+inline double leftOnLeaningMm(double scallop_mm) {
+    return (1 + kBandSkinScallops) * scallop_mm;
+}
+
 /// What form operations are planned with.
 struct FormShop {
     const ToolLibrary& library;
