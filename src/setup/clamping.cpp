@@ -19,12 +19,12 @@ using setup::WayToHold;
 
 /// Flat bottom that stays.
 double seatArea(const StockToHold& stock, const Tolerances& tol) {
-    const Prism& lowest = stock.arriving.back();
-    if (!stock.upright.back()) return 0;
+    const double bottom_mm = stock.arriving.back().bottom_z_mm;
+    const Region& bottom = stock.standing.back();
     std::vector<Region> gone;
     for (const Prism& prism : stock.removed)
-        if (prism.bottom_z_mm < lowest.bottom_z_mm + kPlaneMm) gone.push_back(prism.region);
-    return area(gone.empty() ? lowest.region : subtract(lowest.region, unite(gone, tol), tol));
+        if (prism.bottom_z_mm < bottom_mm + kPlaneMm) gone.push_back(prism.region);
+    return area(gone.empty() ? bottom : subtract(bottom, unite(gone, tol), tol));
 }
 
 /// On a plate, where the stock has a seat for it.
@@ -121,8 +121,7 @@ Clamping suggestClamping(const StockToHold& stock, const HoldWish& asked, const 
         wish.kind ? std::vector{*wish.kind}
                   : std::vector{HoldKind::Vise, HoldKind::SoftJaws, HoldKind::Screws, HoldKind::Plate};
     Clamping clamping = firstOf(kinds, stock, wish, tol);
-    const bool stays = clamping.holds_all && stock.upright.back();
-    clamping.seat_mm2 = stays ? area(stock.arriving.back().region) : seatArea(stock, tol);
+    clamping.seat_mm2 = clamping.holds_all ? area(stock.standing.back()) : seatArea(stock, tol);
     if (clamping.seat_mm2 <= 0) clamping.text += "; nothing flat to rest on at the bottom";
     return clamping;
 }

@@ -54,9 +54,8 @@ class SoftJaws {
     double sameOutlineMm() const {
         double height_mm = 0;
         for (std::size_t i = stock_.arriving.size(); i-- > 0;) {
-            const Region outline = withoutHoles(stock_.arriving[i].region);
-            const bool same = stock_.upright[i] && covers(outline_, outline, kPlaneMm, tol_) &&
-                              covers(outline, outline_, kPlaneMm, tol_);
+            const bool same = covers(outline_, withoutHoles(stock_.arriving[i].region), kPlaneMm, tol_) &&
+                              covers(withoutHoles(stock_.standing[i]), outline_, kPlaneMm, tol_);
             if (!same) return height_mm;
             height_mm = stock_.arriving[i].top_z_mm - bottom_mm_;
         }

@@ -163,8 +163,8 @@ class ViseFinder {
 
     Clamping best(ViseUse use) {
         std::vector<Vec2> directions;
-        for (std::size_t i = stock_.arriving.size(); i-- > 0;)
-            if (stock_.upright[i]) addDirections(stock_.arriving[i].region, directions);
+        for (std::size_t i = stock_.standing.size(); i-- > 0;)
+            addDirections(stock_.standing[i], directions);
         Clamping best;
         for (const Vec2& across : directions)
             for (const Grip& grip : gripsAlong(across))
@@ -221,13 +221,17 @@ class ViseFinder {
             const Prism& slab = stock_.arriving[i];
             const double low = slab.bottom_z_mm - bottom_mm_;
             const double high = slab.top_z_mm - bottom_mm_;
-            if (!stock_.upright[i] || high <= grip.from_mm + kPlaneMm || low >= to_mm - kPlaneMm) continue;
+            if (high <= grip.from_mm + kPlaneMm || low >= to_mm - kPlaneMm) continue;
+            const Region& standing = stock_.standing[i];
             // Along -across the stretches run the other way round.
-            std::vector<Interval> opposite = sidesOn(slab.region, -across, grip.left_mm);
+            std::vector<Interval> opposite = sidesOn(standing, -across, grip.left_mm);
             for (Interval& interval : opposite)
                 interval = {-interval.to, -interval.from};
-            levels.push_back(facing(sidesOn(slab.region, across, grip.right_mm), opposite));
-            if (levels.back().empty()) return {};
+            std::vector<Interval> stretches = facing(sidesOn(standing, across, grip.right_mm), opposite);
+            if (!stretches.empty())
+                levels.push_back(std::move(stretches));
+            else if (area(standing) >= area(slab.region))
+                return {};
         }
         return levels.empty() ? Hold{} : longestHold(levels, vise_.jaw_width_mm);
     }

@@ -72,9 +72,9 @@ struct Clamping {
 /// cut of it.
 struct StockToHold {
     std::vector<Prism> arriving;
-    /// By slab: are all the stock's walls in it upright? Slabs whose walls lean stand as their hull: their
-    /// sides are no flat sides and are passed over.
-    std::vector<bool> upright;
+    /// By slab: what stands at every height of it, or less. That is all of it where its walls are upright;
+    /// jaws pass over slabs none of whose sides are, and which stand as their hull in `arriving`.
+    std::vector<Region> standing;
     std::vector<Prism> removed;  ///< all the setup cuts where nothing is kept from it
     /// From where to where walls lean under sky: form cutters finish them, with their tips below.
     std::vector<Prism> leaning;

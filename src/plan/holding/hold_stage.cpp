@@ -10,6 +10,8 @@
 #include "plan/holding/held_stock.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/core/error.h"
+#include "stepmill/core/parallel.h"
+#include "stepmill/layers/section_cutter.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/setup/stock_growth.h"
@@ -101,13 +103,27 @@ Clamping givenClamping(const FixtureFile& given, const std::string& setup_id) {
     return clamping;
 }
 
-StockToHold stockToHold(const Stage& stage, double break_edges_mm) {
+/// What stands at every height of each slab; nothing over where jaws end, where it leans.
+std::vector<Region> standingThroughout(const Stage& stage, const Vise& vise, const Tolerances& tol) {
+    const LayerStack& layers = stage.layers;
+    const StockSections sections(stage.setup, stage.setup.stock, tol);
+    std::vector<Region> standing(layers.layers.size());
+    parallelFor(standing.size(), [&](std::size_t i) {
+        const Layer& layer = layers.layers[i];
+        if (layer.stock_air_mm3 <= 0)
+            standing[i] = layer.stock;
+        else if (layer.bottom_z_mm < layers.stock_bottom_z_mm + vise.jaw_height_mm)
+            standing[i] = sections.throughout(layer.stock, layer.bottom_z_mm, layer.top_z_mm);
+    });
+    return standing;
+}
+
+StockToHold stockToHold(const Stage& stage, const Vise& vise, double break_edges_mm, const Tolerances& tol) {
     StockToHold stock;
     const LayerStack& layers = stage.layers;
-    for (const Layer& layer : layers.layers) {
+    for (const Layer& layer : layers.layers)
         stock.arriving.push_back({layer.stock, layer.top_z_mm, layer.bottom_z_mm});
-        stock.upright.push_back(layer.stock_air_mm3 <= 0);
-    }
+    stock.standing = standingThroughout(stage, vise, tol);
     stock.removed = featurePrisms(stage.found);
     for (const FaceTrace& trace : layers.traces)
         if (trace.stand == FaceStand::Leaning && !trace.region.empty())
@@ -146,7 +162,7 @@ double fixtureGrowthMm(const FixtureFile& shop, const ToolLibrary& library) {
 Clamping clampingOf(const Stage& stage, const FixtureFile& shop, const HoldRequest& asked,
                     const Tolerances& tol) {
     if (shop.setups.contains(stage.setup.id)) return givenClamping(shop, stage.setup.id);
-    return suggestClamping(stockToHold(stage, asked.break_edges_mm),
+    return suggestClamping(stockToHold(stage, shop.vise, asked.break_edges_mm, tol),
                            {shop.vise, shop.plate_mm, asked.kind, asked.growth_mm}, tol);
 }
 

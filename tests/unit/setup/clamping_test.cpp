@@ -12,8 +12,17 @@ namespace {
 using test::kTol;
 const Region kBlock = makeRectangle(Vec2(0, 0), Vec2(80, 50));
 
+/// A stock whose walls are all upright.
+StockToHold upright(const std::vector<Prism>& arriving, const std::vector<Prism>& removed,
+                    const std::vector<Prism>& leaning = {}) {
+    StockToHold stock{arriving, {}, removed, leaning};
+    for (const Prism& slab : arriving)
+        stock.standing.push_back(slab.region);
+    return stock;
+}
+
 Clamping clampingOf(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
-    return suggestClamping({arriving, std::vector<bool>(arriving.size(), true), removed, {}}, {}, kTol);
+    return suggestClamping(upright(arriving, removed), {}, kTol);
 }
 
 }  // namespace
@@ -30,7 +39,7 @@ TEST(SuggestClamping, HoldsABlockOnItsLongSides) {
 
 TEST(SuggestClamping, LeavesFormCuttersRoomUnderChamfersIfItHoldsEnoughSo) {
     const auto depthUnder = [](const Region& chamfer, double from_mm, double to_mm) {
-        return suggestClamping({{{kBlock, 0, -30}}, {true}, {}, {{chamfer, to_mm, from_mm}}}, {}, kTol)
+        return suggestClamping(upright({{kBlock, 0, -30}}, {}, {{chamfer, to_mm, from_mm}}), {}, kTol)
             .depth_mm;
     };
     const Region on_side = makeRectangle(Vec2(0, 0), Vec2(80, 1));
@@ -44,7 +53,7 @@ TEST(SuggestClamping, PutsTheJawsBesideWhatTheyHoldAndUnderWhatIsCut) {
     HoldWish wish;
     wish.growth_mm = 1.5;
     const Clamping clamping = suggestClamping(
-        {{{kBlock, 0, -30}}, {true}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}}, {}}, wish, kTol);
+        upright({{kBlock, 0, -30}}, {{makeRectangle(Vec2(0, 0), Vec2(80, 10)), 0, -18}}), wish, kTol);
     ASSERT_EQ(clamping.fixtures.size(), 2U);
     double side = 0;
     for (const Fixture& jaw : clamping.fixtures) {
@@ -94,10 +103,6 @@ TEST(SuggestClamping, GripsAboveNarrowPadsAtTheBottom) {
 
 namespace {
 
-StockToHold upright(const std::vector<Prism>& arriving, const std::vector<Prism>& removed) {
-    return {arriving, std::vector<bool>(arriving.size(), true), removed, {}};
-}
-
 const Region kRing = subtract(kBlock, makeRectangle(Vec2(5, 5), Vec2(75, 45)), kTol);
 
 }  // namespace
@@ -122,6 +127,23 @@ TEST(SuggestClamping, HoldsNoMoreOfALongSideThanTheJawsAreWide) {
     const Clamping longer = clampingOf({{makeRectangle(Vec2(0, 0), Vec2(800, 40)), 0, -30}}, {});
     EXPECT_FALSE(longer.isVise());
     EXPECT_NE(longer.text.find("two vises"), std::string::npos) << longer.text;
+}
+
+TEST(SuggestClamping, HoldsTheUprightSidesOfASlabThatLeansElsewhere) {
+    // A hole across has opened the middle of both long sides, and a groove some of the bottom.
+    const Region open = makeRectangle(Vec2(30, 0), Vec2(50, 50));
+    StockToHold stock = upright({{kBlock, 0, -30}}, {});
+    stock.standing = {subtract(kBlock, open, kTol)};
+    const Clamping clamping = suggestClamping(stock, {}, kTol);
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_NEAR(clamping.length_mm, 60, 1e-9);
+    EXPECT_NEAR(clamping.seat_mm2, 60 * 50, 1e-6);
+}
+
+TEST(SuggestClamping, HoldsNoSideThatLeans) {
+    StockToHold stock = upright({{kBlock, 0, -30}}, {});
+    stock.standing = {makeRectangle(Vec2(5, 5), Vec2(75, 45))};
+    EXPECT_EQ(suggestClamping(stock, {}, kTol).kind, HoldKind::Plate);
 }
 
 TEST(SuggestClamping, PutsTheJawsWhereTheyHoldMost) {
@@ -242,7 +264,7 @@ TEST(SuggestClamping, ScrewsThroughItsOwnHolesIntoAPlate) {
     EXPECT_EQ(screwed.fixtures.front().bottom_z_mm, 0);
     HoldWish wish;
     wish.kind = HoldKind::Screws;
-    EXPECT_EQ(suggestClamping({{{kBlock, 0, -30}}, {true}, {}, {}}, wish, kTol).kind, HoldKind::None);
+    EXPECT_EQ(suggestClamping(upright({{kBlock, 0, -30}}, {}), wish, kTol).kind, HoldKind::None);
 }
 
 TEST(SuggestClamping, HasNothingForAPartWithoutASeat) {
