@@ -50,6 +50,15 @@ class Volumes {
     std::vector<Box2> boxes_;
 };
 
+/// Is the part between the point and that height straight above it? Slabs whose walls lean do not tell: there
+/// the part is a hull.
+bool isPartBetween(const LayerStack& layers, const Vec3& from, double to_z_mm) {
+    return std::any_of(layers.layers.begin(), layers.layers.end(), [&](const Layer& layer) {
+        return layer.vertical_walls && layer.bottom_z_mm >= from.z() && layer.top_z_mm <= to_z_mm &&
+               contains(layer.part, from.head<2>());
+    });
+}
+
 struct Votes {
     int direct = 0;
     int leaning = 0;
@@ -58,7 +67,7 @@ struct Votes {
 }  // namespace
 
 std::vector<FaceShare> assignFaces(const FaceGraph& graph, const Eigen::Isometry3d& part_to_setup,
-                                   FeatureSet& found) {
+                                   const LayerStack& layers, FeatureSet& found) {
     const Volumes volumes(found.features);
     std::vector<FaceShare> shares;
     for (const FaceShape& face : graph.faces) {
@@ -69,7 +78,9 @@ std::vector<FaceShare> assignFaces(const FaceGraph& graph, const Eigen::Isometry
             if (const int feature = volumes.at(front); feature >= 0) {
                 ++votes[feature].direct;
             } else if (normal.z() > kLevelNormal) {
-                if (const int above = volumes.above(front); above >= 0) ++votes[above].leaning;
+                const int above = volumes.above(front);
+                if (above >= 0 && !isPartBetween(layers, front, found.features[above].floor_z_mm))
+                    ++votes[above].leaning;
             }
         }
         for (const auto& [feature, count] : votes) {

@@ -38,7 +38,7 @@ class Inspector {
         const Eigen::Isometry3d& frame = stage.setup.part_to_setup;
         if (inspection_.setups.empty()) on_stock_ = facesOnStock(graph_, frame, stage.layers);
         nameEngravings(found, request_.smallest_cutter_mm, tol_);
-        for (const FaceShare& share : assignFaces(graph_, frame, found))
+        for (const FaceShare& share : assignFaces(graph_, frame, stage.layers, found))
             remember(share, found.features[share.feature]);
         for (const std::string& remark : stage.layers.remarks)
             inspection_.warnings.push_back(stage.setup.id + ": " + remark);

@@ -27,11 +27,12 @@ class AssignFaces : public ::testing::Test {
         : stack_(makeStack(
               kBlock, {{-10, subtract(kBlock, makeRectangle({20, 20}, {60, 60}), kTol)}, {-30, kBlock}})),
           found_(recogniseFeatures(stack_, kTol)) {
-        graph_.faces = {face(0, {40, 40, -10}, {0, 0, 1}),   // floor
-                        face(1, {20, 40, -5}, {1, 0, 0}),    // wall
-                        face(2, {5, 5, 0}, {0, 0, 1}),       // top of the block
-                        face(3, {40, 40, -30}, {0, 0, -1}),  // its bottom
-                        face(4, {30, 30, -10.5}, {0, 1, 1})};
+        graph_.faces = {face(0, {40, 40, -10}, {0, 0, 1}),    // floor
+                        face(1, {20, 40, -5}, {1, 0, 0}),     // wall
+                        face(2, {5, 5, 0}, {0, 0, 1}),        // top of the block
+                        face(3, {40, 40, -30}, {0, 0, -1}),   // its bottom
+                        face(4, {30, 30, -10.5}, {0, 1, 1}),  // a slope under the floor
+                        face(5, {30, 30, -31}, {0, 1, 1})};   // ... and one of a hole far below it
     }
     LayerStack stack_;
     FeatureSet found_;
@@ -40,7 +41,7 @@ class AssignFaces : public ::testing::Test {
 
 TEST_F(AssignFaces, FloorAndWallsAreThePockets) {
     ASSERT_EQ(found_.features.size(), 1U);
-    const auto shares = assignFaces(graph_, Eigen::Isometry3d::Identity(), found_);
+    const auto shares = assignFaces(graph_, Eigen::Isometry3d::Identity(), stack_, found_);
     EXPECT_EQ(found_.features[0].faces, (std::vector<int>{0, 1, 4}));
     ASSERT_EQ(shares.size(), 3U);
     EXPECT_FALSE(shares[0].leaning);
@@ -49,7 +50,7 @@ TEST_F(AssignFaces, FloorAndWallsAreThePockets) {
 
 TEST_F(AssignFaces, TopAndBottomLieOnTheStock) {
     EXPECT_EQ(facesOnStock(graph_, Eigen::Isometry3d::Identity(), stack_),
-              (std::vector<bool>{false, false, true, true, false}));
+              (std::vector<bool>{false, false, true, true, false, true}));
 }
 
 }  // namespace
