@@ -49,8 +49,10 @@ std::string axesWords(const SetupChoice& choice) {
 std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
     const std::string words = toString(feature.featureClass());
     const Feature& lowest = feature.lowest();
-    if (!isHole(lowest.feature_class) || lowest.target.loops.size() < 2) return words;
-    return fmt::format("{} x {}, {}", lowest.target.loops.size(), words, in.length(2 * holeRadiusMm(lowest)));
+    if (!isHole(lowest.feature_class) || !isFullCircles(lowest.target)) return words;
+    const std::size_t holes = lowest.target.loops.size();
+    return fmt::format("{}{}, {}", holes > 1 ? fmt::format("{} x ", holes) : "", words,
+                       in.length(2 * holeRadiusMm(lowest)));
 }
 
 std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in) {

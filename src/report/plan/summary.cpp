@@ -30,7 +30,7 @@ std::string featureLine(const WholeFeature<PlannedFeature>& feature, const Machi
             sum_mm3 += residual.stays_mm3.value_or(residual.volume_mm3);
         return sum_mm3;
     });
-    return fmt::format("{:<9} {:<15} {:>5.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
+    return fmt::format("{:<9} {:<26} {:>6.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
                        feature.id(), report::classWords(feature, report::Measures(false)), feature.depth_mm(),
                        feature.volume_mm3() / 1000, clockTime(times.time_s),
                        timesBound(times.time_s, times.lower_bound_s), plainLine(toolWords(feature)),
@@ -86,7 +86,7 @@ std::string summaryText(const Plan& plan) {
         fmt::format("{}  {:.2f} x {:.2f} x {:.2f} mm (file unit: {}), {}, {}\n\n", plainLine(plan.part.name),
                     size.x(), size.y(), size.z(), plainLine(plan.part.unit_in_file), plainLine(plan.material),
                     plainLine(plan.machine.name));
-    text += fmt::format("{:<9} {:<15} {:>8} {:>11} {:>9} {:>6}  {:<34} {:>10}\n", "feature", "class", "depth",
+    text += fmt::format("{:<9} {:<26} {:>9} {:>11} {:>9} {:>6}  {:<34} {:>10}\n", "feature", "class", "depth",
                         "volume", "time", "x best", "tools", "stays");
     for (const PlannedSetup& setup : plan.setups) {
         text += fmt::format("{} along {}{}: {}\n", setup.setup.id, axisName(setup.setup.axis),

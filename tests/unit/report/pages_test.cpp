@@ -92,7 +92,7 @@ TEST(Pages, HaveOneRowAndOneSectionForAFeatureOfSeveralBands) {
     EXPECT_NE(content.text.find("S1.F1 · step · 18.000 mm deep · 2 bands"), std::string::npos);
     EXPECT_NE(content.text.find("EM25 in 2 bands"), std::string::npos);
     EXPECT_NE(content.text.find("S1.F1.2 · step · from -8.000 to -18.000 mm"), std::string::npos);
-    EXPECT_NE(summaryText(plan).find("\nS1.F1     step            18.00 mm"), std::string::npos);
+    EXPECT_NE(summaryText(plan).find("\nS1.F1     step                        18.00 mm"), std::string::npos);
     EXPECT_EQ(summaryText(plan).find("S1.F1.1"), std::string::npos);
 }
 
