@@ -36,7 +36,7 @@ TEST_F(Quotes, APartsQuoteIsPrintedAndWrittenInEveryForm) {
     const ProgramRun run =
         quote({kParts + "rounded_pocket.step", "--quantity", "1,10,100", "-o", out_.string()});
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    EXPECT_TRUE(tells(run.out, {"setting up", "20 min"}));
+    EXPECT_TRUE(tells(run.out, {"setting up 20.0 min", "1 clamping"}));
     EXPECT_TRUE(tells(run.out, {"not in it", "stock material"}));
     const Json json = Json::parse(slurp(out_ / "quote.json"));
     ASSERT_EQ(json.at("lots").size(), 3U);
