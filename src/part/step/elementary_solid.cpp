@@ -9,6 +9,8 @@
 #include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
+#include <Standard_Failure.hxx>
+#include <Standard_OutOfMemory.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -135,10 +137,7 @@ bool isSame(const TopoDS_Shape& redrawn, const HealedSolid& drawn) {
            kSameForm_mm * areaOf(redrawn) + kMeasuredShare * drawn.volume_mm3;
 }
 
-}  // namespace
-
-TopoDS_Shape withElementarySurfaces(const HealedSolid& solid, ShapeNames& names,
-                                    std::vector<Remark>& remarks) {
+TopoDS_Shape redrawnSolid(const HealedSolid& solid, ShapeNames& names, std::vector<Remark>& remarks) {
     Redrawing redrawing(solid.shape);
     if (redrawing.surfaces() == 0) return solid.shape;
     ShapeFix_Shape fixer(redrawing.solid(solid.shape));
@@ -154,6 +153,19 @@ TopoDS_Shape withElementarySurfaces(const HealedSolid& solid, ShapeNames& names,
                      "spheres or tori to {:g} mm and taken as these",
                      redrawing.surfaces(), countShapes(solid.shape, TopAbs_FACE), kSameForm_mm)});
     return TopExp_Explorer(redrawn, TopAbs_SOLID).Current();
+}
+
+}  // namespace
+
+TopoDS_Shape withElementarySurfaces(const HealedSolid& solid, ShapeNames& names,
+                                    std::vector<Remark>& remarks) {
+    try {
+        return redrawnSolid(solid, names, remarks);
+    } catch (const Standard_OutOfMemory&) {
+        throw;
+    } catch (const Standard_Failure&) {
+        return solid.shape;  // as good as it was drawn
+    }
 }
 
 }  // namespace stepmill

@@ -65,12 +65,11 @@ struct FaceGrid {
     std::optional<Vec3> pole;  ///< a point without a normal
 };
 
-FaceGrid gridOn(const TopoDS_Face& face) {
+/// \param across, along  points in either direction of the parameters
+FaceGrid gridOn(const TopoDS_Face& face, int across, int along) {
     const BRepAdaptor_Surface surface(face);
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
-    const int across = samplesAlong(surface.NbUIntervals(GeomAbs_CN));
-    const int along = samplesAlong(surface.NbVIntervals(GeomAbs_CN));
     FaceGrid grid;
     for (int i = 0; i < across; ++i)
         for (int j = 0; j < along; ++j) {
@@ -86,6 +85,13 @@ FaceGrid gridOn(const TopoDS_Face& face) {
             grid.points.push_back({toVec3(p), Vec3(normal.X(), normal.Y(), normal.Z()).normalized()});
         }
     return grid;
+}
+
+/// So fine that no span of the surface can bulge unseen.
+FaceGrid fineGridOn(const TopoDS_Face& face) {
+    const BRepAdaptor_Surface surface(face);
+    return gridOn(face, samplesAlong(surface.NbUIntervals(GeomAbs_CN)),
+                  samplesAlong(surface.NbVIntervals(GeomAbs_CN)));
 }
 
 /// Solves rows * x = values in the sense of least squares.
@@ -273,10 +279,12 @@ bool isElementary(const TopoDS_Face& face) {
 
 std::optional<ElementarySurface> elementarySurface(const TopoDS_Face& face) {
     if (isElementary(face)) return std::nullopt;
-    const FaceGrid grid = gridOn(face);
+    // Free forms, of which a part may have thousands, are ruled out by few points.
+    const FaceGrid grid = gridOn(face, kFewestAcrossFace, kFewestAcrossFace);
     if (grid.points.size() < kFewestAcrossFace) return std::nullopt;
     for (const auto through : {planeThrough, cylinderThrough, coneThrough, sphereThrough, torusThrough})
-        if (const auto fit = fitted(through(grid), grid.points)) return fit;
+        if (const auto fit = fitted(through(grid), grid.points))
+            return fitted(fit->surface, fineGridOn(face).points);
     return std::nullopt;
 }
 
