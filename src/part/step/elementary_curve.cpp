@@ -70,7 +70,7 @@ std::optional<ElementaryCurve> elementaryCurve(const TopoDS_Edge& edge) {
         curve.GetType() == GeomAbs_Ellipse)
         return std::nullopt;
     const std::vector<gp_Pnt> points = pointsOn(curve);
-    if (const auto line = lineThrough(points)) return line;
+    if (auto line = lineThrough(points)) return line;
     return circleThrough(points);
 }
 

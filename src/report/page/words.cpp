@@ -13,10 +13,15 @@ namespace {
 /// Longer names may break within words [bytes].
 constexpr std::size_t kMostUnbroken = 40;
 
+/// Less than this shows as nothing in a table of volumes [mm3].
+constexpr double kShowsMm3 = 0.5;
+
 /// Where no tool is taken.
 std::string noToolWords(const ToolSequence& sequence) {
     for (const Residual& residual : sequence.residual)
-        if (!residual.taken_by.empty()) return "left to " + residual.taken_by;
+        if (!residual.taken_by.empty())
+            return "left to " + residual.taken_by +
+                   (residual.stays_mm3.value_or(0) > kShowsMm3 ? ", in part" : "");
     return "none fits";
 }
 
@@ -47,7 +52,7 @@ std::string axesWords(const SetupChoice& choice) {
 }
 
 std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
-    const std::string words = toString(feature.featureClass());
+    std::string words = toString(feature.featureClass());
     const Feature& lowest = feature.lowest();
     if (!isHole(lowest.feature_class) || !isFullCircles(lowest.target)) return words;
     const std::size_t holes = lowest.target.loops.size();
