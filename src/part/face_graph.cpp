@@ -15,6 +15,7 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
+#include "part/face_sample.h"
 #include "part/measure.h"
 #include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
@@ -25,19 +26,6 @@ namespace {
 
 Vec3 vec(const gp_XYZ& p) {
     return {p.X(), p.Y(), p.Z()};
-}
-
-/// Point and outward normal of a face at its parameters; a zero normal at a pole.
-FaceSample sampleAt(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, double u, double v) {
-    gp_Pnt p;
-    gp_Vec du;
-    gp_Vec dv;
-    surface.D1(u, v, p, du, dv);
-    gp_Vec normal = du.Crossed(dv);
-    if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
-    const double size = normal.Magnitude();
-    constexpr double kPole = 1e-12;
-    return {vec(p.XYZ()), size > kPole ? Vec3(vec(normal.XYZ()) / size) : Vec3(Vec3::Zero())};
 }
 
 struct ParameterBox {

@@ -5,6 +5,7 @@
 #include <Adaptor3d_Curve.hxx>
 #include <Bnd_Box.hxx>
 #include <BRep_Tool.hxx>
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
@@ -75,6 +76,12 @@ std::string surfaceKind(const TopoDS_Face& face) {
         default:
             return "other";
     }
+}
+
+bool isFreeForm(const TopoDS_Edge& edge) {
+    if (BRep_Tool::Degenerated(edge)) return false;
+    const GeomAbs_CurveType type = BRepAdaptor_Curve(edge).GetType();
+    return type != GeomAbs_Line && type != GeomAbs_Circle && type != GeomAbs_Ellipse;
 }
 
 double volumeOf(const TopoDS_Shape& shape) {

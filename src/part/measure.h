@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 
@@ -12,6 +13,9 @@ namespace stepmill {
 
 /// "plane", "cylinder", ... as PartFace::surface says it.
 std::string surfaceKind(const TopoDS_Face& face);
+
+/// Is the edge neither degenerated nor a line, a circle or an ellipse?
+bool isFreeForm(const TopoDS_Edge& edge);
 
 /// Signed volume by integrals over the faces, to about 1e-6 of itself [mm3]; negative for a solid whose faces
 /// look inwards.

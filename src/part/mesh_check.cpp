@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "part/measure.h"
 #include "part/occt_values.h"
 
 namespace stepmill {
@@ -106,12 +107,6 @@ MeshVolume Mesh::volume() const {
     volume.mean_mm3 = sum.mean();
     volume.spread_mm3 = sum.maxCoeff() - sum.minCoeff();
     return volume;
-}
-
-bool isFreeForm(const TopoDS_Edge& edge) {
-    if (BRep_Tool::Degenerated(edge)) return false;
-    const GeomAbs_CurveType type = BRepAdaptor_Curve(edge).GetType();
-    return type != GeomAbs_Line && type != GeomAbs_Circle && type != GeomAbs_Ellipse;
 }
 
 double turn(const gp_Pnt2d& a, const gp_Pnt2d& b, const gp_Pnt2d& c) {

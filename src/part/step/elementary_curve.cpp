@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <vector>
 
-#include <BRep_Tool.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <gce_MakeCirc.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_Line.hxx>
-#include <TopoDS.hxx>
 
-#include "part/occt_values.h"
+#include "part/measure.h"
 #include "part/step/elementary_surface.h"
 #include "stepmill/core/units.h"
 
@@ -51,7 +49,7 @@ std::optional<ElementaryCurve> circleThrough(const std::vector<gp_Pnt>& points) 
     for (const gp_Pnt& p : points)
         if (circle.Distance(p) > kSameForm_mm) return std::nullopt;
     const bool closed = points.front().Distance(points.back()) < kSameForm_mm;
-    gp_Vec end(circle.Location(), points.back());
+    const gp_Vec end(circle.Location(), points.back());
     double angle = circle.XAxis().Direction().AngleWithRef(gp_Dir(end), axis);
     if (closed)
         angle = 2 * kPi;
@@ -63,13 +61,8 @@ std::optional<ElementaryCurve> circleThrough(const std::vector<gp_Pnt>& points) 
 }  // namespace
 
 std::optional<ElementaryCurve> elementaryCurve(const TopoDS_Edge& edge) {
-    if (BRep_Tool::Degenerated(edge)) return std::nullopt;
-    // The curve as it is drawn, whichever way the edge uses it.
-    const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Oriented(TopAbs_FORWARD)));
-    if (curve.GetType() == GeomAbs_Line || curve.GetType() == GeomAbs_Circle ||
-        curve.GetType() == GeomAbs_Ellipse)
-        return std::nullopt;
-    const std::vector<gp_Pnt> points = pointsOn(curve);
+    if (!isFreeForm(edge)) return std::nullopt;
+    const std::vector<gp_Pnt> points = pointsOn(BRepAdaptor_Curve(edge));
     if (auto line = lineThrough(points)) return line;
     return circleThrough(points);
 }

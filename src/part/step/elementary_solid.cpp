@@ -1,11 +1,11 @@
 #include "part/step/elementary_solid.h"
 
 #include <cmath>
-#include <map>
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <BRepCheck_Analyzer.hxx>
+#include <NCollection_DataMap.hxx>
 #include <Precision.hxx>
 #include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
@@ -17,6 +17,7 @@
 #include <TopoDS_Iterator.hxx>
 #include <TopTools_DataMapOfShapeShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
 
 #include <fmt/format.h>
 
@@ -37,8 +38,8 @@ class Redrawing {
   public:
     explicit Redrawing(const TopoDS_Shape& solid) {
         for (const TopoDS_Face& face : facesOf(solid))
-            if (auto form = elementarySurface(face)) forms_.emplace(numbers_.Add(face), std::move(*form));
-        if (forms_.empty()) return;
+            if (const auto form = elementarySurface(face)) forms_.Bind(face, *form);
+        if (forms_.IsEmpty()) return;
         TopTools_IndexedMapOfShape edges;
         TopExp::MapShapes(solid, TopAbs_EDGE, edges);
         for (int i = 1; i <= edges.Extent(); ++i) {
@@ -47,7 +48,7 @@ class Redrawing {
         }
     }
 
-    int surfaces() const { return static_cast<int>(forms_.size()); }
+    int surfaces() const { return forms_.Extent(); }
 
     TopoDS_Shape solid(const TopoDS_Shape& drawn) {
         TopoDS_Solid solid;
@@ -81,7 +82,7 @@ class Redrawing {
     }
 
     bool isRedrawn(const TopoDS_Face& drawn) const {
-        if (numbers_.Contains(drawn)) return true;
+        if (forms_.IsBound(drawn)) return true;
         for (TopExp_Explorer edges(drawn, TopAbs_EDGE); edges.More(); edges.Next())
             if (edges_.IsBound(edges.Current())) return true;
         return false;
@@ -89,13 +90,12 @@ class Redrawing {
 
     /// \returns it as it is where `drawn` looks forward
     TopoDS_Shape redrawn(const TopoDS_Face& drawn) {
-        const auto form = forms_.find(numbers_.FindIndex(drawn));
-        const bool turned = form != forms_.end() && form->second.turned;
+        const ElementarySurface* form = forms_.Seek(drawn);
+        const bool turned = form != nullptr && form->turned;
         TopoDS_Face face;
-        builder_.MakeFace(
-            face,
-            form != forms_.end() ? Handle(Geom_Surface)(form->second.surface) : BRep_Tool::Surface(drawn),
-            std::max(BRep_Tool::Tolerance(drawn), Precision::Confusion()));
+        builder_.MakeFace(face,
+                          form != nullptr ? Handle(Geom_Surface)(form->surface) : BRep_Tool::Surface(drawn),
+                          std::max(BRep_Tool::Tolerance(drawn), Precision::Confusion()));
         // A loop runs anticlockwise about the normal of its surface.
         for (TopoDS_Iterator wires(forward(drawn)); wires.More(); wires.Next()) {
             const TopoDS_Shape wire = redrawnWire(wires.Value());
@@ -119,10 +119,10 @@ class Redrawing {
     }
 
     BRep_Builder builder_;
-    TopTools_IndexedMapOfShape numbers_;      ///< of the faces that have a form
-    std::map<int, ElementarySurface> forms_;  ///< by these
-    TopTools_DataMapOfShapeShape edges_;      ///< drawn anew, by the edges they stand for
-    TopTools_DataMapOfShapeShape faces_;      ///< as they are where the drawn ones look forward
+    /// By face.
+    NCollection_DataMap<TopoDS_Shape, ElementarySurface, TopTools_ShapeMapHasher> forms_;
+    TopTools_DataMapOfShapeShape edges_;  ///< drawn anew, by the edges they stand for
+    TopTools_DataMapOfShapeShape faces_;  ///< as they are where the drawn ones look forward
 };
 
 /// To how much of itself a volume is measured, with room.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include <BRep_Tool.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -15,9 +14,11 @@
 #include <gp_Ax3.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
+#include <TopoDS.hxx>
 
 #include <Eigen/SVD>
 
+#include "part/face_sample.h"
 #include "part/occt_values.h"
 #include "stepmill/core/units.h"
 
@@ -32,12 +33,7 @@ constexpr int kMostAcrossFace = 65;
 /// Radii beyond this are planes or noise [mm].
 constexpr double kLargestRadius_mm = 1e5;
 
-struct SurfacePoint {
-    Vec3 at;
-    Vec3 normal;
-};
-
-using SurfacePoints = std::vector<SurfacePoint>;
+using SurfacePoints = std::vector<FaceSample>;
 
 gp_Pnt point(const Vec3& p) {
     return {p.x(), p.y(), p.z()};
@@ -59,7 +55,8 @@ int samplesAlong(int spans) {
     return std::clamp(kAcrossSpan * spans, kFewestAcrossFace, kMostAcrossFace);
 }
 
-/// A grid over a face's parameters, its rim included.
+/// A grid over a face's parameters, its rim included, with the normals of the surface, whichever of its sides
+/// the face shows.
 struct FaceGrid {
     SurfacePoints points;
     std::optional<Vec3> pole;  ///< a point without a normal
@@ -67,22 +64,19 @@ struct FaceGrid {
 
 /// \param across, along  points in either direction of the parameters
 FaceGrid gridOn(const TopoDS_Face& face, int across, int along) {
+    const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
     const BRepAdaptor_Surface surface(face);
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     FaceGrid grid;
     for (int i = 0; i < across; ++i)
         for (int j = 0; j < along; ++j) {
-            gp_Pnt p;
-            gp_Vec du, dv;
-            surface.D1(u0 + (u1 - u0) * i / (across - 1), v0 + (v1 - v0) * j / (along - 1), p, du, dv);
-            const gp_Vec normal = du.Crossed(dv);
-            constexpr double kPole = 1e-12;
-            if (normal.Magnitude() < kPole) {
-                grid.pole = toVec3(p);
-                continue;
-            }
-            grid.points.push_back({toVec3(p), Vec3(normal.X(), normal.Y(), normal.Z()).normalized()});
+            const FaceSample sample = sampleAt(forward, surface, u0 + (u1 - u0) * i / (across - 1),
+                                               v0 + (v1 - v0) * j / (along - 1));
+            if (sample.normal.isZero())
+                grid.pole = sample.at;
+            else
+                grid.points.push_back(sample);
         }
     return grid;
 }
@@ -95,8 +89,7 @@ FaceGrid fineGridOn(const TopoDS_Face& face) {
 }
 
 /// Solves rows * x = values in the sense of least squares.
-/// \param unknowns  of x
-/// \param rowOf     (point, row, value) fills one row of those that each point gives
+/// \param rowsOf  fills in the rows and values that a point gives
 template <int kUnknowns, int kRowsEach, typename RowsOf>
 Eigen::Matrix<double, kUnknowns, 1> leastSquares(const SurfacePoints& points, const RowsOf& rowsOf) {
     const auto count = static_cast<Eigen::Index>(points.size());
@@ -137,12 +130,12 @@ gp_Ax3 frame(const Vec3& origin, const Vec3& axis, const SurfacePoints& points) 
 Handle(Geom_ElementarySurface) planeThrough(const FaceGrid& grid) {
     const SurfacePoints& points = grid.points;
     Vec3 normal = Vec3::Zero();
-    for (const SurfacePoint& p : points)
+    for (const FaceSample& p : points)
         normal += p.normal;
     if (normal.norm() < 0.5 * static_cast<double>(points.size())) return {};
     normal = tidied(normal.normalized());
     double offset = 0;
-    for (const SurfacePoint& p : points)
+    for (const FaceSample& p : points)
         offset += normal.dot(p.at) / static_cast<double>(points.size());
     const Vec3 first = points.front().at;
     return new Geom_Plane(point(first + (offset - normal.dot(first)) * normal), direction(normal));
@@ -153,7 +146,7 @@ Handle(Geom_ElementarySurface) cylinderThrough(const FaceGrid& grid) {
     const Vec3 axis = leastDirection(normalsOf(points));
     const auto flat = [&](const Vec3& v) { return Vec3(v - v.dot(axis) * axis); };
     const Eigen::Vector4d fit =
-        leastSquares<4, 3>(points, [&](const SurfacePoint& p, auto& rows, auto& values) {
+        leastSquares<4, 3>(points, [&](const FaceSample& p, auto& rows, auto& values) {
             rows << Eigen::Matrix3d::Identity(), flat(p.normal);
             values = flat(p.at);
         });
@@ -169,7 +162,7 @@ Handle(Geom_ElementarySurface) coneThrough(const FaceGrid& grid) {
     Eigen::Matrix<double, Eigen::Dynamic, 3> normals = normalsOf(points);
     normals.rowwise() -= normals.colwise().mean().eval();
     Vec3 axis = leastDirection(normals);
-    const Vec3 apex = leastSquares<3, 1>(points, [](const SurfacePoint& p, auto& rows, auto& values) {
+    const Vec3 apex = leastSquares<3, 1>(points, [](const FaceSample& p, auto& rows, auto& values) {
         rows = p.normal.transpose();
         values[0] = p.normal.dot(p.at);
     });
@@ -187,11 +180,10 @@ Handle(Geom_ElementarySurface) coneThrough(const FaceGrid& grid) {
 /// Its poles are where the face's own surface has one, else away from the face: a loop around a pole is none.
 Handle(Geom_ElementarySurface) sphereThrough(const FaceGrid& grid) {
     const SurfacePoints& points = grid.points;
-    const Eigen::Vector4d fit =
-        leastSquares<4, 3>(points, [](const SurfacePoint& p, auto& rows, auto& values) {
-            rows << Eigen::Matrix3d::Identity(), p.normal;
-            values = p.at;
-        });
+    const Eigen::Vector4d fit = leastSquares<4, 3>(points, [](const FaceSample& p, auto& rows, auto& values) {
+        rows << Eigen::Matrix3d::Identity(), p.normal;
+        values = p.at;
+    });
     const double radius = std::abs(fit[3]);
     if (!(radius > 0 && radius < kLargestRadius_mm)) return {};
     const Vec3 centre = fit.head<3>();
@@ -200,7 +192,7 @@ Handle(Geom_ElementarySurface) sphereThrough(const FaceGrid& grid) {
         axis = tidied((*grid.pole - centre).normalized());
     } else {
         Vec3 middle = Vec3::Zero();
-        for (const SurfacePoint& p : points)
+        for (const FaceSample& p : points)
             middle += p.normal;
         axis = tidied(middle.unitOrthogonal());
     }
@@ -226,7 +218,7 @@ Handle(Geom_ElementarySurface) torusThrough(const FaceGrid& grid) {
     const Vec3 on_axis = points.front().at + along.cross(line.tail<3>()) / along.squaredNorm();
     // In the half plane of radius and height the profile is a circle.
     const Eigen::Vector3d fit =
-        leastSquares<3, 2>(points, [&](const SurfacePoint& p, auto& rows, auto& values) {
+        leastSquares<3, 2>(points, [&](const FaceSample& p, auto& rows, auto& values) {
             const Vec3 from = p.at - on_axis;
             const Vec3 across = from - from.dot(axis) * axis;
             const Vec3 out = across.normalized();
@@ -246,7 +238,7 @@ std::optional<ElementarySurface> fitted(const Handle(Geom_ElementarySurface) & s
     int same = 0;
     int opposite = 0;
     ShapeAnalysis_Surface analysis(surface);
-    for (const SurfacePoint& p : points) {
+    for (const FaceSample& p : points) {
         const gp_Pnt2d uv = analysis.ValueOfUV(point(p.at), Precision::Confusion());
         gp_Pnt at;
         gp_Vec du, dv;

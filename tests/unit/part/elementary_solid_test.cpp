@@ -1,15 +1,11 @@
 #include <gtest/gtest.h>
 #include <BRepAlgoAPI_Cut.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <gp_Elips.hxx>
@@ -23,6 +19,7 @@
 #include "part/step/elementary_solid.h"
 #include "stepmill/part/face_graph.h"
 #include "stepmill/part/part_shape.h"
+#include "support/closed_curves.h"
 
 namespace stepmill {
 namespace {
@@ -87,8 +84,7 @@ std::vector<double> radiiOf(const TopoDS_Shape& solid) {
 /// An upright wall over an ellipse that a circle of 10 mm misses by `off_mm`.
 TopoDS_Shape ellipticPrism(double off_mm) {
     const gp_Elips ellipse(gp::XOY(), 10 + off_mm, 10 - off_mm);
-    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(ellipse).Edge()).Wire();
-    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, 5)).Shape();
+    return test::prismIn(BRepBuilderAPI_MakeEdge(ellipse).Edge(), 5);
 }
 
 TEST(ElementarySolid, ASplinedBlockIsWhatItWas) {

@@ -2,15 +2,10 @@
 #include <BRep_Builder.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeSolid.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
 #include <Geom_BSplineCurve.hxx>
-#include <GeomAPI_Interpolate.hxx>
-#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
@@ -20,6 +15,7 @@
 #include "part/step/heal.h"
 #include "stepmill/core/units.h"
 #include "stepmill/part/part_shape.h"
+#include "support/closed_curves.h"
 
 namespace stepmill {
 namespace {
@@ -163,16 +159,10 @@ TEST(Misfit, IsNothingOnACleanBoolean) {
 
 /// A star with round rays: a periodic spline of that many spans.
 Handle(Geom_BSplineCurve) star(int spans) {
-    Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, spans);
-    for (int i = 0; i < spans; ++i) {
-        const double angle = 2 * kPi * i / spans;
-        const double radius_mm = 10 + 0.8 * std::sin(9 * angle);
-        points->SetValue(i + 1,
-                         gp_Pnt(30 + radius_mm * std::cos(angle), 20 + radius_mm * std::sin(angle), 0));
-    }
-    GeomAPI_Interpolate interpolated(points, true, 1e-7);
-    interpolated.Perform();
-    return interpolated.Curve();
+    std::vector<double> radii_mm;
+    for (int i = 0; i < spans; ++i)
+        radii_mm.push_back(10 + 0.8 * std::sin(9 * 2 * kPi * i / spans));
+    return test::closedSpline(radii_mm, gp_Pnt(30, 20, 0));
 }
 
 // The kernel's own integrals are 0.5 to 5 % off here.
@@ -191,9 +181,7 @@ TEST(VolumeOf, SeesTheSpansOfSweptSplines) {
             length_mm += from.Distance(to);
             from = to;
         }
-        const TopoDS_Face face =
-            BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve)).Wire());
-        const TopoDS_Shape solid = BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, 3));
+        const TopoDS_Shape solid = test::prismIn(BRepBuilderAPI_MakeEdge(curve).Edge(), 3);
         EXPECT_NEAR(std::abs(volumeOf(solid)), 1.5 * std::abs(twice_mm2), 1e-5 * std::abs(twice_mm2))
             << spans;
         EXPECT_NEAR(areaOf(solid), std::abs(twice_mm2) + 3 * length_mm, 1e-5 * std::abs(twice_mm2)) << spans;

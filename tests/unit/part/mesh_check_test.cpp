@@ -6,20 +6,15 @@
 #include <numbers>
 
 #include <BRep_Builder.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
-#include <BRepPrimAPI_MakePrism.hxx>
-#include <GeomAPI_Interpolate.hxx>
-#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 
 #include "part/measure.h"
 #include "stepmill/core/error.h"
+#include "support/closed_curves.h"
 
 namespace stepmill {
 namespace {
@@ -57,26 +52,13 @@ TEST(MeshVolume, TellsEveryFaceThatIsTurnedOver) {
     EXPECT_NO_THROW(requireMesh(pin, volume_mm3, "pin"));
 }
 
-/// A disc of about 30 mm under one closed spline through points at these distances from its middle.
-TopoDS_Shape cam(const std::vector<double>& radii_mm) {
-    const int count = static_cast<int>(radii_mm.size());
-    const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, count);
-    for (int i = 0; i < count; ++i) {
-        const double angle = 2 * std::numbers::pi * i / count;
-        points->SetValue(i + 1, gp_Pnt(radii_mm[i] * std::cos(angle), radii_mm[i] * std::sin(angle), 0));
-    }
-    GeomAPI_Interpolate spline(points, true, 1e-7);
-    spline.Perform();
-    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(spline.Curve()).Edge()).Wire();
-    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire, true).Face(), gp_Vec(0, 0, 10)).Shape();
-}
-
 TEST(RequireMesh, TakesClosedSplines) {
     for (int turned = 0; turned < 24; ++turned) {
         std::vector<double> radii_mm;
         for (int i = 0; i < 12; ++i)
             radii_mm.push_back(30 + 4 * std::sin(0.26 * turned + 2 * std::numbers::pi * i / 12));
-        const TopoDS_Shape solid = cam(radii_mm);
+        const TopoDS_Shape solid =
+            test::prismIn(BRepBuilderAPI_MakeEdge(test::closedSpline(radii_mm)).Edge(), 10);
         EXPECT_NO_THROW(requireMesh(solid, volumeOf(solid), "cam")) << turned;
     }
 }
