@@ -53,10 +53,11 @@ std::vector<Interval> sidesOn(const Region& region, const Vec2& normal, double o
     return found;
 }
 
-/// What two jaws hold of the stock, and where their middle stands along them.
+/// What two jaws hold of the stock.
 struct Hold {
     double length_mm = 0;
-    double middle_mm = 0;
+    double middle_mm = 0;  ///< where the jaws' middle stands along them
+    double beside_mm = 0;  ///< that sticks out beside them [besideJawsMm()]
 };
 
 /// Where both sides have material. Stretches of one side do not overlap.
@@ -100,7 +101,7 @@ Hold longestHold(const std::vector<std::vector<Interval>>& levels, double width_
         const bool longer = least_mm > best.length_mm * (1 + kSameHold);
         const bool as_long = least_mm > best.length_mm * (1 - kSameHold);
         if (longer || (as_long && std::abs(at - middle_mm) < std::abs(best.middle_mm - middle_mm)))
-            best = {least_mm, at};
+            best = {least_mm, at, 0};
     }
     return best;
 }
@@ -233,7 +234,10 @@ class ViseFinder {
             else if (area(standing) >= area(slab.region))
                 return {};
         }
-        return levels.empty() ? Hold{} : longestHold(levels, vise_.jaw_width_mm);
+        if (levels.empty()) return {};
+        Hold hold = longestHold(levels, vise_.jaw_width_mm);
+        hold.beside_mm = besideJawsMm(stock_, vise_, across, hold.middle_mm);
+        return hold;
     }
 
     /// The jaws reach no higher over the stock's bottom.
@@ -307,9 +311,8 @@ class ViseFinder {
         }
         const Hold hold = held(across, grip, top->over_bottom_mm);
         if (hold.length_mm < kLeastLengthMm) return;
-        const double out_mm = besideJawsMm(stock_, vise_, across, hold.middle_mm);
-        if (holdsOneEndAlone(vise_, out_mm)) {
-            why_ = endsStickOut(out_mm);
+        if (holdsOneEndAlone(vise_, hold.beside_mm)) {
+            why_ = endsStickOut(hold.beside_mm);
             return;
         }
         const double depth = top->over_bottom_mm - grip.from_mm;
@@ -344,7 +347,7 @@ class ViseFinder {
         made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, hold.middle_mm, top_z_mm),
                          viseJaw(vise_, growth_mm_, -across, grip.left_mm, -hold.middle_mm, top_z_mm)};
         made.text = viseText(made);
-        made.text += supportWords(vise_, besideJawsMm(stock_, vise_, across, hold.middle_mm));
+        made.text += supportWords(vise_, hold.beside_mm);
         return made;
     }
 

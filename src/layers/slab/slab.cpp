@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "layers/section/hull_section.h"
 #include "layers/section/mended_section.h"
 #include "layers/slab/facet_cover.h"
 #include "layers/slab/local_boolean.h"
@@ -26,13 +27,6 @@ double insetMm(double height_mm, const Tolerances& tol) {
 constexpr double kLevelGapMm = 1;
 /// Facets this near to level at a slab's bottom are where such walls run out: others close no gap there.
 constexpr double kNearlyLevel = 0.95;
-
-Region planOf(const SlabFacet& facet) {
-    std::vector<Vec2> corners(facet.corner.begin(), facet.corner.begin() + facet.corners);
-    const bool clockwise = cross(corners[1] - corners[0], corners[2] - corners[0]) < 0;
-    if (clockwise) std::reverse(corners.begin(), corners.end());
-    return makePolygon(corners);
-}
 
 bool allWallsVertical(const SolidMesh& mesh, double top_mm, double bottom_mm, double merge_mm) {
     for (const MeshFace& face : mesh.faces()) {
@@ -141,8 +135,10 @@ class SlabCutter {
         std::vector<Region> near;
         for (const SlabFacet& facet : facets) {
             if (facet.thin || facet.normal_z < kNearlyLevel || facet.low_mm > bottom_ + inset_) continue;
-            level.push_back(planOf(facet));
-            const Box2 box = grown(boundingBox(level.back()), kLevelGapMm);
+            Region plan = grownHull({facet.corner.begin(), facet.corner.begin() + facet.corners}, 0);
+            if (plan.empty()) continue;
+            const Box2 box = grown(boundingBox(plan), kLevelGapMm);
+            level.push_back(std::move(plan));
             near.push_back(makeRectangle(box.min(), box.max()));
         }
         if (level.empty()) return;

@@ -106,14 +106,20 @@ Clamping givenClamping(const FixtureFile& given, const std::string& setup_id) {
 /// What stands at every height of each slab; nothing over where jaws end, where it leans.
 std::vector<Region> standingThroughout(const Stage& stage, const Vise& vise, const Tolerances& tol) {
     const LayerStack& layers = stage.layers;
-    const StockSections sections(stage.setup, stage.setup.stock, tol);
     std::vector<Region> standing(layers.layers.size());
-    parallelFor(standing.size(), [&](std::size_t i) {
+    std::vector<std::size_t> leaning;
+    for (std::size_t i = 0; i < standing.size(); ++i) {
         const Layer& layer = layers.layers[i];
         if (layer.stock_air_mm3 <= 0)
             standing[i] = layer.stock;
         else if (layer.bottom_z_mm < layers.stock_bottom_z_mm + vise.jaw_height_mm)
-            standing[i] = sections.throughout(layer.stock, layer.bottom_z_mm, layer.top_z_mm);
+            leaning.push_back(i);
+    }
+    if (leaning.empty()) return standing;
+    const StockSections sections(stage.setup, stage.setup.stock, tol);
+    parallelFor(leaning.size(), [&](std::size_t i) {
+        const Layer& layer = layers.layers[leaning[i]];
+        standing[leaning[i]] = sections.throughout(layer.stock, layer.bottom_z_mm, layer.top_z_mm);
     });
     return standing;
 }
