@@ -66,7 +66,7 @@ std::optional<SetupVerdict> setupVerdictFrom(std::string_view word);
 struct SetupChoice {
     struct Planned {
         double time_s = 0;   ///< of the plan, a piece
-        double setup_s = 0;  ///< to set up, shared among the pieces of the lot
+        double setup_s = 0;  ///< to set up, shared among the pieces of the lot, and to load each
         double stays_mm3 = 0;
     };
     std::vector<Vec3> axes;  ///< in part coordinates, in machining order

@@ -10,15 +10,17 @@ namespace stepmill::report {
 
 std::vector<std::string> quoteContains(const Quote& quote) {
     const QuoteTerms& terms = quote.terms;
+    const std::string clampings =
+        quote.setups == 1 ? "1 clamping" : fmt::format("{} clampings", quote.setups);
     return {fmt::format("machining {} a piece: {}", rangeWords(quote.machining_s, 1, "s"),
                         quote.acceleration
                             ? "at the programmed feeds alone, and with the machine's acceleration"
                             : "at the programmed feeds; the machine's acceleration is not known, so it "
                               "will take longer"),
-            fmt::format("loading {:.1f} s a piece, in {} clampings", quote.load_s, quote.setups),
+            fmt::format("loading {:.1f} s a piece, in {}", quote.load_s, clampings),
             fmt::format("tool wear {:.2f} {} a piece, by the lives and prices of the library", quote.wear,
                         quote.currency),
-            fmt::format("setting up {:.1f} min once a lot, {} clampings", quote.setup_min, quote.setups),
+            fmt::format("setting up {:.1f} min once a lot, {}", quote.setup_min, clampings),
             fmt::format("programming {:g} min once a lot", terms.programming_min),
             fmt::format("the machine at {:.2f} {} an hour", quote.hourly_rate, quote.currency)};
 }
