@@ -67,7 +67,7 @@ class EdgeWalls : public SiteWalls {
                            [&](double z_mm) { return z_mm > layer.bottom_z_mm && z_mm <= layer.top_z_mm; });
     }
 
-    std::vector<Heights> bandsOf(const Layer& layer, double /*skin_mm*/) const override {
+    std::vector<Heights> bandsOf(const Layer& layer, const BandLimits& /*limits*/) const override {
         std::vector<double> heights = part_.levelsBetween(layer.bottom_z_mm, layer.top_z_mm);
         for (const double z_mm : cuts_mm_)
             if (z_mm > layer.bottom_z_mm && z_mm < layer.top_z_mm) heights.push_back(z_mm);

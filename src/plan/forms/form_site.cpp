@@ -20,6 +20,10 @@ namespace {
 /// Bands are no thinner, whatever the lean, and no thicker on walls that lean at all [mm].
 constexpr double kThinnestBandMm = 0.01;
 constexpr double kThickestBandMm = 0.25;
+/// The thickest of a small ground. A ball goes into a groove of its own radius as much too high as the
+/// thickest of its bands, and from one mostly too high to be worth it.
+constexpr double kThickestOfFewMm = 0.05;
+constexpr std::size_t kFewBands = 150;
 /// A setup has no more bands than this; where it would, they are cut coarser.
 constexpr std::size_t kMostBands = 500;
 /// ... but never coarser than for a skin of that thickness [mm].
@@ -28,17 +32,18 @@ constexpr double kThickestSkinMm = 0.5;
 constexpr double kRoomMm = 2.0;
 
 /// Halves what is too high for its lean.
-void addBands(const SectionCutter& part, const Heights& heights, double skin_mm, std::vector<Heights>& into) {
+void addBands(const SectionCutter& part, const Heights& heights, const BandLimits& limits,
+              std::vector<Heights>& into) {
     const double height_mm = heights.top_mm - heights.bottom_mm;
     const double lean = part.greatestLean(heights.bottom_mm, heights.top_mm);
-    const bool fine = height_mm * lean <= skin_mm || height_mm <= 2 * kThinnestBandMm;
-    if (lean <= 0 || (fine && height_mm <= std::max(kThickestBandMm, skin_mm))) {
+    const bool fine = height_mm * lean <= limits.skin_mm || height_mm <= 2 * kThinnestBandMm;
+    if (lean <= 0 || (fine && height_mm <= std::max(limits.thickest_mm, limits.skin_mm))) {
         into.push_back(heights);
         return;
     }
     const double middle_mm = onHeightStep((heights.bottom_mm + heights.top_mm) / 2);
-    addBands(part, {heights.bottom_mm, middle_mm}, skin_mm, into);
-    addBands(part, {middle_mm, heights.top_mm}, skin_mm, into);
+    addBands(part, {heights.bottom_mm, middle_mm}, limits, into);
+    addBands(part, {middle_mm, heights.top_mm}, limits, into);
 }
 
 /// Walls that look up and lean: flat layers leave stairs on them.
@@ -58,13 +63,13 @@ class LeaningWalls : public SiteWalls {
     bool cuts(const Layer& layer) const override {
         return std::find(feet_mm_.begin(), feet_mm_.end(), layer.bottom_z_mm) != feet_mm_.end();
     }
-    std::vector<Heights> bandsOf(const Layer& layer, double skin_mm) const override {
+    std::vector<Heights> bandsOf(const Layer& layer, const BandLimits& limits) const override {
         std::vector<Heights> bands;
         double bottom_mm = layer.bottom_z_mm;
         std::vector<double> tops = part_.levelsBetween(layer.bottom_z_mm, layer.top_z_mm);
         tops.push_back(layer.top_z_mm);
         for (const double top_mm : tops) {
-            addBands(part_, {bottom_mm, top_mm}, skin_mm, bands);
+            addBands(part_, {bottom_mm, top_mm}, limits, bands);
             bottom_mm = top_mm;
         }
         return bands;
@@ -166,10 +171,10 @@ class SiteMaker {
         }
     }
 
-    std::vector<Heights> bandsOf(const StandingLayer& standing, double skin_mm) const {
+    std::vector<Heights> bandsOf(const StandingLayer& standing, const BandLimits& limits) const {
         if (!standing.cut) return {standing.heights};
         std::vector<Heights> bands;
-        for (const Heights& band : walls_.bandsOf(*standing.layer, skin_mm)) {
+        for (const Heights& band : walls_.bandsOf(*standing.layer, limits)) {
             const Heights within{std::max(band.bottom_mm, standing.heights.bottom_mm),
                                  std::min(band.top_mm, standing.heights.top_mm)};
             if (within.bottom_mm < within.top_mm) bands.push_back(within);
@@ -182,21 +187,29 @@ class SiteMaker {
         Heights heights;
     };
 
-    std::vector<LayerBand> allBands(double skin_mm) const {
+    std::vector<LayerBand> allBands(const BandLimits& limits) const {
         std::vector<LayerBand> all;
         for (const StandingLayer& standing : standing_)
-            for (const Heights& heights : bandsOf(standing, skin_mm))
+            for (const Heights& heights : bandsOf(standing, limits))
                 all.push_back({&standing, heights});
         return all;
     }
 
-    void cutBands() {
-        double skin_mm = skin_mm_;
-        std::vector<LayerBand> bands = allBands(skin_mm);
-        while (bands.size() > kMostBands && skin_mm < kThickestSkinMm) {
-            skin_mm *= 2;
-            bands = allBands(skin_mm);
+    std::vector<LayerBand> affordableBands() const {
+        BandLimits limits{skin_mm_, kThickestOfFewMm};
+        std::vector<LayerBand> bands = allBands(limits);
+        if (bands.size() <= kFewBands) return bands;
+        limits.thickest_mm = kThickestBandMm;
+        bands = allBands(limits);
+        while (bands.size() > kMostBands && limits.skin_mm < kThickestSkinMm) {
+            limits.skin_mm *= 2;
+            bands = allBands(limits);
         }
+        return bands;
+    }
+
+    void cutBands() {
+        const std::vector<LayerBand> bands = affordableBands();
         site_.ground.must_stand.resize(bands.size());
         site_.leans.resize(bands.size());
         parallelFor(bands.size(), [&](std::size_t i) { cutBand(bands[i], i); });

@@ -12,6 +12,12 @@ struct Heights {
     double top_mm = 0;
 };
 
+/// How finely walls that lean are cut.
+struct BandLimits {
+    double skin_mm = 0;      ///< a band leaves a skin no thicker than this, its height times the sine of its lean
+    double thickest_mm = 0;  ///< nor is it higher than this, or than the skin where that is more
+};
+
 /// The walls that form cutters work on in a setup, and how the part is cut for them.
 class SiteWalls {
   public:
@@ -27,8 +33,8 @@ class SiteWalls {
     virtual std::vector<double> feet() const = 0;
     /// Is the layer cut finer, and its part not the layer's own?
     virtual bool cuts(const Layer& layer) const = 0;
-    /// The bands of such a layer from below, no higher than leaves a skin of that thickness on its walls.
-    virtual std::vector<Heights> bandsOf(const Layer& layer, double skin_mm) const = 0;
+    /// The bands of such a layer from below.
+    virtual std::vector<Heights> bandsOf(const Layer& layer, const BandLimits& limits) const = 0;
     /// What must stay of the part at all heights of a band.
     virtual Region mustStay(const Heights& band) const = 0;
     /// How walls lean there, as FormSite::leans.

@@ -41,7 +41,7 @@ TEST_P(RoundGroove, IsFinishedByABallFromAbove) {
     EXPECT_LT(plan.balance.gapShare(), 0.1 * kTol.volume_share);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfSizes, RoundGroove, testing::Values(3.5, 4.0, 6.0));
+INSTANTIATE_TEST_SUITE_P(OfSizes, RoundGroove, testing::Values(3.0, 3.5, 4.0, 6.0));
 
 }  // namespace
 }  // namespace stepmill
