@@ -68,9 +68,8 @@ bool isLeftUncut(const StayReason& reason) {
     return reason == Reason::Allowance || reason == Reason::Holding;
 }
 
-bool isLeftByRoughing(const StayReason& reason) {
+bool isOnLeaningWall(const StayReason& reason) {
     switch (reason.kind) {
-        case Reason::Allowance:
         case Reason::LeaningWall:
         case Reason::SlantedFace:
         case Reason::Chamfer:
@@ -82,6 +81,10 @@ bool isLeftByRoughing(const StayReason& reason) {
         default:
             return false;
     }
+}
+
+bool isLeftByRoughing(const StayReason& reason) {
+    return reason == Reason::Allowance || isOnLeaningWall(reason);
 }
 
 std::string toString(const StayReason& reason) {

@@ -7,32 +7,51 @@
 namespace stepmill {
 namespace {
 
-using VolumeByReason = std::map<StayReason, double, InOrderOfWords>;
+/// Volumes by reason [mm3].
+class Account {
+  public:
+    double& operator[](const StayReason& reason) { return volumes_[reason]; }
+    double at(const StayReason& reason) const {
+        const auto found = volumes_.find(reason);
+        return found == volumes_.end() ? 0 : found->second;
+    }
+    auto begin() const { return volumes_.begin(); }
+    auto end() const { return volumes_.end(); }
+    void add(const std::vector<ReasonVolume>& list) {
+        for (const ReasonVolume& entry : list)
+            volumes_[entry.reason] += entry.volume_mm3;
+    }
+    double sum() const {
+        double sum_mm3 = 0;
+        for (const auto& [reason, volume_mm3] : volumes_)
+            if (volume_mm3 > 0) sum_mm3 += volume_mm3;
+        return sum_mm3;
+    }
+    /// One entry a reason, in the order of the names; what is nothing falls away.
+    std::vector<ReasonVolume> list() const {
+        std::vector<ReasonVolume> list;
+        for (const auto& [reason, volume_mm3] : volumes_)
+            if (volume_mm3 > 0) list.push_back({reason, volume_mm3});
+        return list;
+    }
+    /// Takes a volume off all entries, in proportion.
+    void lessen(double by_mm3) {
+        const double sum_mm3 = sum();
+        if (sum_mm3 <= 0 || by_mm3 <= 0) return;
+        const double keep = std::max(0.0, 1 - by_mm3 / sum_mm3);
+        for (auto& [reason, volume_mm3] : volumes_)
+            volume_mm3 *= keep;
+    }
 
-double sumOf(const std::vector<ReasonVolume>& list) {
-    double sum = 0;
-    for (const ReasonVolume& entry : list)
-        sum += entry.volume_mm3;
-    return sum;
-}
+  private:
+    std::map<StayReason, double, InOrderOfWords> volumes_;
+};
 
-/// One entry a reason, in the order of the names; what is nothing falls away.
-std::vector<ReasonVolume> listOf(const VolumeByReason& by_reason) {
-    std::vector<ReasonVolume> list;
-    for (const auto& [reason, volume_mm3] : by_reason)
-        if (volume_mm3 > 0) list.push_back({reason, volume_mm3});
-    return list;
-}
-
-/// Takes a volume off all entries, in proportion.
-void lessen(VolumeByReason& by_reason, double by_mm3) {
-    double sum = 0;
-    for (const auto& [reason, volume_mm3] : by_reason)
-        sum += volume_mm3;
-    if (sum <= 0 || by_mm3 <= 0) return;
-    const double keep = std::max(0.0, 1 - by_mm3 / sum);
-    for (auto& [reason, volume_mm3] : by_reason)
-        volume_mm3 *= keep;
+void setLeft(VolumeBalance& books, const Account& residual, const Account& unreachable) {
+    books.residual_by_reason = residual.list();
+    books.unreachable_by_reason = unreachable.list();
+    books.residual_mm3 = residual.sum();
+    books.unreachable_mm3 = unreachable.sum();
 }
 
 bool spans(double top_z_mm, double bottom_z_mm, double z_mm) {
@@ -94,7 +113,7 @@ std::string takerOf(const Setup& setup, const Prism& prism,
 }
 
 /// What of an early setup's residuals is still there at the end and not in a later setup's own list.
-void addEarlierResiduals(const std::vector<SetupAccount>& accounts, VolumeByReason& by_reason,
+void addEarlierResiduals(const std::vector<SetupAccount>& accounts, Account& by_reason,
                          StayingResiduals& staying) {
     std::vector<std::vector<SetupPrism>> accounted;
     for (const SetupAccount& account : accounts)
@@ -134,7 +153,7 @@ void addLastResiduals(const PlannedSetup& last, double residual_mm3, StayingResi
 
 /// What form operations take of what leaning walls hide moves to what is planned; returns what of it is not
 /// among those volumes.
-double moveFormCuts(const PlannedSetup& planned, double& planned_mm3, VolumeByReason& hidden) {
+double moveFormCuts(const PlannedSetup& planned, double& planned_mm3, Account& hidden) {
     double missing_mm3 = 0;
     for (const Operation& operation : planned.operations)
         for (const ReasonVolume& taken : operation.takes) {
@@ -148,13 +167,13 @@ double moveFormCuts(const PlannedSetup& planned, double& planned_mm3, VolumeByRe
 }
 
 /// What of the last setup's residuals lies in stairs that form cutters of earlier setups took off.
-VolumeByReason residualsInStairs(const std::vector<SetupAccount>& accounts) {
+Account residualsInStairs(const std::vector<SetupAccount>& accounts) {
     std::vector<SetupPrism> stairs;
     for (std::size_t i = 0; i + 1 < accounts.size(); ++i)
         if (const PlannedSetup& planned = *accounts[i].planned; planned.form)
             for (const Obstacle& stair : planned.form->stairs)
                 stairs.push_back({&planned.setup, {stair.section, stair.top_z_mm, stair.bottom_z_mm}});
-    VolumeByReason there;
+    Account there;
     if (stairs.empty()) return there;
     const PlannedSetup& last = *accounts.back().planned;
     for (const ResidualPrism& residual : leftIn(last))
@@ -165,18 +184,36 @@ VolumeByReason residualsInStairs(const std::vector<SetupAccount>& accounts) {
 
 /// Takes a volume that form cutters took off what stays: first off residuals in their stairs, then off what
 /// is out of reach, then off all other residuals.
-void lessenByForms(double by_mm3, const VolumeByReason& in_stairs, VolumeByReason& residual,
-                   VolumeByReason& unreachable) {
-    const double in_stairs_mm3 = sumOf(listOf(in_stairs));
+void lessenByForms(double by_mm3, const Account& in_stairs, Account& residual, Account& unreachable) {
+    const double in_stairs_mm3 = in_stairs.sum();
     const double share = in_stairs_mm3 > 0 ? std::min(1.0, by_mm3 / in_stairs_mm3) : 0;
     for (const auto& [reason, volume_mm3] : in_stairs) {
         const double gone_mm3 = std::min(residual[reason], share * volume_mm3);
         residual[reason] -= gone_mm3;
         by_mm3 -= gone_mm3;
     }
-    const double reachable_mm3 = std::min(by_mm3, sumOf(listOf(unreachable)));
-    lessen(unreachable, reachable_mm3);
-    lessen(residual, by_mm3 - reachable_mm3);
+    const double reachable_mm3 = std::min(by_mm3, unreachable.sum());
+    unreachable.lessen(reachable_mm3);
+    residual.lessen(by_mm3 - reachable_mm3);
+}
+
+/// A wall that looks away from the last setup is an overhang to it, to another one the fillet or chamfer that
+/// it did not finish: that is what to say of it, as far as that setup's books have it.
+void nameFromOtherSides(const std::vector<VolumeBalance>& setups, Account& unreachable) {
+    const StayReason overhang{Reason::Overhang, {}};
+    Account seen;
+    for (const VolumeBalance& setup : setups)
+        for (const ReasonVolume& entry : setup.unreachable_by_reason)
+            if (isOnLeaningWall(entry.reason)) seen[entry.reason] += entry.volume_mm3;
+    Account more;
+    for (const auto& [reason, volume_mm3] : seen)
+        more[reason] = std::max(0.0, volume_mm3 - unreachable.at(reason));
+    const double hidden_mm3 = unreachable.at(overhang);
+    more.lessen(more.sum() - hidden_mm3);
+    for (const auto& [reason, volume_mm3] : more)
+        unreachable[reason] += volume_mm3;
+    const double still_mm3 = hidden_mm3 - more.sum();
+    unreachable[overhang] = still_mm3 > kVolumeRoundingMm3 ? still_mm3 : 0;
 }
 
 /// The books of one setup.
@@ -185,18 +222,18 @@ VolumeBalance setupBooks(const SetupAccount& account) {
     const PlannedSetup& planned = *account.planned;
     books.stock_minus_part_mm3 = planned.setup.stock.volume_mm3 - planned.setup.part.volume_mm3;
     double features_mm3 = 0;
-    VolumeByReason residual;
+    Account residual;
     for (const PlannedFeature& feature : planned.features) {
         features_mm3 += feature.feature.volume_mm3;
         for (const Residual& left : feature.sequence.residual)
             residual[left.reason] += left.volume_mm3;
     }
-    books.planned_mm3 = features_mm3 - sumOf(listOf(residual));
-    VolumeByReason unreachable;
+    books.planned_mm3 = features_mm3 - residual.sum();
+    Account unreachable;
     for (const Unplanned& unplanned : planned.unplanned) {
         (isLeftUncut(unplanned.reason) ? residual : unreachable)[unplanned.reason] += unplanned.volume_mm3;
     }
-    double residual_mm3 = sumOf(listOf(residual));
+    double residual_mm3 = residual.sum();
     // Where the stock's walls lean, prisms hold air that earlier setups cut from other sides: what went is
     // what the solid lost.
     const SettledAir air = settleAir(account.air, books.planned_mm3, account.stock.removed_mm3);
@@ -206,17 +243,14 @@ VolumeBalance setupBooks(const SetupAccount& account) {
         const double air_left_mm3 =
             std::clamp(account.stock.removed_mm3 - books.planned_mm3, 0.0, residual_mm3);
         books.planned_mm3 += air_left_mm3;
-        lessen(residual, air_left_mm3);
+        residual.lessen(air_left_mm3);
         residual_mm3 -= air_left_mm3;
     }
     unreachable[{Reason::LeaningWall, {}}] += air.back_mm3;
-    lessen(residual, air.left_mm3);
-    lessen(unreachable, air.left_mm3 - residual_mm3);
-    lessen(unreachable, moveFormCuts(planned, books.planned_mm3, unreachable));
-    books.residual_by_reason = listOf(residual);
-    books.unreachable_by_reason = listOf(unreachable);
-    books.residual_mm3 = sumOf(books.residual_by_reason);
-    books.unreachable_mm3 = sumOf(books.unreachable_by_reason);
+    residual.lessen(air.left_mm3);
+    unreachable.lessen(air.left_mm3 - residual_mm3);
+    unreachable.lessen(moveFormCuts(planned, books.planned_mm3, unreachable));
+    setLeft(books, residual, unreachable);
     return books;
 }
 
@@ -233,10 +267,9 @@ VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, const std::ve
         books.planned_mm3 += setup.planned_mm3;
     // What is left is what the last setup sees and does not cut; earlier residuals are unreachable to it.
     const VolumeBalance& last = setups.back();
-    VolumeByReason residual;
-    VolumeByReason unreachable;
-    for (const ReasonVolume& entry : last.unreachable_by_reason)
-        unreachable[entry.reason] += entry.volume_mm3;
+    Account residual;
+    Account unreachable;
+    unreachable.add(last.unreachable_by_reason);
     // Form operations of earlier setups are no part of the stock that the last one sees. It may call what
     // they took by other names, what its own tools leave among them.
     double moved_mm3 = 0;
@@ -244,21 +277,18 @@ VolumeBalance partBooks(const std::vector<SetupAccount>& accounts, const std::ve
     for (std::size_t i = 0; i + 1 < accounts.size(); ++i)
         otherwise_mm3 += moveFormCuts(*accounts[i].planned, moved_mm3, unreachable);
     addEarlierResiduals(accounts, residual, staying);
-    const double found_mm3 = sumOf(listOf(residual));
-    const double earlier_mm3 = std::min(found_mm3, sumOf(listOf(unreachable)));
-    lessen(residual, found_mm3 - earlier_mm3);
+    const double found_mm3 = residual.sum();
+    const double earlier_mm3 = std::min(found_mm3, unreachable.sum());
+    residual.lessen(found_mm3 - earlier_mm3);
     if (found_mm3 > 0) scale(staying, earlier_mm3 / found_mm3);
     addLastResiduals(*accounts.back().planned, last.residual_mm3, staying);
-    lessen(unreachable, earlier_mm3);
-    for (const ReasonVolume& entry : last.residual_by_reason)
-        residual[entry.reason] += entry.volume_mm3;
-    const double with_stairs_mm3 = sumOf(listOf(residual));
+    unreachable.lessen(earlier_mm3);
+    residual.add(last.residual_by_reason);
+    const double with_stairs_mm3 = residual.sum();
     lessenByForms(otherwise_mm3, residualsInStairs(accounts), residual, unreachable);
-    if (with_stairs_mm3 > 0) scale(staying, sumOf(listOf(residual)) / with_stairs_mm3);
-    books.residual_by_reason = listOf(residual);
-    books.unreachable_by_reason = listOf(unreachable);
-    books.residual_mm3 = sumOf(books.residual_by_reason);
-    books.unreachable_mm3 = sumOf(books.unreachable_by_reason);
+    if (with_stairs_mm3 > 0) scale(staying, residual.sum() / with_stairs_mm3);
+    nameFromOtherSides(setups, unreachable);
+    setLeft(books, residual, unreachable);
     return books;
 }
 

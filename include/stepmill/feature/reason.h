@@ -65,6 +65,9 @@ Reason reasonOf(SlopeCause cause);
 /// stock?
 bool isLeftUncut(const StayReason& reason);
 
+/// Does it lie on a wall that leans, or on a curved face, that looks up to the tool?
+bool isOnLeaningWall(const StayReason& reason);
+
 /// Is it what roughing leaves as it should: the allowance, and stairs on walls that lean and on curved faces?
 bool isLeftByRoughing(const StayReason& reason);
 

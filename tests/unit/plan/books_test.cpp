@@ -84,4 +84,29 @@ TEST(LeavesNothing, AsksForResidualsToRoundingAndForTheRestToTolerance) {
 }
 
 }  // namespace
+
+TEST(Books, OverhangsAreNamedAsTheSetupThatFacesThemNamesThem) {
+    PlannedSetup from_above;
+    from_above.setup.id = "S1";
+    from_above.setup.stock.volume_mm3 = 1000;
+    from_above.setup.part.volume_mm3 = 900;
+    from_above.features.emplace_back().feature.volume_mm3 = 65;
+    from_above.unplanned.push_back({{Reason::EdgeFillet, {}}, 35, 0, -1, {}});
+    PlannedSetup from_below;
+    from_below.setup.id = "S2";
+    from_below.setup.stock.volume_mm3 = 935;
+    from_below.setup.stock.cuts.emplace_back();
+    from_below.setup.part.volume_mm3 = 900;
+    from_below.unplanned.push_back({{Reason::Overhang, {}}, 35, 0, -1, {}});
+    const LayerStack none;
+    const VolumeBalance books = booksOf({{&from_above, &none, {"S1", 1000, 65, 65, 935}, {}, {}},
+                                         {&from_below, &none, {"S2", 935, 0, 0, 935}, {}, {}}},
+                                        100, kTol)
+                                    .part;
+    ASSERT_EQ(books.unreachable_by_reason.size(), 1U);
+    EXPECT_EQ(books.unreachable_by_reason.front().reason, (StayReason{Reason::EdgeFillet, {}}));
+    EXPECT_DOUBLE_EQ(books.unreachable_mm3, 35);
+    EXPECT_NEAR(books.gapMm3(), 0, 1e-9);
+}
+
 }  // namespace stepmill::test
