@@ -32,13 +32,24 @@ constexpr double kSkinShare = 0.5;
 /// A lump that finishes less than this share of every face it touches is what cutters left in passing; it
 /// then pays from kLumpShare, too.
 constexpr double kFaceShare = 0.6;
+/// A component with this share of its outline on upright walls plugs a hole or a slot: nobody leaves that in
+/// passing, however little of the face it finishes.
+constexpr double kPlugShare = 0.9;
 /// Probes on the boundary are as far apart as edges are long; no wall is farther from them [mm].
 constexpr double kOnWallMm = 0.01;
 
-/// What a component finishes: [mm2] by face, and whether that is what it is there for.
+/// What a component, or a lump of them, finishes: [mm2] by face, and whether that is what it is there for.
 struct Finished {
     bool any = false;
+    bool plug = false;
     std::map<int, double> area_mm2;
+
+    void add(const Finished& more) {
+        any = any || more.any;
+        plug = plug || more.plug;
+        for (const auto& [face, more_mm2] : more.area_mm2)
+            area_mm2[face] += more_mm2;
+    }
 };
 
 /// Of a wall or floor.
@@ -72,18 +83,17 @@ class Judge {
     Finished finished(const RemovalComponent& component) const {
         if (component.stock_share < kSkinShare) return {};
         Finished walls = finishedWalls(component);
-        Finished floors = finishedFloors(component);
-        walls.any = walls.any || floors.any;
-        for (const auto& [face, area_mm2] : floors.area_mm2)
-            walls.area_mm2[face] += area_mm2;
+        const Finished floors = finishedFloors(component);
+        walls.add(floors);
         return walls;
     }
 
     /// Does a lump finish enough of some face to be worth a pass?
-    bool isWorth(const std::map<int, double>& finished_mm2) const {
-        return std::any_of(finished_mm2.begin(), finished_mm2.end(), [&](const auto& entry) {
+    bool isWorth(const Finished& lump) const {
+        const auto is_most = [&](const auto& entry) {
             return entry.second >= kFaceShare * areaOf(layers_.traces[entry.first]);
-        });
+        };
+        return lump.plug || std::any_of(lump.area_mm2.begin(), lump.area_mm2.end(), is_most);
     }
 
   private:
@@ -110,9 +120,11 @@ class Judge {
         Finished finished;
         double upright_mm = 0;
         double closed_mm = 0;
+        double outline_mm = 0;
         for (const auto& [from, segment] : eachEdge(component.region)) {
             const Vec2 probe = pointAt(from, segment, 0.5);
             const double long_mm = length(from, segment);
+            outline_mm += long_mm;
             if (distanceToBoundary(layer.shadow, probe) > tol_.sliver_mm) continue;
             closed_mm += long_mm;
             const FaceTrace* wall = uprightAt(probe, layer);
@@ -121,6 +133,7 @@ class Judge {
             finished.area_mm2[wall->face] += long_mm * layer.height_mm();
         }
         finished.any = closed_mm > 0 && upright_mm >= kUprightShare * closed_mm;
+        finished.plug = upright_mm >= kPlugShare * outline_mm;
         return finished;
     }
 
@@ -218,12 +231,9 @@ void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolera
     for (const bool kind : {true, false}) {
         Lumps lumps(forest.components.size());
         const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, kind, lumps);
-        std::map<int, std::map<int, double>> finished_by_lump;
-        for (int i = 0; kind && i < count; ++i) {
-            if (!wanted[i]) continue;
-            for (const auto& [face, area_mm2] : finished[i].area_mm2)
-                finished_by_lump[lumps.of(i)][face] += area_mm2;
-        }
+        std::map<int, Finished> finished_by_lump;
+        for (int i = 0; kind && i < count; ++i)
+            if (wanted[i]) finished_by_lump[lumps.of(i)].add(finished[i]);
         for (int i = 0; i < count; ++i) {
             if (wanted[i] != kind) continue;
             const int lump = lumps.of(i);

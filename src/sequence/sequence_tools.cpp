@@ -15,7 +15,11 @@ ToolSequence sequenceAbove(const SequenceJob& job, const Shallower& reached) {
         std::make_shared<const SequenceJob>(withFloor(job.feature(), reached.floor_z_mm), job.library,
                                             job.machine, job.options, job.tolerances());
     ToolSequence sequence = sequenceTo(above, false);
-    sequence.residual.push_back(belowReach(job.feature(), reached));
+    Residual below = belowReach(job.feature(), reached);
+    // What makes the whole depth has its point below it.
+    for (Residual& left : sequence.residual)
+        if (left.reason == Reason::DrillPoint) left.advice = below.advice;
+    sequence.residual.push_back(std::move(below));
     return sequence;
 }
 

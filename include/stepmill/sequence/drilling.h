@@ -30,11 +30,15 @@ struct DrillCheck {
 /// depth its flutes and stick-out reach, with shank and holder clear of the obstacles; of a group all holes.
 DrillCheck drillCheck(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol);
 
+/// How deep it goes into a hole at most: its flutes, where the library has their length, its stick-out [mm].
+double drillReachMm(const ToolAssembly& drill);
+
 /// Height of the drill's conical point [mm].
 double pointLengthMm(const ToolAssembly& drill);
 
 /// How deep the tip goes: to the floor; into the point that the part has below it, as far as the drill's own
-/// fits in there; or through the floor by the point and a little where nothing is below.
+/// fits in there; or through the floor by the point and a little where nothing is below, kBreakThroughMm if the
+/// flutes are long enough.
 double drillTipZ(const Feature& feature, const ToolAssembly& drill);
 
 /// The same for the largest drill with the longest point that could make the hole.
@@ -55,13 +59,14 @@ SequenceStep drillStep(const Feature& feature, const ToolAssembly& drill, const 
                        double retract_z_mm, const Machine& machine);
 
 /// Does the drill make room for a mill that then makes the hole? It is narrower than the hole, or as wide
-/// where the floor is flat; over a floor it stays.
+/// where it does not make the hole itself: the floor is flat, or its flutes too short. Over a floor it stays.
 bool preDrills(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol);
 
 /// What such a drill clears for sure, in plan view, down to preDrilledToZ().
 CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol);
 
-/// Down to here it clears that: the floor, or as far over a flat one as its point is long and a little more.
+/// Down to here it clears that: a through hole's end, as far over a floor as its point is long and a little
+/// more, or what its flutes reach.
 double preDrilledToZ(const Feature& feature, const ToolAssembly& drill);
 
 /// The step that makes room; over a flat floor it leaves something to the mill.

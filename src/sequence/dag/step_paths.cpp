@@ -18,7 +18,7 @@ namespace stepmill {
 namespace {
 
 /// What a mill clears in one go: of the whole depth what the tool before it has left, or, where that was a
-/// drill that stayed over a flat floor, what is beside it and then all below.
+/// drill that stayed over the floor, what is beside it and then all below.
 struct Stretch {
     double top_z_mm = 0;
     double floor_z_mm = 0;
@@ -27,8 +27,9 @@ struct Stretch {
 
 std::vector<Stretch> stretchesOf(const DagTask& task, const Candidate* m) {
     const Feature& feature = task.ground.feature();
-    if (m == nullptr || !m->predrills || feature.through) return {{feature.top_z_mm, feature.floor_z_mm, m}};
-    const double drilled_to_mm = preDrilledToZ(feature, *m->tool);
+    const double drilled_to_mm =
+        m != nullptr && m->predrills ? preDrilledToZ(feature, *m->tool) : feature.floor_z_mm;
+    if (drilled_to_mm <= feature.floor_z_mm) return {{feature.top_z_mm, feature.floor_z_mm, m}};
     return {{feature.top_z_mm, drilled_to_mm, m}, {drilled_to_mm, feature.floor_z_mm, nullptr}};
 }
 

@@ -5,12 +5,16 @@
 #include "sequence/dag/candidate.h"
 #include "stepmill/access/lumps.h"
 #include "stepmill/core/parallel.h"
+#include "stepmill/sequence/drilling.h"
 
 namespace stepmill {
 namespace {
 
 /// Going less deep must machine this much more of the feature to be worth it.
 constexpr double kWorthShare = 0.01;
+
+/// A drill whose tip gets down to a hole's end, but not its full width, stops so far above it [mm].
+constexpr double kLeftUnderDrillMm = 0.5;
 
 bool isExcludedFor(const ToolReach& reach, ExclusionReason reason) {
     const Exclusion* excluded = reach.exclusion();
@@ -21,14 +25,23 @@ bool isShortOfReach(const ToolReach& reach) {
     return isHeldOff(reach) || isExcludedFor(reach, ExclusionReason::TooShort);
 }
 
+/// Does a drill that may yet make room for a mill not make the hole itself, as it is too short?
+bool isShortDrill(const FeatureGround& ground, const ToolAssembly& tool) {
+    if (!tool.isDrill()) return false;
+    const DrillCheck check = drillCheck(ground.feature(), tool, ground.tolerances());
+    return check.excluded && check.excluded->reason == ExclusionReason::TooShort;
+}
+
 /// A drill of the hole's size, however long it is: others are turned down for their type.
 Shallower depthOfDrill(const Feature& feature, const ToolAssembly& drill) {
     Shallower found;
-    found.by_flutes = drill.flute_length_mm > 0 && drill.flute_length_mm < drill.stick_out_mm;
-    const double reach_mm = found.by_flutes ? drill.flute_length_mm : drill.stick_out_mm;
-    found.floor_z_mm = std::max(feature.floor_z_mm, feature.top_z_mm - reach_mm);
+    const double reach_mm = drillReachMm(drill);
+    found.by_flutes = reach_mm < drill.stick_out_mm;
+    found.floor_z_mm = std::max(feature.floor_z_mm + kLeftUnderDrillMm, feature.top_z_mm - reach_mm);
     found.volume_mm3 = feature.area_mm2 * (feature.top_z_mm - found.floor_z_mm);
-    found.stick_out_mm = feature.depth_mm();
+    ToolAssembly longer = drill;
+    longer.flute_length_mm = 0;
+    found.stick_out_mm = feature.top_z_mm - drillTipZ(feature, longer);
     return found;
 }
 
@@ -89,8 +102,8 @@ std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrar
     const double least_mm3 = known_mm3 + kWorthShare * feature.area_mm2 * feature.depth_mm();
     std::vector<std::optional<Shallower>> found(reaches.size());
     parallelFor(reaches.size(), [&](std::size_t i) {
-        if (!isShortOfReach(reaches[i])) return;
         const ToolAssembly& tool = library.tool(reaches[i].tool_id);
+        if (!isShortOfReach(reaches[i]) && !isShortDrill(ground, tool)) return;
         const CutterArea& cutter = reaches[i].cutter;
         const double area_mm2 = tool.isDrill() ? feature.area_mm2 : cutter.coverable_area_mm2;
         if (area_mm2 * feature.depth_mm() > least_mm3) found[i] = depthOf(ground, tool, cutter);

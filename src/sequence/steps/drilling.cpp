@@ -24,12 +24,12 @@ double tipInPointZ(const Feature& hole, const ToolAssembly& drill) {
     return std::max(hole.floor_z_mm - hole.point_mm, by_rim_z);
 }
 
-std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const ToolAssembly& drill) {
+std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const ToolAssembly& drill,
+                                                double tip_z) {
     std::vector<HolderCylinder> cylinders;
     if (drill.shank.diameter_mm > drill.diameter_mm) cylinders.push_back(drill.shank);
     cylinders.insert(cylinders.end(), drill.holder.begin(), drill.holder.end());
     const std::vector<Vec2> axes = holeCentres(feature);
-    const double tip_z = drillTipZ(feature, drill);
     for (const HolderCylinder& cylinder : cylinders) {
         const bool meets = std::any_of(axes.begin(), axes.end(), [&](const Vec2& axis) {
             return meetsObstacle(feature, axis, tip_z + cylinder.bottom_mm, cylinder.diameter_mm / 2);
@@ -41,6 +41,9 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
     }
     return std::nullopt;
 }
+
+/// What a drill with no longer flutes comes out by below a through hole, at its full width [mm].
+constexpr double kLeastBreakThroughMm = 0.1;
 
 /// The tip of a drill that makes room stays so far over the floor [mm].
 constexpr double kOverFloorMm = 0.1;
@@ -57,16 +60,16 @@ bool isFlat(const Feature& hole) {
 /// Too short for the hole, or shank or holder in the way; nothing where it gets down.
 std::optional<Exclusion> keptFrom(const Feature& feature, const ToolAssembly& drill, double tip_z_mm) {
     const double needed = feature.top_z_mm - tip_z_mm;
-    const double reach =
-        drill.flute_length_mm > 0 ? std::min(drill.flute_length_mm, drill.stick_out_mm) : drill.stick_out_mm;
+    const double reach = drillReachMm(drill);
     if (reach < needed)
         return Exclusion{ExclusionReason::TooShort,
                          fmt::format("reaches {:.4g} mm, the hole needs {:.4g} mm", reach, needed)};
-    return shankOrHolderCollision(feature, drill);
+    return shankOrHolderCollision(feature, drill, tip_z_mm);
 }
 
 double preDrilledTipZ(const Feature& feature, const ToolAssembly& drill) {
-    if (feature.through) return drillTipZ(feature, drill);
+    if (feature.through && preDrilledToZ(feature, drill) <= feature.floor_z_mm)
+        return drillTipZ(feature, drill);
     return preDrilledToZ(feature, drill) - pointLengthMm(drill);
 }
 
@@ -128,8 +131,19 @@ double pointLengthMm(const ToolAssembly& drill) {
     return pointLengthMm(drill.radius_mm(), drill.point_angle_deg);
 }
 
+double drillReachMm(const ToolAssembly& drill) {
+    return drill.flute_length_mm > 0 ? std::min(drill.flute_length_mm, drill.stick_out_mm)
+                                     : drill.stick_out_mm;
+}
+
 double drillTipZ(const Feature& feature, const ToolAssembly& drill) {
-    if (feature.through) return feature.floor_z_mm - pointLengthMm(drill) - kBreakThroughMm;
+    if (feature.through) {
+        const double just_through_z = feature.floor_z_mm - pointLengthMm(drill);
+        const double deepest_z = just_through_z - kBreakThroughMm;
+        if (drill.flute_length_mm <= 0) return deepest_z;
+        const double by_flutes_z = feature.top_z_mm - drill.flute_length_mm;
+        return std::clamp(by_flutes_z, deepest_z, just_through_z - kLeastBreakThroughMm);
+    }
     return feature.point_mm > 0 ? tipInPointZ(feature, drill) : feature.floor_z_mm;
 }
 
@@ -175,7 +189,9 @@ SequenceStep drillStep(const Feature& feature, const ToolAssembly& drill, const 
 
 bool preDrills(const Feature& feature, const ToolAssembly& drill, const Tolerances& tol) {
     if (!drill.isDrill() || !isHole(feature.feature_class) || !goesIn(feature, drill, tol)) return false;
-    if (isOfSize(feature, drill, tol) && !isFlat(feature)) return false;
+    if (isOfSize(feature, drill, tol) && !isFlat(feature) &&
+        !keptFrom(feature, drill, drillTipZ(feature, drill)))
+        return false;
     return preDrilledToZ(feature, drill) < feature.top_z_mm &&
            !keptFrom(feature, drill, preDrilledTipZ(feature, drill));
 }
@@ -195,8 +211,12 @@ CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, con
 }
 
 double preDrilledToZ(const Feature& feature, const ToolAssembly& drill) {
-    if (feature.through) return feature.floor_z_mm;
-    return feature.floor_z_mm + kOverFloorMm + pointLengthMm(drill);
+    const double by_flutes_z = feature.top_z_mm - drill.flute_length_mm + pointLengthMm(drill);
+    const bool long_enough =
+        drill.flute_length_mm <= 0 || feature.top_z_mm - drill.flute_length_mm <= drillTipZ(feature, drill);
+    if (feature.through && long_enough) return feature.floor_z_mm;
+    const double over_floor_z = feature.floor_z_mm + kOverFloorMm + pointLengthMm(drill);
+    return drill.flute_length_mm > 0 ? std::max(over_floor_z, by_flutes_z) : over_floor_z;
 }
 
 SequenceStep preDrillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,

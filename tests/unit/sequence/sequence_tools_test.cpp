@@ -2,9 +2,11 @@
 #include <tbb/global_control.h>
 
 #include <fmt/format.h>
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/sequence/drilling.h"
 
 #include "support/sample_feature.h"
 #include "support/tolerances.h"
@@ -365,7 +367,8 @@ TEST(SequenceTools, ADrillWithShortFlutesIsToldItsFlutes) {
     ASSERT_FALSE(sequence.residual.empty());
     EXPECT_EQ(sequence.residual.back().reason, Reason::TooDeep);
     EXPECT_EQ(sequence.residual.back().advice,
-              fmt::format("a drill of 8 mm with flutes of {:.4g} mm", hole.depth_mm()));
+              fmt::format("a drill of 8 mm with flutes of {:.4g} mm",
+                          hole.depth_mm() + pointLengthMm(drill) + kBreakThroughMm));
 }
 
 TEST(SequenceTools, ADrilledBlindHoleKeepsTheRimUnderTheDrillsPoint) {

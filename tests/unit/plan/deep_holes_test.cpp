@@ -1,0 +1,71 @@
+// Holes nearly as deep as drills reach, and deeper.
+
+#include <gtest/gtest.h>
+
+#include "stepmill/catalog/read_catalog.h"
+#include "stepmill/plan/books.h"
+#include "stepmill/plan/plan.h"
+#include "support/occt_solids.h"
+#include "support/tolerances.h"
+
+namespace stepmill {
+namespace {
+
+using test::kTol;
+
+TopoDS_Shape plateWithHole(double diameter_mm, double thickness_mm) {
+    const gp_Ax2 axis(gp_Pnt(30, 20, -1), gp::DZ());
+    const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(axis, diameter_mm / 2, thickness_mm + 2).Shape();
+    return test::cut(test::box(0, 0, 0, 60, 40, thickness_mm), hole);
+}
+
+Plan plannedInShop(const TopoDS_Shape& shape) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    const ToolLibrary library =
+        readToolLibrary(std::string(STEPMILL_SOURCE_DIR) + "/samples/shop_metric_tools.json");
+    return planPart(test::part(shape), request, library, defaultMachine(), kTol);
+}
+
+std::vector<std::string> toolsInSetups(const Plan& plan) {
+    std::vector<std::string> tools;
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations)
+            tools.push_back(setup.setup.id + " " + operation.tool_id);
+    return tools;
+}
+
+// Drill of 8: flutes of 50.
+
+TEST(DeepHoles, FlutesThatJustComeThroughWillDo) {
+    // The blank may be half a millimetre too high, the drill's point is 2.4 long: 0.1 mm short of coming out
+    // as far as drills do.
+    EXPECT_EQ(toolsInSetups(plannedInShop(plateWithHole(8, 46.7))), std::vector<std::string>{"S1 DR8"});
+}
+
+TEST(DeepHoles, AMillMakesWhatADrillDoesNotReach) {
+    EXPECT_EQ(toolsInSetups(plannedInShop(plateWithHole(8, 48))),
+              (std::vector<std::string>{"S1 DR8", "S1 EM6L"}));
+}
+
+// Drill of 6: flutes of 34, and no longer mill is as narrow.
+
+TEST(DeepHoles, AreDrilledFromBothSides) {
+    const Plan plan = plannedInShop(plateWithHole(6, 33));
+    EXPECT_EQ(toolsInSetups(plan), (std::vector<std::string>{"S1 DR6", "S2 DR6"}));
+    EXPECT_TRUE(leavesNothing(plan.balance, false, kTol));
+}
+
+TEST(DeepHoles, AreDrilledFromBothSidesHoweverMuchElseIsRemoved) {
+    const gp_Ax2 axis(gp_Pnt(30, 10, -1), gp::DZ());
+    const TopoDS_Shape step =
+        test::cut(test::box(0, 0, 0, 120, 100, 45), test::box(-1, 20, 20, 121, 101, 46));
+    const Plan plan = plannedInShop(test::cut(step, BRepPrimAPI_MakeCylinder(axis, 3, 47).Shape()));
+    const std::vector<std::string> tools = toolsInSetups(plan);
+    EXPECT_EQ(
+        std::count_if(tools.begin(), tools.end(), [](const auto& tool) { return tool.ends_with("DR6"); }), 2);
+    EXPECT_TRUE(leavesNothing(plan.balance, false, kTol));
+}
+
+}  // namespace
+}  // namespace stepmill
