@@ -24,8 +24,8 @@ constexpr double kSameRad = 1e-4;
 /// A direction counts that has at least this share of what the largest has.
 constexpr double kWorthShare = 1e-3;
 /// A part that has one axis already is turned about it where its frame holds this share of all that lies
-/// across: of a hexagon no side is worth more than another.
-constexpr double kFrameShare = 0.5;
+/// across: of a hexagon no side is worth more than another, nor of two flats that taper.
+constexpr double kFrameShare = 0.6;
 /// Turns by less are none [sine].
 constexpr double kNoTurn = 1e-12;
 
@@ -119,6 +119,18 @@ bool isMostlySquare(const std::vector<Lie>& lies, const Vec3& first, const Vec3&
     return square_mm2 >= kFrameShare * across_mm2;
 }
 
+TopoDS_Shape turned(const TopoDS_Shape& solid, const Turn& turn) {
+    gp_Trsf by;
+    by.SetValues(turn(0, 0), turn(0, 1), turn(0, 2), 0, turn(1, 0), turn(1, 1), turn(1, 2), 0, turn(2, 0),
+                 turn(2, 1), turn(2, 2), 0);
+    return BRepBuilderAPI_Transform(solid, by, Standard_True).Shape();
+}
+
+/// Would the blank be larger? An outline with tangent flats at a slant lies well already.
+bool growsBy(const Turn& turn, const TopoDS_Shape& solid) {
+    return boxOf(turned(solid, turn)).volume() > boxOf(solid).volume();
+}
+
 std::optional<Turn> squaringTurn(const TopoDS_Shape& solid) {
     const std::vector<Lie> lies = liesOf(solid);
     const int axes = axesWithFaces(lies);
@@ -133,14 +145,8 @@ std::optional<Turn> squaringTurn(const TopoDS_Shape& solid) {
         turn = leastTurn(first, second);
     }
     if ((turn - Turn::Identity()).norm() < kNoTurn) return std::nullopt;
+    if (axes == 1 && growsBy(turn, solid)) return std::nullopt;
     return turn;
-}
-
-TopoDS_Shape turned(const TopoDS_Shape& solid, const Turn& turn) {
-    gp_Trsf by;
-    by.SetValues(turn(0, 0), turn(0, 1), turn(0, 2), 0, turn(1, 0), turn(1, 1), turn(1, 2), 0, turn(2, 0),
-                 turn(2, 1), turn(2, 2), 0);
-    return BRepBuilderAPI_Transform(solid, by, Standard_True).Shape();
 }
 
 /// \param in_all  from coordinates of the file

@@ -1,7 +1,10 @@
 #include "stepmill/part/square_up.h"
 
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <gp_Ax1.hxx>
 
 #include "stepmill/core/units.h"
@@ -69,6 +72,37 @@ TEST(SquaredUp, LeavesAHexagonThatStandsUpright) {
     EXPECT_TRUE(squaredUp(makePart(head, "hexagon")).remarks.empty());
     // Lying askew it is set upright all the same.
     EXPECT_NEAR(squaredUp(turnedBy(head, gp_Dir(1, 0.3, 0), 0.4)).bbox_mm.sizes().z(), 8, 1e-6);
+}
+
+TopoDS_Shape fused(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    return BRepAlgoAPI_Fuse(a, b).Shape();
+}
+
+/// Around two circles on the x axis: flats that taper.
+TopoDS_Shape taperedPlate() {
+    const double sine = 10.0 / 80;
+    const double cosine = std::sqrt(1 - sine * sine);
+    BRepBuilderAPI_MakePolygon middle;
+    for (const auto& [x, radius, side] : {std::tuple{0, 20, 1}, {80, 10, 1}, {80, 10, -1}, {0, 20, -1}})
+        middle.Add(gp_Pnt(x + radius * sine, side * radius * cosine, 0));
+    middle.Close();
+    const TopoDS_Shape between =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(middle.Wire()), gp_Vec(0, 0, 12)).Shape();
+    const TopoDS_Shape ends = fused(test::cylinder(0, 0, 0, 20, 12), test::cylinder(80, 0, 0, 10, 12));
+    return fused(between, ends);
+}
+
+TEST(SquaredUp, LeavesAnOutlineWithTaperingFlats) {
+    EXPECT_TRUE(squaredUp(makePart(taperedPlate(), "lever")).remarks.empty());
+}
+
+TEST(SquaredUp, TakesNoTurnThatMakesTheBlankLarger) {
+    // All that stands upright and flat is a web at a slant between two discs.
+    gp_Trsf turn;
+    turn.SetRotation(gp_Ax1(gp_Pnt(40, 0, 0), gp::DZ()), 0.3);
+    const TopoDS_Shape web = BRepBuilderAPI_Transform(test::box(5, -3, 0, 75, 3, 12), turn, true).Shape();
+    const TopoDS_Shape ends = fused(test::cylinder(0, 0, 0, 15, 12), test::cylinder(80, 0, 0, 15, 12));
+    EXPECT_TRUE(squaredUp(makePart(fused(ends, web), "dumbbell")).remarks.empty());
 }
 
 TEST(SquaredUp, TurnsARoundPartToTheNextAxis) {
