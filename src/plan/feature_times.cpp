@@ -9,44 +9,47 @@ namespace {
 /// How often each tool is changed to.
 using Visits = std::map<std::string, int>;
 
-Visits visitsOf(const ToolSequence& sequence) {
+/// Of one band.
+struct BandTimes {
+    double time_s = 0;  ///< without changes of tools
+    double motion_s = 0;
     Visits visits;
-    std::string in_spindle;
-    for (const SequenceStep& step : sequence.steps) {
-        if (step.tool_id != in_spindle) ++visits[step.tool_id];
-        in_spindle = step.tool_id;
-    }
-    return visits;
-}
+};
 
-int sumOf(const Visits& visits) {
-    int sum = 0;
-    for (const auto& [tool, count] : visits)
-        sum += count;
-    return sum;
+BandTimes timesOf(const std::string& band_id, const std::vector<Operation>& operations) {
+    BandTimes times;
+    std::string in_spindle;
+    for (const Operation& operation : operations) {
+        if (operation.feature_id != band_id) continue;
+        times.time_s += operation.path.totals.time_s() + operation.dwellOfAll_s();
+        times.motion_s += operation.path.totals.motion_time_s + operation.dwellOfAll_s();
+        if (operation.tool_id != in_spindle) ++times.visits[operation.tool_id];
+        in_spindle = operation.tool_id;
+    }
+    return times;
 }
 
 }  // namespace
 
-FeatureTimes timesOf(const WholeFeature<PlannedFeature>& feature, const Machine& machine) {
+FeatureTimes timesOf(const WholeFeature<PlannedFeature>& feature, const std::vector<Operation>& operations,
+                     const Machine& machine) {
     FeatureTimes times;
     Visits most;
-    int changes = 0;
     double change_bound_s = 0;
     for (const PlannedFeature* band : feature.bands) {
-        const ToolSequence& sequence = band->sequence;
-        times.time_s += sequence.time_s;
-        times.motion_s += sequence.motion_s;
-        times.lower_bound_s += sequence.cutting_bound_s;
-        change_bound_s = std::max(change_bound_s, sequence.lower_bound_s - sequence.cutting_bound_s);
-        const Visits visits = visitsOf(sequence);
-        changes += sumOf(visits);
-        for (const auto& [tool, count] : visits)
+        const BandTimes own = timesOf(band->feature.id, operations);
+        times.time_s += own.time_s;
+        times.motion_s += own.motion_s;
+        for (const auto& [tool, count] : own.visits)
             most[tool] = std::max(most[tool], count);
+        times.lower_bound_s += band->sequence.cutting_bound_s;
+        change_bound_s =
+            std::max(change_bound_s, band->sequence.lower_bound_s - band->sequence.cutting_bound_s);
     }
-    const double saved_s = (changes - sumOf(most)) * machine.tool_change_s;
-    times.time_s -= saved_s;
-    times.motion_s -= saved_s;
+    for (const auto& [tool, count] : most) {
+        times.time_s += count * machine.tool_change_s;
+        times.motion_s += count * machine.tool_change_s;
+    }
     times.lower_bound_s += change_bound_s;
     return times;
 }

@@ -167,9 +167,9 @@ BandsById bandsById(const std::vector<PlannedFeature>& features) {
     return bands;
 }
 
-Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& bands, const Machine& machine,
-                 FeatureTables& tables) {
-    const FeatureTimes times = timesOf(feature, machine);
+Json featureJson(const WholeFeature<PlannedFeature>& feature, const std::vector<Operation>& operations,
+                 const BandsById& bands, const Machine& machine, FeatureTables& tables) {
+    const FeatureTimes times = timesOf(feature, operations, machine);
     Json json{{"id", feature.id()},
               {"setup", feature.uppermost().setup_id},
               {"class", toString(feature.featureClass())},

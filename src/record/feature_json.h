@@ -33,9 +33,10 @@ using BandsById = std::map<std::string, const Feature*>;
 BandsById bandsById(const std::vector<PlannedFeature>& features);
 
 /// An entry of plan.json's features, with all its bands.
+/// \param operations  of its setup
 /// \param bands   of its setup
 /// \param tables  get what it refers to
-json::Json featureJson(const WholeFeature<PlannedFeature>& feature, const BandsById& bands,
-                       const Machine& machine, FeatureTables& tables);
+json::Json featureJson(const WholeFeature<PlannedFeature>& feature, const std::vector<Operation>& operations,
+                       const BandsById& bands, const Machine& machine, FeatureTables& tables);
 
 }  // namespace stepmill::record

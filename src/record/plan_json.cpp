@@ -458,7 +458,7 @@ std::string planJson(const Plan& plan) {
         setups.push_back(setupJson(setup, dialect, tables.regions));
         const record::BandsById bands = record::bandsById(setup.features);
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
-            features.push_back(record::featureJson(feature, bands, plan.machine, tables));
+            features.push_back(record::featureJson(feature, setup.operations, bands, plan.machine, tables));
         for (const Operation& operation : setup.operations)
             operations.push_back(operationJson(operation, bands));
     }

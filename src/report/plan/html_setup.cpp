@@ -66,7 +66,7 @@ Element featuresTable(const ReportSubject& subject, const PlannedSetup& setup) {
                  numbersIn(in.volumeUnit(), "volume"), numbersIn(in.unit(), "corner R"), "tools",
                  numbers("time"), numbers("× bound")});
     for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features)) {
-        const FeatureTimes times = timesOf(feature, subject.plan.machine);
+        const FeatureTimes times = timesOf(feature, setup.operations, subject.plan.machine);
         table.row(linkTo(featureAnchor(feature), feature.id()), classWords(feature, in),
                   listed(feature.uppermost().parents), in.number(feature.uppermost().top_z_mm, 3),
                   in.number(feature.lowest().floor_z_mm, 3), in.number(feature.depth_mm(), 3),

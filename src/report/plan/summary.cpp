@@ -22,8 +22,9 @@ std::string sharingLine(const ToolSharing& sharing) {
 }
 
 /// With all its bands.
-std::string featureLine(const WholeFeature<PlannedFeature>& feature, const Machine& machine) {
-    const FeatureTimes times = timesOf(feature, machine);
+std::string featureLine(const WholeFeature<PlannedFeature>& feature, const std::vector<Operation>& operations,
+                        const Machine& machine) {
+    const FeatureTimes times = timesOf(feature, operations, machine);
     const double stays_mm3 = feature.sum([](const PlannedFeature& band) {
         double sum_mm3 = 0;
         for (const Residual& residual : band.sequence.residual)
@@ -94,7 +95,7 @@ std::string summaryText(const Plan& plan) {
                             setup.operations.empty() ? "nothing can be cut from here, no program"
                                                      : plainLine(setup.clamping.text));
         for (const WholeFeature<PlannedFeature>& feature : wholeFeatures(setup.features))
-            text += featureLine(feature, plan.machine);
+            text += featureLine(feature, setup.operations, plan.machine);
     }
     text += formLines(plan) + choiceLines(plan.assignment);
     const PlanTotals& totals = plan.totals;
