@@ -240,6 +240,24 @@ class ViseFinder {
         return hold;
     }
 
+    /// Where the sides narrow downwards to less than holds, as at an end that is round, the jaws hold from
+    /// where they are long enough to hold most.
+    Hold heldFromBest(const Vec2& across, Grip& grip, double to_mm) const {
+        Hold best = held(across, grip, to_mm);
+        if (best.length_mm >= kLeastLengthMm) return best;
+        Grip from = grip;
+        for (std::size_t i = stock_.arriving.size(); i-- > 0;) {
+            from.from_mm = stock_.arriving[i].bottom_z_mm - bottom_mm_;
+            if (from.from_mm <= grip.from_mm) continue;
+            if (to_mm - from.from_mm < vise_.grip_mm - kPlaneMm) break;
+            const Hold hold = held(across, from, to_mm);
+            if (hold.length_mm * (to_mm - from.from_mm) <= best.length_mm * (to_mm - grip.from_mm)) continue;
+            best = hold;
+            grip = from;
+        }
+        return best;
+    }
+
     /// The jaws reach no higher over the stock's bottom.
     double highestJaws(const Vec2& across, const Grip& grip, ViseUse use) const {
         const double clear_mm =
@@ -296,7 +314,7 @@ class ViseFinder {
         return height_mm_ - held_mm >= vise_.grip_mm + vise_.jaw_clearance_mm - kPlaneMm;
     }
 
-    void consider(const Vec2& across, const Grip& grip, ViseUse use, Clamping& best) {
+    void consider(const Vec2& across, Grip grip, ViseUse use, Clamping& best) {
         const double opening = grip.right_mm + grip.left_mm;
         if (opening > vise_.opening_mm) {
             if (why_ == kNoSides)
@@ -309,8 +327,13 @@ class ViseFinder {
             why_ = whyNoTop(grip, highestJaws(across, grip, use));
             return;
         }
-        const Hold hold = held(across, grip, top->over_bottom_mm);
-        if (hold.length_mm < kLeastLengthMm) return;
+        const Hold hold = heldFromBest(across, grip, top->over_bottom_mm);
+        if (hold.length_mm < kLeastLengthMm) {
+            if (why_ == kNoSides && hold.length_mm > 0)
+                why_ = fmt::format("{:.2g} mm of two sides face each other where its jaws would hold",
+                                   hold.length_mm);
+            return;
+        }
         if (holdsOneEndAlone(vise_, hold.beside_mm)) {
             why_ = endsStickOut(hold.beside_mm);
             return;

@@ -146,6 +146,27 @@ TEST(SuggestClamping, HoldsNoSideThatLeans) {
     EXPECT_EQ(suggestClamping(stock, {}, kTol).kind, HoldKind::Plate);
 }
 
+TEST(SuggestClamping, HoldsAPlateOverItsRoundEnd) {
+    // Twelve millimetres thick, its outline a circle of 30 mm below.
+    std::vector<Prism> slabs{{makeRectangle(Vec2(-30, 0), Vec2(30, 12)), 30, 0}};
+    for (int low_mm = 0; low_mm > -30; low_mm -= 3) {
+        const double bottom_mm = low_mm - 3;
+        const double half_mm = std::max(1.0, std::sqrt(900 - bottom_mm * bottom_mm));
+        slabs.push_back({makeRectangle(Vec2(-half_mm, 0), Vec2(half_mm, 12)), bottom_mm + 3, bottom_mm});
+    }
+    const Clamping clamping = clampingOf(slabs, {});
+    ASSERT_TRUE(clamping.isVise()) << clamping.text;
+    EXPECT_NEAR(clamping.opening_mm, 12, 1e-9);
+    EXPECT_GT(clamping.from_mm, 3);
+    EXPECT_GT(clamping.length_mm, 30);
+}
+
+TEST(SuggestClamping, SaysHowLittleOfItsSidesFaceEachOther) {
+    const Region slanted = makePolygon({{0, 0}, {20, 0}, {36, 10}, {16, 10}});
+    const Clamping clamping = clampingOf({{slanted, 0, -30}}, {{slanted, 0, -1}});
+    EXPECT_NE(clamping.text.find("mm of two sides face each other"), std::string::npos) << clamping.text;
+}
+
 TEST(SuggestClamping, PutsTheJawsWhereTheyHoldMost) {
     // Pads of 60 and 30 mm at the ends of a bar that is narrower between them.
     const Region bar = unite(
