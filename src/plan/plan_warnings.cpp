@@ -44,12 +44,13 @@ Warning warningOf(const StayingKind& kind) {
 }
 
 /// Of what is there on the finished part: what a later setup takes is no trouble. The largest first.
-void warnOfResiduals(const std::vector<PlannedSetup>& setups, Warnings& into) {
+/// \param least_mm3  smaller ones are left out
+std::vector<StayingKind> stayingKinds(const std::vector<PlannedSetup>& setups, double least_mm3) {
     std::map<std::pair<bool, Reason>, StayingKind> kinds;
     for (const PlannedSetup& setup : setups)
         for (const PlannedFeature& planned : setup.features)
             for (const Residual& residual : planned.sequence.residual) {
-                if (staysMm3(residual) < kWorthAWarningMm3 || residual.reason == Reason::AsAsked) continue;
+                if (staysMm3(residual) < least_mm3 || residual.reason == Reason::AsAsked) continue;
                 StayingKind& kind = kinds[{planned.sequence.steps.empty(), residual.reason.kind}];
                 kind.sum_mm3 += staysMm3(residual);
                 ++kind.places;
@@ -62,7 +63,15 @@ void warnOfResiduals(const std::vector<PlannedSetup>& setups, Warnings& into) {
         sorted.push_back(entry.second);
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const StayingKind& a, const StayingKind& b) { return a.sum_mm3 > b.sum_mm3; });
-    for (const StayingKind& kind : sorted)
+    return sorted;
+}
+
+void warnOfResiduals(const Plan& plan, const Tolerances& tol, Warnings& into) {
+    std::vector<StayingKind> kinds = stayingKinds(plan.setups, kWorthAWarningMm3);
+    // A plan is not left incomplete without a word.
+    if (kinds.empty() && !leavesNothing(plan.balance, plan.request.roughing.has_value(), tol))
+        kinds = stayingKinds(plan.setups, kVolumeRoundingMm3);
+    for (const StayingKind& kind : kinds)
         into.push_back(warningOf(kind));
 }
 
@@ -237,7 +246,7 @@ void warnOfShape(const Plan& plan, Warnings& into) {
     int faces = 0;
     for (const auto& [kind, count] : plan.part.surfaces)
         faces += count;
-    const bool sculpted = curved > kCurvedFaceShare * faces;
+    const bool sculpted = curved > kCurvedFaceShare * faces && books.unreachable_mm3 >= kWorthAWarningMm3;
     if (unreachable <= kUnreachableShare && !sculpted) return;
     std::string axes;
     for (const PlannedSetup& setup : plan.setups)
@@ -345,7 +354,7 @@ std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap
     Warnings warnings;
     warnOfUnreachable(plan, warnings);
     append(warnings, holdWarnings(plan));
-    warnOfResiduals(plan.setups, warnings);
+    warnOfResiduals(plan, tol, warnings);
     for (const PlannedSetup& setup : plan.setups)
         warnOfSetup(plan, setup, warnings);
     warnOfCautions(plan.request.cautions, warnings);

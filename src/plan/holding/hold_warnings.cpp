@@ -49,13 +49,17 @@ void warnOfHold(const PlannedSetup& setup, std::vector<Warning>& into) {
 }
 
 /// Tape or glue that nobody asked for may be too weak for what is cut.
-void warnOfPlate(const PlannedSetup& setup, std::optional<HoldKind> asked, std::vector<Warning>& into) {
-    const bool asked_for = asked && *asked != HoldKind::Tabs;
+void warnOfPlate(const PlannedSetup& setup, const PlanRequest& request, std::vector<Warning>& into) {
+    const bool asked_for = request.hold && *request.hold != HoldKind::Tabs;
     if (setup.clamping.kind != HoldKind::Plate || asked_for || setup.operations.empty()) return;
+    const Vec3 size_mm = setup.setup.stock_bbox_mm.sizes();
+    const bool fits_vise = std::min(size_mm.x(), size_mm.y()) < request.fixtures.vise.opening_mm;
     into.push_back(
         {"taped", setup.setup.id,
-         "tape or glue alone holds it on a plate, which no force of cutting is weighed against: take "
-         "less at once, or leave stock for the vise (--stock auto)"});
+         fmt::format("tape or glue alone holds it on a plate, which no force of cutting is weighed "
+                     "against: take less at once, or {}",
+                     fits_vise ? "leave stock for the vise (--stock auto)"
+                               : "say which clamps hold it (--fixtures)")});
 }
 
 /// Held stock that no later setup takes.
@@ -73,7 +77,7 @@ std::vector<Warning> holdWarnings(const Plan& plan) {
     std::vector<Warning> warnings;
     for (const PlannedSetup& setup : plan.setups) {
         warnOfHold(setup, warnings);
-        warnOfPlate(setup, plan.request.hold, warnings);
+        warnOfPlate(setup, plan.request, warnings);
         warnOfBed(setup, plan.request.fixtures, warnings);
     }
     warnOfHeldStock(plan, warnings);
