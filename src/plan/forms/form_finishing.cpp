@@ -12,8 +12,9 @@
 namespace stepmill {
 namespace {
 
-/// Sequences that take this share of what the best takes take as much.
-constexpr double kAsMuchShare = 0.99;
+/// Sequences that take this share of what the best takes take as much: by so much ridges of one cutter may
+/// differ from those of another, all within the scallop.
+constexpr double kAsMuchShare = 0.98;
 
 using FormSteps = std::vector<FormStep>;
 

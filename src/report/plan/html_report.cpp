@@ -93,9 +93,8 @@ std::optional<Element> sharingWords(const Plan& plan) {
                                   ? clockTime(std::abs(sharing.saved))
                                   : fixed(std::abs(sharing.saved), 2) + " " + plan.machine.currency;
     return Element("p", fmt::format("Tools shared: {} features take other tools than their own cheapest; {} "
-                                    "tool changes instead of {}, {} tools instead of {}, {} {}.",
-                                    sharing.features_changed, sharing.visits, sharing.visits_alone,
-                                    sharing.tools, sharing.tools_alone, saved,
+                                    "tools instead of {}, {} {}.",
+                                    sharing.features_changed, sharing.tools, sharing.tools_alone, saved,
                                     sharing.saved >= 0 ? "saved" : "more, for the magazine's places"));
 }
 

@@ -17,8 +17,10 @@ using report::toolWords;
 /// Where features took other tools than their own cheapest.
 std::string sharingLine(const ToolSharing& sharing) {
     if (sharing.features_changed == 0) return {};
-    return fmt::format("tools shared: {} tool changes instead of {}, {} tools instead of {}\n",
-                       sharing.visits, sharing.visits_alone, sharing.tools, sharing.tools_alone);
+    return fmt::format(
+        "tools shared: {} tools instead of {}; {} feature{} other tools than their own cheapest\n",
+        sharing.tools, sharing.tools_alone, sharing.features_changed,
+        sharing.features_changed == 1 ? " takes" : "s take");
 }
 
 /// With all its bands.
