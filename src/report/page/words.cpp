@@ -55,9 +55,10 @@ std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measur
     std::string words = toString(feature.featureClass());
     const Feature& lowest = feature.lowest();
     if (!isHole(lowest.feature_class) || !isFullCircles(lowest.target)) return words;
-    const std::size_t holes = lowest.target.loops.size();
-    return fmt::format("{}{}, {}", holes > 1 ? fmt::format("{} x ", holes) : "", words,
-                       in.length(2 * holeRadiusMm(lowest)));
+    if (const std::size_t count = lowest.target.loops.size(); count > 1)
+        words = fmt::format("{} x {}", count, words);
+    if (!isHole(feature.featureClass())) return words;
+    return fmt::format("{}, {}", words, in.length(2 * holeRadiusMm(lowest)));
 }
 
 std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in) {

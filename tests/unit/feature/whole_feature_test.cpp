@@ -43,6 +43,16 @@ TEST(WholeFeatures, AreCalledByTheirMouthUnlessTheyGoThrough) {
     EXPECT_EQ(features[1].featureClass(), FeatureClass::HoleThrough);
 }
 
+TEST(WholeFeatures, ThatNarrowAreNoHoles) {
+    std::vector<Item> bands{band("S1.F1", 1, 2, FeatureClass::HoleBlind),
+                            band("S1.F1", 2, 2, FeatureClass::HoleBlind)};
+    bands[0].feature.target = makeCircle({0, 0}, 5);
+    bands[1].feature.target = makeCircle({0, 0}, 4.9);
+    EXPECT_EQ(wholeFeatures(bands).front().featureClass(), FeatureClass::HoleBlind);
+    bands[1].feature.target = makeCircle({0, 0}, 1);
+    EXPECT_EQ(wholeFeatures(bands).front().featureClass(), FeatureClass::ClosedPocket);
+}
+
 TEST(WholeFeatures, NameTheirBandsByNumberUnlessThereIsButOne) {
     EXPECT_EQ(bandId("S1.F3", 1, 1), "S1.F3");
     EXPECT_EQ(bandId("S1.F3", 1, 4), "S1.F3.1");
