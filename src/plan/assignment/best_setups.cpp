@@ -86,7 +86,14 @@ class SetupSearch {
         return with_forms.size() <= best_->setups.size() ||
                books.leftMm3() > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
-    bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
+    bool isWorthWeighing() const {
+        return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS || leavesWalls();
+    }
+    /// Two setups the other way round may finish what the second one cuts away the room for.
+    bool leavesWalls() const {
+        const VolumeBalance& books = best_->balance;
+        return setups_.size() == 2 && books.unreachable_mm3 > kFormsLeaveShare * books.stock_minus_part_mm3;
+    }
 
     /// A set that cannot be planned in its time must not lose the plan of another.
     void tryOut(const std::vector<Setup>& setups, const Alike& alike) {

@@ -110,6 +110,15 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedForLotsOfAShiftAlone) {
     EXPECT_EQ(plan.assignment.choices[1].verdict, SetupVerdict::TakesLonger);
 }
 
+TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereTwoSetupsLeaveWalls) {
+    sets_.others = {along({kX, kZ})};
+    from_x_ = {12, 0};
+    chosen_ = {10, 0.001 * kRemovedMm3};
+    EXPECT_EQ(best().setups.front().setup.axis, kZ);
+    chosen_ = {10, 0.003 * kRemovedMm3};
+    EXPECT_EQ(best().setups.front().setup.axis, kX);
+}
+
 TEST_F(SetupSearchOf, ATrialThatCannotBePlannedLosesNothing) {
     sets_.others = {along({kX, kZ}), along({kZ, kY})};
     from_x_ = {-1, 0};
