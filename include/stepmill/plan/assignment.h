@@ -56,7 +56,8 @@ enum class SetupVerdict {
     TakesLonger,
     HeldWorse,
     CannotTakeLess,  ///< not planned: setting up alone takes longer than the plan that was taken
-    NoTime           ///< not planned
+    NoTime,          ///< not planned
+    CannotBePlanned  ///< an error ended its planning
 };
 std::string toString(SetupVerdict verdict);
 /// The reverse; nothing for another word.

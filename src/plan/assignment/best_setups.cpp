@@ -9,6 +9,7 @@
 
 #include "plan/assignment/setup_choice.h"
 #include "plan/assignment/unreached_places.h"
+#include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
 
 namespace stepmill {
@@ -105,8 +106,11 @@ class SetupSearch {
         try {
             const double share = best_ ? kOthersTimeShareAtLast : kOthersTimeShare;
             plan = plan_of_(setups, Deadline::in(share * request_.patience.all_tools.secondsLeft()));
-        } catch (const std::exception&) {
-            turned_down_.push_back(SetupWeigher::unplanned(setups, SetupVerdict::NoTime));
+        } catch (const std::exception& error) {
+            const auto* known = dynamic_cast<const Error*>(&error);
+            const bool late = known != nullptr && known->code() == ErrorCode::TimedOut;
+            turned_down_.push_back(
+                SetupWeigher::unplanned(setups, late ? SetupVerdict::NoTime : SetupVerdict::CannotBePlanned));
             return;
         }
         offer(std::move(*plan), setups, alike);

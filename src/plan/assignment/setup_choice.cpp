@@ -15,7 +15,8 @@ constexpr EnumWord<SetupVerdict> kSetupVerdicts[] = {{SetupVerdict::Taken, "take
                                                      {SetupVerdict::TakesLonger, "takes longer"},
                                                      {SetupVerdict::HeldWorse, "held worse"},
                                                      {SetupVerdict::CannotTakeLess, "can take no less"},
-                                                     {SetupVerdict::NoTime, "no time"}};
+                                                     {SetupVerdict::NoTime, "no time"},
+                                                     {SetupVerdict::CannotBePlanned, "cannot be planned"}};
 
 /// Setups that nothing is known to hold while something is cut.
 auto unheld(const Plan& plan) {

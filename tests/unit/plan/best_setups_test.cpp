@@ -31,6 +31,7 @@ class SetupSearchOf : public testing::Test {
     struct Outcome {
         double minutes = 10;
         double stays_mm3 = 0;
+        std::optional<ErrorCode> fails = std::nullopt;
     };
 
     SetupSearchOf() {
@@ -43,7 +44,7 @@ class SetupSearchOf : public testing::Test {
         return bestPlan(sets_, request_, machine_, [this](const auto& setups, const Deadline&) {
             ++planned_;
             const Outcome outcome = outcomeOf(setups);
-            if (outcome.minutes < 0) throw Error(ErrorCode::TimedOut, "a part", "no time");
+            if (outcome.fails) throw Error(*outcome.fails, "a part", "no plan");
             Plan plan;
             plan.totals.motion_s = 60 * outcome.minutes;
             plan.balance.stock_minus_part_mm3 = kRemovedMm3;
@@ -121,7 +122,7 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereTwoSetupsLeaveWalls) {
 
 TEST_F(SetupSearchOf, ATrialThatCannotBePlannedLosesNothing) {
     sets_.others = {along({kX, kZ}), along({kZ, kY})};
-    from_x_ = {-1, 0};
+    from_x_.fails = ErrorCode::TimedOut;
     request_.quantity = 1000;
     const Plan plan = best();
     EXPECT_EQ(plan.setups.front().setup.axis, kZ);
@@ -129,6 +130,8 @@ TEST_F(SetupSearchOf, ATrialThatCannotBePlannedLosesNothing) {
     ASSERT_EQ(plan.assignment.choices.size(), 3U);
     EXPECT_EQ(plan.assignment.choices[1].verdict, SetupVerdict::NoTime);
     EXPECT_FALSE(plan.assignment.choices[1].planned);
+    from_x_.fails = ErrorCode::GeometryKernel;
+    EXPECT_EQ(best().assignment.choices[1].verdict, SetupVerdict::CannotBePlanned);
 }
 
 TEST_F(SetupSearchOf, NoOtherIsPlannedWhenTheTimeIsOver) {
@@ -142,7 +145,7 @@ TEST_F(SetupSearchOf, NoOtherIsPlannedWhenTheTimeIsOver) {
 }
 
 TEST_F(SetupSearchOf, TheChosenSetFailsAsItDoes) {
-    chosen_ = {-1, 0};
+    chosen_.fails = ErrorCode::TimedOut;
     EXPECT_THROW(best(), Error);
 }
 
