@@ -255,11 +255,8 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
     request.assign = options.reserve;
     request.fixtures = fixturesOf(options);
     if (options.hold != "auto") request.hold = holdKindFrom(options.hold).value();
-    if (!options.holes_file.empty()) {
-        if (options.rough)
-            throw Error(ErrorCode::Usage, "--holes", "expected none: roughing makes no hole to size");
+    if (!options.holes_file.empty())
         request.holes = readHoleTable(options.holes_file, options.limits.maxFileBytes());
-    }
     request.sequence.finish = {allowance(options.finish_walls_mm, "--finish-walls"),
                                allowance(options.finish_floors_mm, "--finish-floors")};
     if (options.rough)

@@ -59,12 +59,15 @@ int quoteOne(const Part& part, const QuoteOptions& options, const PlanRequest& r
 }
 
 int quoteFile(const QuoteOptions& options, const fs::path& folder, ProgressLine& line) {
+    const Deadline end = Deadline::in(options.part.limits.timeout_s);
     const Shop shop = loadShop(options.part);
     line.showImport(options.part.part_file);
-    const PlanRequest request = planRequest(options.part, shop.machine);
+    PlanRequest request = planRequest(options.part, shop.machine);
     const std::vector<Part> parts = chooseParts(options.part);
     int exit_code = kComplete;
+    std::size_t to_do = parts.size();
     for (const Part& part : parts) {
+        request.patience = patienceFor(end.secondsLeft() / static_cast<double>(to_do--));
         const bool only = parts.size() == 1 || folder.empty();
         const fs::path own = only ? folder : folder / fmt::format("solid-{}", part.solid_index);
         exit_code = std::max(exit_code, quoteOne(part, options, request, shop, own, line));

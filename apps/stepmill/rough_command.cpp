@@ -9,6 +9,9 @@ void addRoughCommand(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<PlanOptions>();
     options->rough = true;
     addJobOptions(*rough, *options, "-rough");
+    // It makes no hole to size, and leaves nothing to later setups but what they rough.
+    for (const char* none : {"--holes", "--no-reserve"})
+        rough->remove_option(rough->get_option(none));
     rough
         ->add_option("--allowance", options->allowance_mm,
                      "mm that stay on walls, and on floors; 0: the last pass makes size")

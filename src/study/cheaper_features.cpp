@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "stepmill/core/error.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/plan/deep_bands.h"
 
@@ -15,6 +16,8 @@ using Whole = WholeFeature<PlannedFeature>;
 constexpr std::size_t kMostCostly = 3;
 /// Of its depth that a floor is raised by.
 constexpr double kDepthShare = 0.2;
+/// Of the time that is left after the plan: pages are to be written yet.
+constexpr double kTimeShare = 0.8;
 /// What a change must save to be worth a word [s].
 constexpr double kWorthSavingS = 0.5;
 
@@ -173,11 +176,17 @@ std::vector<Whole> costliest(const Plan& plan) {
 }  // namespace
 
 std::vector<CostlyFeature> costlyFeatures(const Plan& plan, const Tolerances& tol, const Progress& progress) {
-    const QuotingShop shop{plan.machine, asPlanned(plan.request.sequence), tol};
+    QuotingShop shop{plan.machine, asPlanned(plan.request.sequence), tol};
+    shop.options.deadline = Deadline::in(kTimeShare * plan.request.patience.end.secondsLeft());
     std::vector<CostlyFeature> features;
     for (const Whole& whole : costliest(plan)) {
         if (progress) progress("what would make " + whole.id() + " cheaper", 1);
-        features.push_back(costlyFeature(whole, plan, shop));
+        try {
+            features.push_back(costlyFeature(whole, plan, shop));
+        } catch (const Error& error) {
+            if (error.code() != ErrorCode::TimedOut) throw;
+            break;
+        }
     }
     return features;
 }

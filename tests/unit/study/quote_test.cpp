@@ -131,6 +131,14 @@ TEST(Quote, ADepthItAsksForSavesWhatItSays) {
     expectSaved(*change, quote.machining_s.low - changed.totals.time_s);
 }
 
+TEST(Quote, AsksForNothingCheaperWhenTheTimeIsOver) {
+    Plan plan = planOf(pocketed(10, 2.1));
+    plan.request.patience.end = Deadline::in(-1);
+    const Quote quote = quotePlan(plan, {}, kTol);
+    EXPECT_TRUE(quote.costly.empty());
+    EXPECT_TRUE(quote.complete);
+}
+
 TEST(Quote, BreakEvensLieOnTheirSideOfTheValueNow) {
     const Quote quote = quoteOf(pocketed(10, 2.1));
     ASSERT_EQ(quote.costly.size(), 1U);
