@@ -12,9 +12,11 @@
 namespace stepmill {
 namespace {
 
-/// Sequences that take this share of what the best takes take as much: by so much ridges of one cutter may
-/// differ from those of another, all within the scallop.
-constexpr double kAsMuchShare = 0.98;
+/// Sequences that take this share of what the best takes take as much, ...
+constexpr double kAsMuchShare = 0.99;
+/// ... or this one with as many cutters: by so much ridges of one may differ from those of another, all
+/// within the scallop. One cutter more takes what the others do not get at.
+constexpr double kAsMuchByOthersShare = 0.98;
 
 using FormSteps = std::vector<FormStep>;
 
@@ -142,13 +144,15 @@ class FormChooser {
     }
 
     static FormSteps cheapest(const std::vector<FormSteps>& ways) {
-        double most_mm3 = 0;
-        for (const FormSteps& way : ways)
-            most_mm3 = std::max(most_mm3, takenOf(way));
+        const FormSteps& most =
+            *std::max_element(ways.begin(), ways.end(),
+                              [](const FormSteps& a, const FormSteps& b) { return takenOf(a) < takenOf(b); });
         const FormSteps* best = nullptr;
-        for (const FormSteps& way : ways)
-            if (takenOf(way) >= kAsMuchShare * most_mm3 && (best == nullptr || timeOf(way) < timeOf(*best)))
+        for (const FormSteps& way : ways) {
+            const double share = way.size() >= most.size() ? kAsMuchByOthersShare : kAsMuchShare;
+            if (takenOf(way) >= share * takenOf(most) && (best == nullptr || timeOf(way) < timeOf(*best)))
                 best = &way;
+        }
         return *best;
     }
 
