@@ -59,8 +59,9 @@ class SetupSearch {
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
         if (sets.with_forms.size() > 1 && mayBeBetter(sets.with_forms)) tryOut(sets.with_forms, ridges);
-        if (isWorthWeighing())
-            for (; other != sets.others.end(); ++other)
+        const bool leaves_walls = leavesWalls(ridges);
+        for (; other != sets.others.end(); ++other)
+            if (isWorthWeighing() || (leaves_walls && isTurnedRound(*other, sets.chosen)))
                 tryOut(*other, kSidesAlike);
     }
 
@@ -87,13 +88,15 @@ class SetupSearch {
         return with_forms.size() <= best_->setups.size() ||
                books.leftMm3() > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
-    bool isWorthWeighing() const {
-        return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS || leavesWalls();
-    }
-    /// Two setups the other way round may finish what the second one cuts away the room for.
-    bool leavesWalls() const {
+    bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
+    bool leavesWalls(const Alike& ridges) const {
         const VolumeBalance& books = best_->balance;
-        return setups_.size() == 2 && books.unreachable_mm3 > kFormsLeaveShare * books.stock_minus_part_mm3;
+        return books.unreachable_mm3 > std::max(ridges.share * books.stock_minus_part_mm3, ridges.mm3);
+    }
+    /// Two setups the other way round may finish walls that the second one cuts away the room for.
+    static bool isTurnedRound(const std::vector<Setup>& setups, const std::vector<Setup>& chosen) {
+        return chosen.size() == 2 && setups.size() == 2 && setups[0].axis == chosen[1].axis &&
+               setups[1].axis == chosen[0].axis;
     }
 
     /// A set that cannot be planned in its time must not lose the plan of another.

@@ -95,24 +95,35 @@ TEST(CrossingHoles, WhatNoHolderGetsToIsDrilledFromTheOtherSide) {
     expectNothingStays(plan);
 }
 
-/// A tube of 50 mm with a bore of 36 mm.
-TopoDS_Shape tube() {
-    return cut(cylinder(0, 0, 0, 25, 60), cylinder(0, 0, -1, 18, 62));
+/// A tube with walls of 7 mm.
+TopoDS_Shape tube(double radius_mm) {
+    return cut(cylinder(0, 0, 0, radius_mm, 60), cylinder(0, 0, -1, radius_mm - 7, 62));
 }
 
 TEST(CrossingHoles, AFarWallsHoleStaysInTheBooksWhereNoHolderGetsToIt) {
-    const TopoDS_Shape drilled = cut(tube(), alongY(0, 50, -30, 3, 60));
+    // From the near wall's outside it is 63 mm to the far one, the drill's holder stands 52 mm over its tip.
+    const TopoDS_Shape drilled = cut(tube(35), alongY(0, 50, -40, 3, 80));
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.setup.axes = {-Vec3::UnitZ(), -Vec3::UnitY()};
     const Plan plan = planPart(test::part(drilled), request, defaultToolLibrary(), defaultMachine(), kTol);
     // The bore's air, seen from the side, must not be taken for that of the hole.
-    EXPECT_NEAR(plan.balance.residual_mm3, kPi * 9 * (25 - 18), 5);
+    EXPECT_NEAR(plan.balance.residual_mm3, kPi * 9 * 7, 5);
     EXPECT_FALSE(plan.complete(kTol));
 }
 
+TEST(CrossingHoles, AFarWallsHoleIsDrilledAsFarAsTheHolderLetsTheDrill) {
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    request.setup.axes = {-Vec3::UnitZ(), -Vec3::UnitY()};
+    const Plan plan = planPart(test::part(cut(tube(25), alongY(0, 50, -30, 3, 60))), request,
+                               defaultToolLibrary(), defaultMachine(), kTol);
+    // Half a millimetre, and what the drill's point leaves.
+    EXPECT_NEAR(plan.balance.residual_mm3, kPi * 9 * (0.5 + 2.0 / 3 * 3 / std::tan(degToRad(59))), 3);
+}
+
 TEST(CrossingHoles, AFarWallsWindowIsCutThroughTheNearOne) {
-    const Plan plan = planned(cut(tube(), box(-30, -6, 20, 60, 12, 25)));
+    const Plan plan = planned(cut(tube(25), box(-30, -6, 20, 60, 12, 25)));
     for (const PlannedSetup& setup : plan.setups)
         for (const PlannedFeature& window : setup.features)
             EXPECT_FALSE(window.sequence.steps.empty()) << window.feature.id;
