@@ -21,8 +21,8 @@ struct RemovalComponent {
     int hole = -1;
     std::vector<int> parents;  ///< components of the layer above that it overlaps, or the next above air
     std::vector<int> children;
-    double stock_share =
-        1;  ///< of its area that is stock half-way up the layer, where the stock's walls lean
+    /// Of its area that is stock half-way up the layer, where the stock's walls lean.
+    double stock_share = 1;
     bool in_drill_point = false;  ///< `left` to a drill
 };
 

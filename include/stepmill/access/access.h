@@ -127,8 +127,8 @@ struct Unhindered {};
 
 /// Shank or holder keep the tool off part of what its cutter reaches, and nobody stands in for it there.
 struct Limited {
-    CutterArea
-        whole_tool;   ///< A'_t with its own centres and entries: what the tool does [DSouza2006, Alg. 3]
+    /// A'_t with its own centres and entries: what the tool does [DSouza2006, Alg. 3].
+    CutterArea whole_tool;
     std::string why;  ///< what is in the way, with the numbers
 };
 

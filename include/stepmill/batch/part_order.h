@@ -8,8 +8,8 @@ namespace stepmill {
 /// In which order parts are best made, so that few tools are put into the magazine.
 struct PartOrder {
     std::vector<std::size_t> parts;  ///< places in the list, in the order they are made
-    std::vector<std::size_t>
-        too_many;   ///< those that need more tools than there are places: not in the order
+    /// Those that need more tools than there are places: not in the order.
+    std::vector<std::size_t> too_many;
     int loads = 0;  ///< tools put in, those of the first part included
     int bound = 0;  ///< no order puts in fewer
 };

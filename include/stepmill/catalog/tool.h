@@ -92,8 +92,8 @@ struct ToolAssembly {
     int flutes = 0;
     CutterMaterial cutter_material = CutterMaterial::Carbide;
     bool centre_cutting = false;  ///< has edges down to its axis
-    double max_plunge_mm =
-        0;                    ///< it may go straight down into solid material by so much at a time; of a mill
+    /// It may go straight down into solid material by so much at a time; of a mill.
+    double max_plunge_mm = 0;
     double stick_out_mm = 0;  ///< tip to the lowest holder face; of a range the longest until a
                               ///< plan sets it shorter
     std::optional<StickOutRange> stick_out_range;

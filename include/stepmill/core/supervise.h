@@ -74,8 +74,8 @@ struct SupervisedLimits {
     double timeout_s = 0;            ///< infinite: no limit
     std::uint64_t memory_bytes = 0;  ///< private memory (RLIMIT_DATA: heap and stacks, not what is merely
                                      ///< mapped); 0: no limit but the caller's own
-    MemoryGroups* groups =
-        nullptr;  ///< where the child's group is made, so that all it takes counts; or none
+    /// Where the child's group is made, so that all it takes counts; or none.
+    MemoryGroups* groups = nullptr;
 };
 
 /// A child process that works under supervision, beside others where a caller has several. It is really ended

@@ -13,8 +13,8 @@ struct ForeignTool {
     ToolAssembly tool;     ///< holder cylinders begin at the stick-out, at 0 where that is not said
     std::string unfit;     ///< why it is no tool that Stepmill plans with; empty: it is one
     bool is_inch = false;  ///< its lengths were given in inches
-    std::vector<std::string>
-        notes;  ///< what was taken in another way than it stands, and what was left aside
+    /// What was taken in another way than it stands, and what was left aside.
+    std::vector<std::string> notes;
 };
 
 /// What a file of another program holds.

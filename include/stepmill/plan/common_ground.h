@@ -10,8 +10,8 @@ namespace stepmill {
 /// Ground that nested features share: to be cut down through all of them at once [common-ground.md].
 struct CommonGround {
     std::string id;  ///< "S1.G2.1", of the feature that it becomes
-    std::vector<std::string>
-        levels;     ///< ids of the nested features, from above, each the next one's only parent
+    /// Ids of the nested features, from above, each the next one's only parent.
+    std::vector<std::string> levels;
     Region region;  ///< within the targets of all of them
 };
 

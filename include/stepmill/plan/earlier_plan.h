@@ -19,8 +19,8 @@ struct EarlierFeature {
     FeatureClass feature_class = FeatureClass::ClosedPocket;
     double top_z_mm = 0;
     double floor_z_mm = 0;
-    Region
-        target;  ///< of its uppermost band; empty where common ground took it and it is known by name alone
+    /// Of its uppermost band; empty where common ground took it and it is known by name alone.
+    Region target;
 };
 
 struct EarlierOperation {

@@ -156,8 +156,8 @@ struct PlanRequest {
     /// Taken over from that plan where sight asks for the same setups and no more stays; nothing: found out
     /// anew.
     std::optional<EarlierAssignment> as_before;
-    std::vector<CycleTarget>
-        cycle_times;  ///< that are to be kept; of the part, a setup or a feature one at most
+    /// That are to be kept; of the part, a setup or a feature one at most.
+    std::vector<CycleTarget> cycle_times;
     std::map<std::string, SequenceWish> wishes;  ///< by the id of a band, for the cycle times
 };
 

@@ -13,8 +13,8 @@ using PlanHoles = std::function<std::optional<ToolSequence>(const Feature&, cons
 
 /// Holes as they are made before they are brought to their fit.
 struct SizedSequence {
-    std::optional<ToolSequence>
-        sequence;         ///< with its sizing step; nothing where no tool of the library fits
+    /// With its sizing step; nothing where no tool of the library fits.
+    std::optional<ToolSequence> sequence;
     std::string trouble;  ///< why there is none
 };
 

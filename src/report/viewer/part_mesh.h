@@ -11,8 +11,8 @@ struct PartMesh {
     std::size_t corners = 0;
     std::size_t triangles = 0;
     Box3 box_mm;  ///< of the corners
-    PackedBytes
-        places;  ///< x, y, z of each corner in two bytes, 0 to 65535 from the box's low to its high end
+    /// X, y, z of each corner in two bytes, 0 to 65535 from the box's low to its high end.
+    PackedBytes places;
     PackedBytes sides;  ///< three corners a triangle, each told from the one before, seen from outside
                         ///< counter-clockwise
 };

@@ -17,8 +17,8 @@ inline constexpr int kNoTool = -1;
 /// What the lumps of one edge cost together.
 struct ChosenWays {
     std::vector<int> ways;  ///< of each lump
-    double weight =
-        kNoEdge;  ///< paths, and one change for each tool that is used; kNoEdge: a lump has no way
+    /// Paths, and one change for each tool that is used; kNoEdge: a lump has no way.
+    double weight = kNoEdge;
     bool joins_next = false;  ///< the tool that follows is among them, comes last and is changed to once
 };
 

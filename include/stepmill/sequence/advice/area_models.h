@@ -30,8 +30,8 @@ struct AreaModelTool {
     double area_mm2 = 0;        ///< coverable area
     double volume_mm3 = 0;      ///< coverable area x depth: the tool access volume of [Lim2000]
     double rate_mm3_per_s = 0;  ///< material removal rate
-    double area_rate_mm2_per_s =
-        0;  ///< area cleared down to the floor in a second, all depths of cut counted
+    /// Area cleared down to the floor in a second, all depths of cut counted.
+    double area_rate_mm2_per_s = 0;
 };
 
 /// Material a cutter removes in steady cutting: step-over x step-down x feed [mm3/s]. 0 where one of them is
