@@ -75,8 +75,8 @@ void addImportOption(CLI::App& command, PlanOptions& options);
 void reportImport(const std::vector<Part>& parts, const PlanOptions& options);
 
 /// Library and machine a run uses.
-/// \throws Error as readToolLibrary and readMachine do; Error(Usage) when
-/// no tool has cutting data for the material.
+/// \throws Error as readToolLibrary and readMachine do; Error(Usage) when no tool has cutting data for the
+///         material.
 struct Shop {
     ToolLibrary library;
     Machine machine;
@@ -92,8 +92,8 @@ SetupRequest setupRequest(const PlanOptions& options);
 PlanRequest planRequest(const PlanOptions& options, const Machine& machine);
 
 /// The parts of the file that were asked for.
-/// \throws Error(Usage) when the file holds several solids and
-/// none was chosen, or the chosen one does not exist.
+/// \throws Error(Usage) when the file holds several solids and none was chosen, or the chosen one does not
+///         exist.
 std::vector<Part> chooseParts(const PlanOptions& options);
 
 }  // namespace stepmill

@@ -18,8 +18,7 @@ void printOut(std::string_view text);
 void printData(std::string_view text);
 
 /// Hands over what standard output still holds.
-/// \throws Error(OutputUnwritable) when it cannot take it: a
-/// full disk must not pass for success
+/// \throws Error(OutputUnwritable) when it cannot take it: a full disk must not pass for success
 void flushOut();
 
 /// Prints on standard error; there is nobody to tell when that fails.

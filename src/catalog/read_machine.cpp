@@ -41,8 +41,7 @@ std::vector<HolderCylinder> spindleNose(const json& machine, const std::string& 
 }
 
 /// What two fields of the spindle say together.
-/// \throws Error(InvalidCatalog) with the pointer of the wrong
-/// one
+/// \throws Error(InvalidCatalog) with the pointer of the wrong one
 class SpindleReader {
   public:
     SpindleReader(const json& machine, const std::string& file_name)

@@ -22,8 +22,7 @@ struct Healing {
 
 /// Strokes in mm joined to closed profiles: ends within kHealedGapMm of each other are one corner. Lines
 /// reach for the end of an arc or curve, two arcs keep their bulge.
-/// \throws Error(InvalidCatalog) naming
-/// where a profile is open, or where more than two ends meet
+/// \throws Error(InvalidCatalog) naming where a profile is open, or where more than two ends meet
 std::vector<Profile> closedProfiles(std::vector<Stroke> strokes, const std::string& file, Healing& healing);
 
 /// The arc that a bulge describes.

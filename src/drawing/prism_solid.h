@@ -22,8 +22,7 @@ struct Pocketing {
 
 /// The part: the outline's areas from z 0 down by the thickness, less all pocketings. What goes through goes
 /// on below, and all goes on above, so that no two faces lie on each other.
-/// \throws Error(GeometryKernel,
-/// InvalidSolid)
+/// \throws Error(GeometryKernel, InvalidSolid)
 /// \pre depths above 0
 TopoDS_Shape prismSolid(const std::vector<ProfileArea>& outline, double thickness_mm,
                         const std::vector<Pocketing>& pocketings, const std::string& file);

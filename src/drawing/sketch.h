@@ -51,8 +51,7 @@ inline constexpr std::size_t kMostStrokes = 200000;
 
 /// An elliptic arc about a centre as splines of a quarter turn at most: exact.
 /// \param major, minor  its half axes
-/// \param start_rad, sweep_rad  on the circle that the ellipse is a
-/// picture of
+/// \param start_rad, sweep_rad  on the circle that the ellipse is a picture of
 std::vector<Stroke> ellipseArc(const Vec2& centre, const Vec2& major, const Vec2& minor, double start_rad,
                                double sweep_rad);
 /// A Bézier curve of any degree.

@@ -92,7 +92,8 @@ int holeOf(const RemovalForest& forest, int index, const Tolerances& tol) {
 }
 
 /// Under air that earlier setups left, what goes on with a hole and what lies wholly under other components
-/// has the next of these as its parents: no cutter gets to it before. \pre the layer above has none
+/// has the next of these as its parents: no cutter gets to it before.
+/// \pre the layer above has none
 void linkThroughAir(RemovalForest& forest, int child, const Tolerances& tol) {
     RemovalComponent& component = forest.components[child];
     for (int layer = component.layer - 1; layer-- > 0;) {

@@ -30,8 +30,7 @@ int stepsForSweep(double sweep_rad, double radius_mm, double chord_mm);
 
 /// A segment's share in the winding number of its loop about p. `side` is 0 where p lies away from the
 /// segment; otherwise p is the segment's middle and counts as just left (+1) or just right (-1) of it.
-/// \pre
-/// side == 0 or the segment is no more than a half circle
+/// \pre side == 0 or the segment is no more than a half circle
 int windingShare(const Vec2& from, const Segment& segment, const Vec2& p, int side = 0);
 
 /// How often the loop winds around p, which must not lie on it.

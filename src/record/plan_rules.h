@@ -10,8 +10,7 @@ namespace stepmill::record {
 /// What a schema cannot say of a plan.json: ids that name one thing each, features and operations that stand
 /// in their setup's lists once, parents before children, bands one below the other that make up their
 /// feature, tools whose type and corner agree, a program's name that follows from its setup.
-/// \pre `plan`
-/// keeps schemas/plan.schema.json
+/// \pre `plan` keeps schemas/plan.schema.json
 /// \throws Error(InvalidCatalog) with "plan.json#/json/pointer" as subject
 void checkPlanRules(const nlohmann::ordered_json& plan);
 

@@ -50,8 +50,7 @@ std::string namedBand(const nlohmann::ordered_json& name, const BandsOf& bands);
 std::vector<std::string> bandIds(const std::string& feature_id, const BandsOf& bands);
 
 /// The bands of one entry of features, from above.
-/// \throws Error(InvalidCatalog) naming what contradicts
-/// itself
+/// \throws Error(InvalidCatalog) naming what contradicts itself
 std::vector<RecordedFeature> readFeature(const nlohmann::ordered_json& json, const std::string& pointer,
                                          const BandsOf& bands, ReadTables& tables);
 

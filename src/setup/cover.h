@@ -20,8 +20,7 @@ inline constexpr double kFinishPaysShare = 0.05;
 /// aagnet_partC three axes that leave six times as much).
 ///
 /// \param bonus  by axis, in the same unit: far below 1 to decide between sets that reach the same, negative
-/// for
-///               axes that cost more than one setup
+///               for axes that cost more than one setup
 /// \param steps_finished  faces on which flat cutters leave steps are finished from there all the same
 /// \return indices of axes, ascending; empty when nothing is to be removed
 std::vector<int> bestAxes(const std::vector<SampleGroup>& groups, const std::vector<double>& bonus,

@@ -31,8 +31,7 @@ using Wanted = std::function<bool(const Vec3& from, const Move& move)>;
 LinedPath somePath(const ReadOperation& operation, double raised_mm, const Wanted& wanted);
 
 /// Line of the first move up to which `fails` does; moves after a failing one must not mend it.
-/// \pre
-/// fails(path)
+/// \pre fails(path)
 int firstFailingLine(const LinedPath& path, const std::function<bool(const Toolpath&)>& fails);
 
 }  // namespace stepmill::verify

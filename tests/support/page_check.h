@@ -28,8 +28,7 @@ void expectSoundPage(const std::string& page, const std::string& what);
 
 /// The page without the scripts that its policy allows by hash, and without the data they read: what is left
 /// is to be sound. Expects that every script that runs is one of these.
-/// \param scripts  how many there are to
-/// be
+/// \param scripts  how many there are to be
 std::string withoutOwnScripts(const std::string& page, int scripts);
 
 }  // namespace stepmill::test

@@ -37,8 +37,9 @@ class EngagementMeter {
             if (cell == Cell::Fresh) cell = Cell::Swept;
     }
 
-    /// Moves the cutter along an edge at depth. \return  the greatest angle of the front half of its rim that
-    /// surely stands in material anywhere on the way [rad]
+    /// Moves the cutter along an edge at depth.
+    /// \return  the greatest angle of the front half of its rim that surely stands in material anywhere on the
+    ///          way [rad]
     double follow(const Edge& edge, bool measures) {
         const double step_mm = raster_.cellMm();
         const int steps = std::max(1, static_cast<int>(std::ceil(length(edge) / step_mm)));

@@ -16,8 +16,8 @@ namespace stepmill {
 /// share. They are made when they are first asked for; not safe to share between threads.
 class FormRoom {
   public:
-    /// \param sections  of the bands that must stand, as far as they lie in the window
     /// Keeps `ground`.
+    /// \param sections  of the bands that must stand, as far as they lie in the window
     FormRoom(const FormGround& ground, Region window, std::vector<Region> sections, const Tolerances& tol);
 
     const Region& window() const { return window_; }

@@ -20,8 +20,7 @@ struct ListedPart {
 /// STEP files (.step, .stp, .p21 in any case) in a folder and all below it, by name, byte by byte. Folders
 /// whose name begins with a point and those behind links are left out. A folder below that cannot be read is
 /// listed as a part is, so that it is named as missing.
-/// \param without  a folder below that is left out with
-/// all it holds: the batch's own
+/// \param without  a folder below that is left out with all it holds: the batch's own
 /// \throws Error(FileUnreadable) where the folder itself cannot be read
 std::vector<ListedPart> findParts(const std::filesystem::path& folder, const std::filesystem::path& without);
 

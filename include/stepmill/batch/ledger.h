@@ -48,8 +48,7 @@ struct LedgerPart {
 class Ledger {
   public:
     /// Opens the book, or begins it.
-    /// \throws Error(OutputUnwritable), Error(FileUnreadable) naming the file,
-    /// as do all calls
+    /// \throws Error(OutputUnwritable), Error(FileUnreadable) naming the file, as do all calls
     explicit Ledger(const std::filesystem::path& file);
     /// To read alone what a batch writes, perhaps just now.
     static Ledger forReading(const std::filesystem::path& file);

@@ -47,8 +47,7 @@ struct Magazine {
 /// that costs least. Branch and bound over the tools, those that matter most first: with a tool undecided
 /// every task may use it for nothing, which no decision can make cheaper. Where `most_sets` does not suffice,
 /// it is the best set found, and `bound` says how far from the best it may be.
-/// \note  each set costs one look
-/// at every way
+/// \note  each set costs one look at every way
 Magazine bestMagazine(const std::vector<ToolTask>& tasks, const MagazineTerms& terms);
 
 }  // namespace stepmill

@@ -29,9 +29,8 @@ struct MaterialFile {
 };
 
 /// Reads a material file (schemas/materials.schema.json).
-/// \throws Error(InvalidCatalog) with
-/// "file#/json/pointer" as subject: a breach of the schema, a name that two materials have;
-/// Error(FileUnreadable).
+/// \throws Error(InvalidCatalog) with "file#/json/pointer" as subject: a breach of the schema, a name that
+///         two materials have; Error(FileUnreadable).
 MaterialFile readMaterials(const std::filesystem::path& path, std::uintmax_t max_bytes = kMaxFileBytes);
 
 /// The same from text already in memory.

@@ -12,8 +12,7 @@ namespace stepmill {
 /// says what the reader takes anyway is left out. A range of stick-outs is written as one, heights of the
 /// holder are those of the longest.
 /// \param description  a note on the library; empty: none
-/// \param filled
-/// which fields no one measured
+/// \param filled  which fields no one measured
 std::string toolLibraryJson(const ToolLibrary& library, const std::string& description,
                             const FilledFields& filled = {});
 

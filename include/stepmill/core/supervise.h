@@ -85,7 +85,7 @@ struct SupervisedLimits {
 class SupervisedChild {
   public:
     /// \param stop  held by the caller; its signals take effect again in the child
-    /// 	hrows Error(SystemLimit) where the system grants no further process or memory
+    /// \throws Error(SystemLimit) where the system grants no further process or memory
     /// \pre no other thread runs in the calling process (fork); the time limit is a number above 0
     SupervisedChild(const std::function<int(StageBoard&)>& work, const SupervisedLimits& limits,
                     const StopSignals& stop);
@@ -112,8 +112,8 @@ class SupervisedChild {
 
 /// Runs `work` in a supervised child and waits for its end. SIGINT, SIGTERM and SIGHUP to the caller end the
 /// child and are told in the result: the caller may then tidy up, and is to end by that signal.
-/// \throws,
-/// \pre as SupervisedChild
+/// \throws what SupervisedChild does
+/// \pre as for SupervisedChild
 Supervised runSupervised(const std::function<int(StageBoard&)>& work, double timeout_s,
                          std::uint64_t memory_bytes = 0);
 

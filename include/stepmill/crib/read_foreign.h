@@ -37,8 +37,7 @@ struct ForeignOptions {
 
 /// Reads another program's library. Lengths become mm by the unit that each tool names.
 /// \throws Error(InvalidCatalog) with file and place as subject and what was expected: no file of that
-/// format,
-///         a tool without a diameter, numbers that are none, a zip that swells beyond all measure;
+///         format, a tool without a diameter, numbers that are none, a zip that swells beyond all measure;
 ///         Error(Usage) naming --unit where neither file nor options say the unit; Error(FileUnreadable)
 ForeignLibrary readForeign(const std::filesystem::path& file, CribFormat format,
                            const ForeignOptions& options);

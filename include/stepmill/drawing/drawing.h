@@ -37,9 +37,8 @@ inline constexpr double kHealedGapMm = 0.02;
 ///
 /// Remarks tell what was healed and which layers were left aside.
 /// \throws Error(InvalidCatalog) naming file and place: no such format, a profile that is open, crosses
-/// itself
-///         or another, or lies outside the outline, entities that are no profile on a layer with a depth;
-///         Error(Usage) naming the option that is missing: unit, outline, depth or thickness;
+///         itself or another, or lies outside the outline, entities that are no profile on a layer with a
+///         depth; Error(Usage) naming the option that is missing: unit, outline, depth or thickness;
 ///         Error(FileUnreadable, ImplausibleSize, InvalidSolid)
 /// \note  O(n log n) for n lines and arcs, but for the kernel's Booleans.
 /// \see docs/drawings.md

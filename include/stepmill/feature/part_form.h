@@ -56,7 +56,8 @@ std::vector<PartForm> partForms(const FaceGraph& graph, const std::vector<bool>&
                                 const Tolerances& tol);
 
 /// The class of the MFCAD data set that a form is, nothing where none fits: its 16 classes know flat faces
-/// and 3, 4 or 6 sides alone. \see docs/algorithms/features.md for the table
+/// and 3, 4 or 6 sides alone.
+/// \see docs/algorithms/features.md for the table
 std::optional<std::string> mfcadClass(const PartForm& form);
 
 }  // namespace stepmill

@@ -38,9 +38,8 @@ class JobFolder {
     /// Locks the folder, makes folders on the way to it, and finishes or removes what a killed run left of
     /// its writing.
     /// \param dir  may be absent; a link to a folder stands for that folder
-    /// \throws
-    /// Error(OutputUnwritable) when another run has it, it is no folder, or it holds a program that is
-    ///         not of its job; Error(InvalidCatalog) when its manifest is damaged
+    /// \throws Error(OutputUnwritable) when another run has it, it is no folder, or it holds a program that
+    ///         is not of its job; Error(InvalidCatalog) when its manifest is damaged
     explicit JobFolder(const std::filesystem::path& dir, Disk& disk = systemDisk());
     /// Tidies up after a child process that was killed while it wrote, and unlocks.
     ~JobFolder();

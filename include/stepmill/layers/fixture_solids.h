@@ -11,7 +11,9 @@ namespace stepmill {
 
 /// A fixture's solid as upright blocks, one on the other from the top down: each holds every section of the
 /// solid at its heights [layers/layer_stack.h], so cutters and holders keep off all of it. All are named as
-/// the solid. Never empty. \param to_setup  upright: of the solid's coordinates \throws Error(GeometryKernel)
+/// the solid. Never empty.
+/// \param to_setup  upright: of the solid's coordinates
+/// \throws Error(GeometryKernel)
 /// \note  Costs as much as slicing a part.
 std::vector<Fixture> fixtureBlocks(const std::string& name, const Part& solid,
                                    const Eigen::Isometry3d& to_setup, const Tolerances& tol);

@@ -135,7 +135,8 @@ struct WiderChoice {
 /// The first cutter at least as wide as `area / (time x feed)` whose passes, `width / step-over`, are more
 /// than half a pass over a whole number: these are rounded up. Where they are less over it the next wider one
 /// has one pass less and is looked at. Of none that fits the rule the narrowest that is wide enough, with its
-/// passes rounded up: the paper does not say. Nothing where none is as wide. \param cutters  in any order
+/// passes rounded up: the paper does not say. Nothing where none is as wide.
+/// \param cutters  in any order
 /// \pre all of the cut is positive
 std::optional<WiderChoice> widerCutter(const WiderCut& cut, std::vector<AvailableCutter> cutters);
 

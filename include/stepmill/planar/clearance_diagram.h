@@ -47,9 +47,8 @@ struct MedialAxis {
 /// walls are shared and nothing drifts, however many radii are asked. See
 /// docs/algorithms/clearance-diagram.md and docs/adr/0004-clearance-profile.md.
 ///
-/// Tie rule: a disc passes a neck when the neck is wider, by more than 2 nm (what rounding to the grid
-/// leaves of equality); equal is not
-/// passable. A disc fills a concave arc of its own radius.
+/// Tie rule: a disc passes a neck when the neck is wider, by more than 2 nm (what rounding to the grid leaves
+/// of equality); equal is not passable. A disc fills a concave arc of its own radius.
 ///
 /// Each side is built when it is first asked for, O(n log n) for n edges; a query costs O(n). Offsets
 /// and openings are kept by distance. Its answers never change; safe to share between threads.

@@ -19,8 +19,7 @@ namespace stepmill {
 nlohmann::ordered_json loopToJson(const Loop& loop);
 
 /// Reads it back, equal to the last digit.
-/// \throws Error(InvalidRegion) naming `subject` and what was
-/// expected.
+/// \throws Error(InvalidRegion) naming `subject` and what was expected.
 Loop loopFromJson(const nlohmann::ordered_json& json, const std::string& subject);
 
 /// Regions as two tables: every loop once, and every region once as a list of loops' numbers. Numbers run

@@ -80,8 +80,7 @@ struct PostedProgram {
 /// have 4 decimals in mm, 5 in inches.
 /// Rounding never adds up: every block is rounded from the path's own coordinates. A job without operations
 /// gives a program of header and end, with `per_tool` none.
-/// \throws Error(InvalidCatalog) when two tools have
-/// one number.
+/// \throws Error(InvalidCatalog) when two tools have one number.
 /// \note  Linear in the moves.
 std::vector<PostedProgram> post(const Job& job, const PostOptions& options);
 

@@ -18,8 +18,7 @@ struct ReportOptions {
 
 /// The whole report as one self-contained HTML page [docs/report.md]: pictures as SVG, no outside files. Its
 /// only scripts are the viewer's.
-/// \throws Error(GeometryKernel) where part or stock cannot be meshed for the
-/// viewer
+/// \throws Error(GeometryKernel) where part or stock cannot be meshed for the viewer
 std::string reportHtml(const ProvenPlan& proven, const ReportOptions& options, const Tolerances& tol);
 /// Of a plan without programs: nothing to play, so no viewer.
 std::string reportHtml(const Plan& plan, const Tolerances& tol);

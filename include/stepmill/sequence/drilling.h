@@ -37,13 +37,12 @@ double drillReachMm(const ToolAssembly& drill);
 double pointLengthMm(const ToolAssembly& drill);
 
 /// How deep the tip goes: to the floor; into the point that the part has below it, as far as the drill's own
-/// fits in there; or through the floor by the point and a little where nothing is below, kBreakThroughMm if the
-/// flutes are long enough.
+/// fits in there; or through the floor by the point and a little where nothing is below, kBreakThroughMm if
+/// the flutes are long enough.
 double drillTipZ(const Feature& feature, const ToolAssembly& drill);
 
 /// The same for the largest drill with the longest point that could make the hole.
-/// \pre
-/// isHole(feature.feature_class)
+/// \pre isHole(feature.feature_class)
 double deepestDrillTipZ(const Feature& feature);
 
 /// Down to here the drill takes the whole hole; below it, what its cone takes. The rim that fits of a pointed

@@ -41,8 +41,7 @@ double sizedToZ(const Feature& hole, const ToolAssembly& sizer, double bored_to_
 double sizerTipZ(const Feature& hole, const ToolAssembly& sizer, double sized_to_z_mm);
 
 /// What stays of the ring round a blind hole's bore below sizedToZ() in all holes [mm3].
-/// \param before_mm
-/// width of the bore before
+/// \param before_mm  width of the bore before
 double leftByLeadMm3(const SizingTask& task, const ToolAssembly& sizer, double before_mm);
 
 /// All holes brought to their fit: fed down and up again.

@@ -96,8 +96,8 @@ struct Setup {
 /// \throws Error(Usage) if the stock does not contain the part, with where it sticks out and by how much, or
 ///         if every axis is forbidden.
 /// \note  A ray for every sample and candidate axis, in parallel. The search among candidates is exact on
-/// parts of
-///        planes and holes; sculpted ones with dozens of axes end it after 20000 sets with the best so far.
+///        parts of planes and holes; sculpted ones with dozens of axes end it after 20000 sets with the best
+///        so far.
 /// \see docs/algorithms/setups.md
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 

@@ -37,8 +37,7 @@ struct CurvesRequest {
 /// The curves of the features that inspect names: every setup on the stock that those before it leave when
 /// all their features are cut whole.
 /// \param progress  told of each stage
-/// \throws what chooseSetups and
-/// SetupWalk::next do
+/// \throws what chooseSetups and SetupWalk::next do
 PartCurves findCurves(const Part& part, const CurvesRequest& request, const Tolerances& tol,
                       const std::function<void(const std::string& stage, double share)>& progress = {});
 

@@ -69,8 +69,7 @@ struct RankReport {
 /// does not end the run: its entry says why.
 /// \param progress  told of each stage
 /// \throws Error(Usage) if there is no such feature, naming those there are; what chooseSetups and
-/// SetupWalk::next
-///         throw
+///         SetupWalk::next throw
 RankReport rankPart(const Part& part, const RankRequest& request, const ToolLibrary& library,
                     const Machine& machine, const Tolerances& tol,
                     const std::function<void(const std::string& stage, double share)>& progress = {});

@@ -72,11 +72,10 @@ struct MoveCut {
 /// height at which the same line or arc was gone along before: so a helix cuts its pitch, not all above it.
 class CutFollower {
   public:
+    /// Keeps `ground`, which must not change meanwhile.
     /// \param step_down_mm  no pass goes deeper than this below what was cut before
     /// \param cusp_share  of the radius: what was swept counts as so much narrower, so that a rim that goes
-    /// on
-    ///                    where it was is in material. A greater share never gives a lesser width.
-    /// Keeps `ground`, which must not change meanwhile.
+    ///                    on where it was is in material. A greater share never gives a lesser width.
     CutFollower(const CutGround& ground, double radius_mm, double step_down_mm, double cusp_share,
                 CutMeasures measures = CutMeasures::Widths);
     ~CutFollower();

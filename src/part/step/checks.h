@@ -25,8 +25,7 @@ void checkReferences(const StepScreen& screen, StepText& text);
 
 /// The entities of the shape have the parameters their schema asks for: their number, kind and, of
 /// references, what they refer to; lengths, radii and angles are those of real curves and surfaces.
-/// \throws
-/// Error(StepDamaged)
+/// \throws Error(StepDamaged)
 void checkParameters(const StepScreen& screen);
 
 /// Knots increase, multiplicities, control points and weights agree in number, weights are positive.

@@ -21,8 +21,7 @@ struct SizedSequence {
 /// The cheapest way to bring the holes to their fit: of every tool that can, with each drill that leaves it
 /// what it takes, or milled so wide.
 /// \param holes    as their stock may be
-/// \param library  that they may be
-/// made with
+/// \param library  that they may be made with
 SizedSequence sizedSequence(const Feature& holes, const HoleEntry& entry, const PlanningShop& shop,
                             const ToolLibrary& library, double retract_z_mm, const PlanHoles& plan_holes);
 

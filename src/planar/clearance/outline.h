@@ -27,8 +27,7 @@ std::optional<Swept> sweptBy(const Profile& profile, const Level& level);
 
 /// Centres at `fine.distance` from the boundary whose discs reach beyond the ground that the discs of
 /// `coarse` sweep; nothing where the two levels do not nest run by run.
-/// \pre discs of `coarse` do not overlap
-/// at necks
+/// \pre discs of `coarse` do not overlap at necks
 std::optional<Region> centresLeft(const Profile& profile, const Level& coarse, const Level& fine);
 
 }  // namespace stepmill::clearance

@@ -32,8 +32,7 @@ struct LineChart {
 inline constexpr std::size_t kMostSeries = 6;
 
 /// The chart as an <svg> with its key below the axes' names.
-/// \pre some series has a point with x and y above
-/// 0
+/// \pre some series has a point with x and y above 0
 Element lineChart(const LineChart& chart);
 
 }  // namespace stepmill::report

@@ -59,7 +59,8 @@ EdgeCost machineCost(double seconds, const Machine& machine);
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting);
 
 /// Least seconds that `to` takes along the walls that it is the first to touch. 0 where that is not known:
-/// where surrogates of either touch walls too. \param from  null: nothing is cut before
+/// where surrogates of either touch walls too.
+/// \param from  null: nothing is cut before
 double leastWallS(const Candidate* from, const Candidate& to);
 
 /// Tools by falling diameter, ties by rising stick-out, then in the library's order [tool-dag.md,
@@ -69,8 +70,7 @@ std::vector<const ToolAssembly*> byFallingDiameter(const ToolLibrary& library);
 /// The tools of `reaches` that can machine something of the feature, in their order, but spot drills first
 /// and after them the drill that makes room for mills. A tool with surrogates comes twice: alone, where
 /// the rule for surrogates has that, then with them. They point into `reaches` and `library`.
-/// \pre
-/// `reaches` are in the order of byFallingDiameter()
+/// \pre `reaches` are in the order of byFallingDiameter()
 std::vector<Candidate> usableTools(const Feature& feature, const std::vector<ToolReach>& reaches,
                                    const ToolLibrary& library, const SequenceOptions& options,
                                    const Machine& machine, const Tolerances& tol);

@@ -35,8 +35,7 @@ class SequenceChoices {
     /// \pre !empty()
     std::vector<SequenceChoice> choices() const;
     /// Fills in steps, edges, times and costs of the sequence for that one of choices().
-    /// \throws
-    /// Error(Internal) if a path gouges
+    /// \throws Error(Internal) if a path gouges
     void take(std::size_t index, ToolSequence& sequence) const;
 
   private:

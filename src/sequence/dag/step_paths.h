@@ -23,8 +23,7 @@ SharedRings ringsOf(const DagTask& task, const Candidate& tool);
 /// The steps of tool n of a chosen path, after m (null for the first), with the tool paths to run: of the
 /// quickest patterns, and proved. They do not contain the surrogates' steps. Where it is known what cuts ask
 /// for (SequenceOptions::cut_material), the first tool's patterns are the quickest at feeds by what they cut.
-/// \throws Error(Internal) if a
-/// path gouges
+/// \throws Error(Internal) if a path gouges
 std::vector<SequenceStep> makeSteps(const DagTask& task, const Candidate* m, const Candidate& n);
 /// The same where it is one step: of a feature without such a drill.
 SequenceStep makeStep(const DagTask& task, const Candidate* m, const Candidate& n);

@@ -33,8 +33,7 @@ class SolvedLump {
     /// Lengths and times of the paths of ways()[way], in the order of its tools.
     const std::vector<PathTotals>& totals(int way) const;
     /// The step of the tool that comes in that place of ways()[way], proved.
-    /// \throws Error(Internal) if its
-    /// path gouges
+    /// \throws Error(Internal) if its path gouges
     SequenceStep step(int way, std::size_t place) const;
 
   private:
