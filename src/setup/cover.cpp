@@ -1,4 +1,4 @@
-// How few setups reach all: an exact search over sets of axes.
+// How few setups reach all: branch and bound over sets of axes, exact as far as cover.h says.
 
 #include "setup/cover.h"
 

@@ -86,8 +86,8 @@ struct Setup {
 /// volume some axis reaches.
 ///
 /// Candidates are the six box directions, normals of planes and both senses of cylinder and cone axes,
-/// without the forbidden ones. Samples in front of the part's faces say what each reaches; an exact search
-/// takes the set whose volume reached, less what every further setup must pay (kSetupPaysShare), is greatest.
+/// without the forbidden ones. Samples in front of the part's faces say what each reaches; branch and
+/// bound looks for the set whose volume reached, less what every further setup must pay, is greatest.
 /// Order: indexed axes last; else the one that takes most of what is left first; ties: the one that rests on
 /// the larger flat face first, then +z, -z, +x, -x, +y, -y. A part with nothing to remove gets one setup.
 ///
@@ -95,9 +95,10 @@ struct Setup {
 /// \return  at least one setup
 /// \throws Error(Usage) if the stock does not contain the part, with where it sticks out and by how much, or
 ///         if every axis is forbidden.
-/// \note  A ray for every sample and candidate axis, in parallel. The search among candidates is exact on
-///        parts of planes and holes; sculpted ones with dozens of axes end it after 20000 sets with the best
-///        so far.
+/// \note  A ray for every sample and candidate axis, in parallel. The search is exact where no axis is
+///        indexed or `steps_finished` is set; else sets that an indexed axis could follow are given up
+///        sooner. After 20000 sets it ends with the best so far, as it does on sculpted parts with dozens of
+///        axes.
 /// \see docs/algorithms/setups.md
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 
