@@ -130,7 +130,7 @@ ToolLibrary drillsOf(ToolLibrary library) {
     return library;
 }
 
-/// The plan of these setups and no operation yet.
+/// A plan of what was asked for, with no setups yet.
 Plan planOf(const Part& part, const PlanRequest& request, const Machine& machine, const Stock& stock) {
     Plan plan;
     plan.request = request;

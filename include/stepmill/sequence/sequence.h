@@ -180,7 +180,7 @@ struct ToolSequence {
     double time_s = 0;      ///< with a tool change wherever the tool is another
     double cost = 0;
     double motion_s = 0;         ///< `time_s` with the machine's acceleration where that is given
-    double lower_bound_s = 0;    ///< no plan with these tools can be faster [section 6]
+    double lower_bound_s = 0;    ///< no plan with these tools can be faster [costs.md, 'The lower bound']
     double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
     /// The same at the feeds that plans run with, for sums over features that share tools: where feeds follow
     /// from what is cut, no move removes more than its tool is rated for, straight ways down apart.
@@ -222,9 +222,9 @@ double weightOf(const EdgeCost& cost, Objective objective);
 /// number of threads. At most n(n+1)/2 edges are evaluated.
 ///
 /// Tools whose holder only lets them do part of the feature take part with surrogates for the lumps they are
-/// kept off [section 5]; one whose lumps no other can serve takes part with what it reaches itself where that
-/// is more than all others reach. Where going less deep machines more than that, the steps end at the depth
-/// the best tool reaches, and what is below is residual ("too deep").
+/// kept off [tool-dag.md, 'Surrogates']; one whose lumps no other can serve takes part with what it reaches
+/// itself where that is more than all others reach. Where going less deep machines more than that, the steps
+/// end at the depth the best tool reaches, and what is below is residual ("too deep").
 /// \throws Error(TimedOut) soon after `options.deadline`, between two tools or edges
 ToolSequence sequenceTools(const Feature& feature, const ToolLibrary& library, const Machine& machine,
                            const SequenceOptions& options, const Tolerances& tol);

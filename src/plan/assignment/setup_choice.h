@@ -31,7 +31,7 @@ class SetupWeigher {
     std::optional<SetupVerdict> against(const Plan& plan, const Plan& other, const Alike& alike) const;
     /// Why the plan is not taken, where it is not.
     SetupVerdict whyNot(const Plan& plan, const Plan& better, const Alike& alike) const;
-    /// \param axes  asked for; those along which nothing is cut among them
+    /// \param setups  asked for; those along which nothing is cut among them
     SetupChoice choiceOf(const Plan& plan, const std::vector<Setup>& setups, SetupVerdict verdict) const;
     /// Setups of which no plan was made.
     static SetupChoice unplanned(const std::vector<Setup>& setups, SetupVerdict verdict);

@@ -36,7 +36,7 @@ struct Shallower {
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
                                      const std::vector<ToolReach>& reaches);
 
-/// The depth at which some tool of `areas` that was turned down for its reach clears most; nothing when
+/// The depth at which some tool of `reaches` that was turned down for its reach clears most; nothing when
 /// none clears noticeably more than `known_mm3`.
 std::optional<Shallower> shallower(const FeatureGround& ground, const ToolLibrary& library,
                                    const std::vector<ToolReach>& reaches, double known_mm3);
