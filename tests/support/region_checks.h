@@ -33,8 +33,8 @@ Vec2 nearMedialAxis(const Region& region, Vec2 p);
 /// A point of the region's box grown by that much: half of them anywhere, half near the medial axis.
 Vec2 probePoint(const Region& region, double grown_mm, Random& random);
 
-/// Farthest that points of `path_like`'s edges (ends and between) lie closer to, or farther from, the
-/// boundary than asked. [mm]
+/// Farthest that points of an offset's edges (ends and between) lie closer to, or farther from, the region's
+/// boundary than asked [mm].
 struct Deviation {
     double too_close_mm = 0;
     double too_far_mm = 0;
