@@ -31,8 +31,8 @@ int bandCount(const Feature& band) {
 FeatureClass classOfWhole(const Feature& uppermost, const Feature& lowest) {
     if (!hasFloor(lowest.feature_class)) return lowest.feature_class;
     if (!isHole(uppermost.feature_class)) return uppermost.feature_class;
-    const bool as_wide = isHole(lowest.feature_class) &&
-                         holeRadiusMm(lowest) >= kAsWideShare * holeRadiusMm(uppermost);
+    const bool as_wide =
+        isHole(lowest.feature_class) && holeRadiusMm(lowest) >= kAsWideShare * holeRadiusMm(uppermost);
     return as_wide ? uppermost.feature_class : FeatureClass::ClosedPocket;
 }
 

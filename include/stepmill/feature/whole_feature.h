@@ -18,8 +18,8 @@ int bandNumber(const Feature& band);
 /// How many bands its feature was parted into; 1 where it is the only one.
 int bandCount(const Feature& band);
 
-/// What a feature is as a whole: what goes through is called by where it comes out, all else by its mouth; a round
-/// recess that narrows to its bottom is a closed pocket.
+/// What a feature is as a whole: what goes through is called by where it comes out, all else by its mouth; a
+/// round recess that narrows to its bottom is a closed pocket.
 FeatureClass classOfWhole(const Feature& uppermost, const Feature& lowest);
 
 /// A feature as a programmer names it: all its bands, from above; one where it is prismatic.

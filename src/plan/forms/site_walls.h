@@ -14,7 +14,7 @@ struct Heights {
 
 /// How finely walls that lean are cut.
 struct BandLimits {
-    double skin_mm = 0;      ///< a band leaves a skin no thicker than this, its height times the sine of its lean
+    double skin_mm = 0;  ///< a band leaves a skin no thicker than this, its height times the sine of its lean
     double thickest_mm = 0;  ///< nor is it higher than this, or than the skin where that is more
 };
 
