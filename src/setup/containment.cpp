@@ -64,13 +64,20 @@ void checkContained(const Part& part, const Facets& part_facets, const Part& sto
     gp_Pnt worst;
     double worst_mm = kSlackMm;
     guardOcct(ErrorCode::GeometryKernel, "stock", [&] {
-        BRepClass3d_SolidClassifier classifier(stock.shape->solid);
+        BRepClass3d_SolidClassifier in_stock(stock.shape->solid);
+        BRepClass3d_SolidClassifier in_part(part.shape->solid);
+        // The middle of a facet on a bore is in its air, where the part has nothing.
+        const auto sticksOut = [&](const gp_Pnt& p) {
+            in_stock.Perform(p, kSlackMm);
+            if (in_stock.State() != TopAbs_OUT) return false;
+            in_part.Perform(p, kSlackMm);
+            return in_part.State() != TopAbs_OUT;
+        };
         for (std::size_t i = 0; i < part_facets.size(); i += step) {
             const Vec3 middle = (part_facets[i][0] + part_facets[i][1] + part_facets[i][2]) / 3;
             for (const Vec3& probe : {part_facets[i][0], middle}) {
                 const gp_Pnt p(probe.x(), probe.y(), probe.z());
-                classifier.Perform(p, kSlackMm);
-                if (classifier.State() != TopAbs_OUT) continue;
+                if (!sticksOut(p)) continue;
                 const double out_mm = distanceTo(stock.shape->solid, p);
                 if (out_mm <= worst_mm) continue;
                 worst_mm = out_mm;

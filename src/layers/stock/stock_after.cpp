@@ -6,7 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "layers/stock/askew_cut.h"
+#include "layers/section/section.h"
+#include "layers/stock/raw_stock.h"
 #include "layers/stock/stock_air.h"
 #include "stepmill/planar/boolean.h"
 
@@ -56,40 +57,30 @@ std::vector<CutStretch> stretches(const LayerStack& layers, const std::vector<Pr
     return found;
 }
 
-/// What of the prisms' ground lies beside a raw box that stands askew to the setup, and in no earlier cut,
-/// which may reach beside the box too [mm3]: slabs hold the box' hull. Raw solids from files whose walls lean
-/// are taken as their hull here.
+/// What of the prisms' ground lies beside the raw stock, and in no earlier cut, which may reach beside it too
+/// [mm3]: where its walls lean slabs hold its hull.
 class RawAir {
   public:
     /// \param cuts  of the earlier setups
-    RawAir(const Setup& setup, const layers::StockAir& cuts, const Tolerances& tol) : cuts_(cuts), tol_(tol) {
-        if (setup.stock.kind != Stock::Kind::Box || !setup.indexed) return;
-        const Vec3 axis = setup.part_to_setup.linear().row(2);
-        Eigen::Index up = 0;
-        axis.cwiseAbs().maxCoeff(&up);
-        Eigen::Isometry3d to_part = Eigen::Isometry3d::Identity();
-        for (int i = 0; i < 3; ++i)
-            to_part.linear().col(i) = Vec3::Unit((up + 1 + i) % 3);
-        const Box3& box = setup.stock.raw_bbox_mm;
-        const Vec3 low = to_part.inverse() * box.min();
-        const Vec3 high = to_part.inverse() * box.max();
-        const Prism prism{makeRectangle(low.head<2>(), high.head<2>()), high.z(), low.z()};
-        box_.emplace(prism, setup.part_to_setup * to_part);
-    }
+    RawAir(const Setup& setup, const layers::StockAir& cuts, const Tolerances& tol)
+        : raw_(setup, tol), cuts_(cuts), tol_(tol) {}
+
     double volumeIn(const Region& gone, double bottom_mm, double top_mm) const {
-        if (!box_) return 0;
-        constexpr int kHeights = 16;
+        if (!raw_.mesh()) return 0;
+        constexpr int kHeights = 24;
         double beside_mm3 = 0;
         for (int i = 0; i < kHeights; ++i) {
-            const double z = bottom_mm + (i + 0.5) / kHeights * (top_mm - bottom_mm);
-            const Region beside = subtract(gone, box_->between(z, z, tol_), tol_);
-            beside_mm3 += (area(beside) - cuts_.areaIn(beside, z)) * (top_mm - bottom_mm) / kHeights;
+            const double z_mm = bottom_mm + (i + 0.5) / kHeights * (top_mm - bottom_mm);
+            const std::optional<Region> raw = layers::exactSection(*raw_.mesh(), z_mm, tol_);
+            if (!raw) continue;
+            const Region beside = subtract(gone, *raw, tol_);
+            beside_mm3 += (area(beside) - cuts_.areaIn(beside, z_mm)) * (top_mm - bottom_mm) / kHeights;
         }
         return beside_mm3;
     }
 
   private:
-    std::optional<layers::AskewCut> box_;
+    layers::RawStock raw_;
     const layers::StockAir& cuts_;
     const Tolerances& tol_;
 };

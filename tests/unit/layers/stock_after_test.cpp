@@ -108,3 +108,22 @@ TEST(StockAfter, CountsAirBesideTheBoxOnceWhereAnEarlierCutReachesIt) {
     const StockAfter none = stockAfter(second, rest, all(rest, -1e6), kTol);
     EXPECT_NEAR(none.stock.volume_mm3, 0, 2e-3 * block_mm3);
 }
+
+TEST(StockAfter, CountsAirBesideARoundBarThatLies) {
+    // Slabs hold the bar's hull; all of it above half height goes.
+    SetupRequest request;
+    request.axes = {Vec3::UnitZ()};
+    const gp_Ax2 axis(gp_Pnt(-5, 20, 10), gp::DX());
+    request.stock_part = part(BRepPrimAPI_MakeCylinder(axis, 25, 70).Shape());
+    const stepmill::Setup setup = chooseSetups(part(box(0, 0, 0, 60, 40, 20)), request).front();
+    const LayerStack stack = slice(setup, kTol);
+    const double middle_mm = (setup.part_to_setup * Vec3(30, 20, 10)).z();
+    std::vector<Prism> upper;
+    for (const Layer& layer : stack.layers)
+        if (layer.top_z_mm > middle_mm)
+            upper.push_back({layer.stock, layer.top_z_mm, std::max(middle_mm, layer.bottom_z_mm)});
+    const StockAfter half = stockAfter(setup, stack, upper, kTol);
+    const double bar_mm3 = kPi * 25 * 25 * 70;
+    EXPECT_NEAR(half.removed_mm3, bar_mm3 / 2, 1e-3 * bar_mm3);
+    EXPECT_GT(half.prisms_mm3, 1.01 * half.removed_mm3);
+}
