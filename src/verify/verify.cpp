@@ -181,6 +181,8 @@ class SetupProver {
             if (operation.feature_id == id) {
                 const double floor_z_mm = lowestStanding(operation, feature);
                 heights.insert({floor_z_mm, floor_z_mm - operation.leaves.floors_mm});
+                // Over a flat floor a drill alone clears its whole width down to where its point begins.
+                if (operation.tool.isDrill()) heights.insert(verify::clearedDownTo(operation, state.feature));
             }
         for (const double z_mm : heights)
             if (state.standing.empty() || z_mm > state.standing.back().z_mm + verify::kSamePostedHeightMm)

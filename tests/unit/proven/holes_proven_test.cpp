@@ -6,6 +6,7 @@
 #include "stepmill/core/units.h"
 #include "stepmill/proven/proven_plan.h"
 #include "stepmill/verify/claim.h"
+#include "support/occt_solids.h"
 #include "support/tolerances.h"
 
 namespace stepmill {
@@ -45,14 +46,15 @@ HoleTable tableOf(const std::string& entries) {
     return holeTableFromText(R"({"format": 1, "unit": "mm", "holes": [)" + entries + "]}", "holes.json");
 }
 
-ProvenPlan planWith(const std::string& entries, const ToolLibrary& library, const std::string& dialect) {
+ProvenPlan planWith(const std::string& entries, const ToolLibrary& library, const std::string& dialect,
+                    const Part& part = plate()) {
     Machine machine = defaultMachine();
     machine.dialect = dialect;
     PlanRequest request;
     request.sequence.material = "aluminium";
     request.sequence.retract_mm = machine.safe_height_mm;
     request.holes = tableOf(entries);
-    return planProven(plate(), request, library, machine, kTol);
+    return planProven(part, request, library, machine, kTol);
 }
 
 const char* const kFits = R"({"diameter": {"min": 4.9, "max": 5.1}, "make": "ream", "fit": "H7"},
@@ -144,6 +146,16 @@ TEST(HolesProven, AFitThatNoToolMakesIsMissing) {
                                    [](const Warning& warning) { return warning.code == "fit"; });
     ASSERT_NE(told, proven.plan.warnings.end());
     EXPECT_NE(told->text.find("4 holes are not brought to H7: "), std::string::npos) << told->text;
+}
+
+TEST(HolesProven, AFlatBlindHoleIsReamedAsFarAsADrillMakesItsWholeWidth) {
+    const TopoDS_Shape drilled = test::cut(test::box(0, 0, 0, 60, 40, 30), test::cylinder(30, 20, 10, 4, 21));
+    const ProvenPlan proven =
+        planWith(R"({"diameter": {"min": 7.9, "max": 8.1}, "make": "ream", "fit": "H7"})", shopForHoles(),
+                 "linuxcnc", test::part(drilled));
+    EXPECT_TRUE(proven.mayRun());
+    EXPECT_EQ(holesOf(proven.plan, Role::Ream), 1);
+    EXPECT_TRUE(proven.plan.request.cautions.empty());
 }
 
 TEST(HolesProven, WithoutABoringHeadAMillTurnsTheBore) {
