@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plan/residual_prisms.h"
+#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill {
 namespace {
@@ -21,11 +22,12 @@ bool mayBeReachedElsewhere(const StayReason& reason) {
            reason == Reason::Fixture;
 }
 
-/// Points well inside the pieces of the region, of those whose middle is that.
+/// Points well inside the pieces of the region.
 std::vector<Vec2> middlesOf(const Region& region) {
     std::vector<Vec2> middles;
     for (const Region& piece : components(region))
-        if (const Vec2 middle = centroid(piece); contains(piece, middle)) middles.push_back(middle);
+        if (const auto disc = ClearanceDiagram(piece, Tolerances{}).largestInscribedDisc())
+            middles.push_back(disc->centre);
     return middles;
 }
 

@@ -149,10 +149,12 @@ TEST(HolesProven, AFitThatNoToolMakesIsMissing) {
 }
 
 TEST(HolesProven, AFlatBlindHoleIsReamedAsFarAsADrillMakesItsWholeWidth) {
-    const TopoDS_Shape drilled = test::cut(test::box(0, 0, 0, 60, 40, 30), test::cylinder(30, 20, 10, 4, 21));
+    Part block = test::part(test::cut(test::box(0, 0, 0, 60, 40, 30), test::cylinder(30, 20, 10, 4, 21)));
+    block.file = "block.step";
+    block.sha256 = std::string(64, '0');
     const ProvenPlan proven =
         planWith(R"({"diameter": {"min": 7.9, "max": 8.1}, "make": "ream", "fit": "H7"})", shopForHoles(),
-                 "linuxcnc", test::part(drilled));
+                 "linuxcnc", block);
     EXPECT_TRUE(proven.mayRun());
     EXPECT_EQ(holesOf(proven.plan, Role::Ream), 1);
     EXPECT_TRUE(proven.plan.request.cautions.empty());
