@@ -17,12 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Does it say that the part is in doubt, or that something asked for is not done?
+bool isGap(const Warning& warning, const Plan& plan) {
+    const std::string& code = warning.code;
+    if (code == "no-hold") return plan.request.hold.has_value();
+    return code == "unit-doubt" || code == "input-doubt" || code == "travel" || code == "sharp-edge" ||
+           code == "no-allowance";
+}
+
 bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol) {
-    const bool doubtful = std::any_of(plan.warnings.begin(), plan.warnings.end(), [](const Warning& warning) {
-        return warning.code == "unit-doubt" || warning.code == "input-doubt" || warning.code == "travel";
-    });
-    return !plan.complete(tol) || doubtful || !plan.cycle.areMet() ||
-           (options.strict && !plan.warnings.empty());
+    const bool unmet = std::any_of(plan.warnings.begin(), plan.warnings.end(),
+                                   [&](const Warning& warning) { return isGap(warning, plan); });
+    return !plan.complete(tol) || unmet || !plan.cycle.areMet() || (options.strict && !plan.warnings.empty());
 }
 
 }  // namespace

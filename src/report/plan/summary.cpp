@@ -17,10 +17,13 @@ using report::toolWords;
 /// Where features took other tools than their own cheapest.
 std::string sharingLine(const ToolSharing& sharing) {
     if (sharing.features_changed == 0) return {};
-    return fmt::format(
-        "tools shared: {} tools instead of {}; {} feature{} other tools than their own cheapest\n",
-        sharing.tools, sharing.tools_alone, sharing.features_changed,
-        sharing.features_changed == 1 ? " takes" : "s take");
+    const auto counted = [](int count, const char* what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    return fmt::format("tools shared: {} instead of {}; {} {} other tools than their own cheapest\n",
+                       counted(sharing.tools, "tool"), sharing.tools_alone,
+                       counted(sharing.features_changed, "feature"),
+                       sharing.features_changed == 1 ? "takes" : "take");
 }
 
 /// With all its bands.

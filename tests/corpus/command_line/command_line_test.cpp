@@ -79,6 +79,14 @@ TEST_F(CommandLine, PlansAPartWithDataOnStandardOutputOnly) {
     EXPECT_NE(run.out.find("Report: " + (out_ / "report.html").string()), std::string::npos);
 }
 
+TEST_F(CommandLine, WhatWasAskedForAndIsNotDoneIsAGap) {
+    // No holes to screw through, no chamfer mill.
+    for (const auto& [option, value] : {std::pair{"--hold", "screws"}, {"--break-edges", "0.3"}}) {
+        const ProgramRun run = plan({kPart, "-o", out_.string(), option, value});
+        EXPECT_EQ(run.exit_code, 1) << option << "\n" << run.out;
+    }
+}
+
 TEST_F(CommandLine, JsonOnStandardOutputIsThePlanFile) {
     const ProgramRun run = plan({kPart, "-o", out_.string(), "--json"});
     EXPECT_EQ(run.out, slurp(out_ / "plan.json") + "\n");
