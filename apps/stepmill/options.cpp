@@ -149,6 +149,32 @@ void reportImport(const std::vector<Part>& parts, const PlanOptions& options) {
         (options.json ? printErr : printOut)(importText(part) + "\n");
 }
 
+namespace {
+
+MaterialFile materialsOf(const PlanOptions& options) {
+    return options.materials_file.empty()
+               ? defaultMaterials()
+               : readMaterials(options.materials_file, options.limits.maxFileBytes());
+}
+
+/// The library's name for what --material asks for, which may be another that the materials know it by.
+std::string materialIn(const ToolLibrary& library, const PlanOptions& options) {
+    const std::vector<std::string> known = library.materials();
+    std::vector<std::string> names{options.material};
+    const MaterialFile materials = materialsOf(options);
+    if (const Material* material = materials.find(options.material)) {
+        names.push_back(material->name);
+        names.insert(names.end(), material->also_called.begin(), material->also_called.end());
+    }
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) != known.end()) return name;
+    throw Error(ErrorCode::Usage, "--material",
+                fmt::format("no tool in {} has cutting data for '{}'; it knows {}", library.file,
+                            options.material, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
 Shop loadShop(const PlanOptions& options) {
     Shop shop;
     const std::uintmax_t max_bytes = options.limits.maxFileBytes();
@@ -156,11 +182,7 @@ Shop loadShop(const PlanOptions& options) {
         options.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.tools_file, max_bytes);
     shop.machine =
         options.machine_file.empty() ? defaultMachine() : readMachine(options.machine_file, max_bytes);
-    const std::vector<std::string> materials = shop.library.materials();
-    if (std::find(materials.begin(), materials.end(), options.material) == materials.end())
-        throw Error(ErrorCode::Usage, "--material",
-                    fmt::format("no tool in {} has cutting data for '{}'; it knows {}", shop.library.file,
-                                options.material, fmt::join(materials, ", ")));
+    shop.material = materialIn(shop.library, options);
     return shop;
 }
 
@@ -190,18 +212,15 @@ SetupRequest setupRequest(const PlanOptions& options) {
 
 namespace {
 
-double scallop(double scallop_mm) {
-    if (scallop_mm == 0 || (scallop_mm >= kLeastScallopMm && scallop_mm <= kMostScallopMm)) return scallop_mm;
-    throw Error(ErrorCode::Usage, "--scallop",
-                fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastScallopMm, kMostScallopMm,
-                            scallop_mm));
+/// \throws Error(Usage) naming the option where it is neither none nor within the limits [mm]
+double zeroOrWithin(double mm, double least_mm, double most_mm, const char* option) {
+    if (mm == 0 || (mm >= least_mm && mm <= most_mm)) return mm;
+    throw Error(ErrorCode::Usage, option,
+                fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", least_mm, most_mm, mm));
 }
 
-double edgeBreak(double mm) {
-    if (mm == 0 || (mm >= kLeastEdgeBreakMm && mm <= kMostEdgeBreakMm)) return mm;
-    throw Error(
-        ErrorCode::Usage, "--break-edges",
-        fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastEdgeBreakMm, kMostEdgeBreakMm, mm));
+double allowance(double mm, const char* option) {
+    return zeroOrWithin(mm, kLeastAllowanceMm, kMostAllowanceMm, option);
 }
 
 std::vector<Pattern> patternsFrom(const std::vector<std::string>& words) {
@@ -216,42 +235,27 @@ std::vector<Pattern> patternsFrom(const std::vector<std::string>& words) {
     return patterns;
 }
 
-double allowance(double mm, const char* option) {
-    const bool fits = mm == 0 || (mm >= kLeastAllowanceMm && mm <= kMostAllowanceMm);
-    if (!fits)
-        throw Error(ErrorCode::Usage, option,
-                    fmt::format("expected 0 or {:g} to {:g} mm, found {:g}", kLeastAllowanceMm,
-                                kMostAllowanceMm, mm));
-    return mm;
-}
-
-}  // namespace
-
-namespace {
-
 /// What the material's cuts ask for, unless feeds are to be the library's or it is not known.
 void readMaterial(const PlanOptions& options, PlanRequest& request) {
     if (options.library_feeds) return;
-    const MaterialFile materials = options.materials_file.empty()
-                                       ? defaultMaterials()
-                                       : readMaterials(options.materials_file, options.limits.maxFileBytes());
+    const MaterialFile materials = materialsOf(options);
     request.materials_file = materials.file;
     if (const Material* known = materials.find(options.material)) request.sequence.cut_material = *known;
 }
 
 }  // namespace
 
-PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
+PlanRequest planRequest(const PlanOptions& options, const Shop& shop) {
     PlanRequest request;
     request.unit = options.unit;
     request.setup = setupRequest(options);
-    request.sequence.material = options.material;
+    request.sequence.material = shop.material;
     request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;
     request.sequence.surrogates =
         options.surrogates == "single" ? SurrogateRule::Single : SurrogateRule::Sequence;
     request.sequence.cost_model = costModelFrom(options.cost_model).value();
     request.sequence.patterns = patternsFrom(options.patterns);
-    request.sequence.retract_mm = machine.safe_height_mm;
+    request.sequence.retract_mm = shop.machine.safe_height_mm;
     request.assign = options.reserve;
     request.fixtures = fixturesOf(options);
     if (options.hold != "auto") request.hold = holdKindFrom(options.hold).value();
@@ -264,11 +268,14 @@ PlanRequest planRequest(const PlanOptions& options, const Machine& machine) {
             allowance(options.allowance_mm, "--allowance"),
             allowance(options.floor_allowance_mm.value_or(options.allowance_mm), "--floor-allowance")};
     request.quantity = options.quantity;
-    request.scallop_mm = scallop(options.scallop_mm);
-    request.break_edges_mm = edgeBreak(options.break_edges_mm);
+    request.scallop_mm = zeroOrWithin(options.scallop_mm, kLeastScallopMm, kMostScallopMm, "--scallop");
+    request.break_edges_mm =
+        zeroOrWithin(options.break_edges_mm, kLeastEdgeBreakMm, kMostEdgeBreakMm, "--break-edges");
     readMaterial(options, request);
     return request;
 }
+
+namespace {
 
 /// The one solid that the others are crumbs beside, such as islands of engraved letters that came loose;
 /// nothing where several are parts. It says what was left out.
@@ -287,8 +294,6 @@ std::optional<Part> onlyRealPart(const std::vector<Part>& parts) {
                      parts.size(), only.name, others_mm3, 100 * others_mm3 / only.volume_mm3)});
     return only;
 }
-
-namespace {
 
 std::vector<Part> solidsToPlan(const PlanOptions& options) {
     if (isDrawn(options.part_file, options.drawing))

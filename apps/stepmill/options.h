@@ -80,6 +80,7 @@ void reportImport(const std::vector<Part>& parts, const PlanOptions& options);
 struct Shop {
     ToolLibrary library;
     Machine machine;
+    std::string material;  ///< as the library calls what --material asks for
 };
 Shop loadShop(const PlanOptions& options);
 
@@ -89,7 +90,7 @@ SetupRequest setupRequest(const PlanOptions& options);
 
 /// What the words of the command line mean for the planner.
 /// \throws Error(Usage) naming the option.
-PlanRequest planRequest(const PlanOptions& options, const Machine& machine);
+PlanRequest planRequest(const PlanOptions& options, const Shop& shop);
 
 /// The parts of the file that were asked for.
 /// \throws Error(Usage) when the file holds several solids and none was chosen, or the chosen one does not

@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 bool isGap(const Warning& warning, const Plan& plan) {
     const std::string& code = warning.code;
     if (code == "no-hold") return plan.request.hold.has_value();
-    return code == "unit-doubt" || code == "input-doubt" || code == "travel" || code == "sharp-edge" ||
-           code == "no-allowance";
+    return code == "unit-doubt" || code == "input-doubt" || code == "travel" || code == "sharp-edge";
 }
 
 bool hasGaps(const Plan& plan, const PlanOptions& options, const Tolerances& tol) {
@@ -38,12 +37,15 @@ int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Toler
     return hasGaps(proven.plan, options, tol) ? kGaps : kComplete;
 }
 
-void tellFailures(const Verification& verification) {
-    for (const ProofFailure& failure : verification.failures) {
+void tellFailures(const ProvenPlan& proven) {
+    for (const ProofFailure& failure : proven.verification.failures) {
         const std::string operation = failure.operation.empty() ? "" : failure.operation + " of ";
         const std::string line = failure.line > 0 ? fmt::format(", line {}", failure.line) : "";
         tell("no program is written: {}{}{}: {}", operation, failure.file, line, failure.text);
     }
+    if (!proven.mayRun() && proven.verification.failures.empty())
+        tell("no program is written: {}: the volume books do not close, which is a bug in Stepmill",
+             proven.plan.part.file);
 }
 
 namespace {
@@ -99,7 +101,7 @@ int planOne(const Part& part, const PlanOptions& options, PlanRequest request, d
                              (asGiven(folder, options) / "sheets.html").string()));
     if (!options.buy_file.empty() && !options.json)
         printOut(offersText(offers, proven.plan.machine.currency));
-    tellFailures(proven.verification);
+    tellFailures(proven);
     if (listener.planned) listener.planned(proven, folder.path(), offers);
     return exitCodeOf(proven, options, tol);
 }
@@ -137,7 +139,7 @@ int planFile(const PlanOptions& options, Workplace& place, const PlanListener& l
     place.progress.show("reading tools and machine", 0);
     const Shop shop = loadShop(options);
     place.progress.showImport(options.part_file);
-    const PlanRequest request = planRequest(options, shop.machine);
+    const PlanRequest request = planRequest(options, shop);
     if (!options.buy_file.empty()) readToolLibrary(options.buy_file, options.limits.maxFileBytes());
     sheetOptions(options);  // a job file with a slip of the pen costs no plan
     const std::vector<Part> parts = chooseParts(options);

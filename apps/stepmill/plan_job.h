@@ -38,8 +38,8 @@ struct PlanListener {
 /// warnings and proofs say where.
 int exitCodeOf(const ProvenPlan& proven, const PlanOptions& options, const Tolerances& tol);
 
-/// Says which proofs failed, so that no program is written.
-void tellFailures(const Verification& verification);
+/// Says which proofs failed, or that books do not close, so that no program is written.
+void tellFailures(const ProvenPlan& proven);
 
 /// Plans, proves and writes the parts of the file that were asked for into the workplace's folder; prints
 /// what came of it. Returns the exit code.

@@ -62,7 +62,7 @@ int quoteFile(const QuoteOptions& options, const fs::path& folder, ProgressLine&
     const Deadline end = Deadline::in(options.part.limits.timeout_s);
     const Shop shop = loadShop(options.part);
     line.showImport(options.part.part_file);
-    PlanRequest request = planRequest(options.part, shop.machine);
+    PlanRequest request = planRequest(options.part, shop);
     const std::vector<Part> parts = chooseParts(options.part);
     int exit_code = kComplete;
     std::size_t to_do = parts.size();

@@ -71,7 +71,7 @@ int rankParts(const RankOptions& options, ProgressLine& progress) {
     progress.showImport(options.part.part_file);
     RankRequest request;
     request.setup = setupRequest(options.part);
-    PlanRequest plan = planRequest(options.part, shop.machine);
+    PlanRequest plan = planRequest(options.part, shop);
     request.sequence = std::move(plan.sequence);
     request.holes = std::move(plan.holes);
     request.feature = options.feature;

@@ -51,7 +51,7 @@ int replanJob(ReplanOptions options, Workplace& place) {
     const RecordedPlan before = planOfJob(options, tol);
     fillFromJob(options, before.record);
     const Shop shop = shopOf(options, before.record);
-    PlanRequest request = requestOf(options, before.record, shop.machine);
+    PlanRequest request = requestOf(options, before.record, shop);
     place.progress.showImport(options.plan.part_file);
     const std::vector<Part> parts = chooseParts(options.plan);
     if (parts.size() != 1)
@@ -70,7 +70,7 @@ int replanJob(ReplanOptions options, Workplace& place) {
         printOut(replanText(change));
     if (place.folder != nullptr && !options.plan.json)
         printOut("\nReplan: " + (place.folder->path() / "replan.html").string() + "\n");
-    tellFailures(proven.verification);
+    tellFailures(proven);
     tellMissedTimes(proven.plan.cycle);
     return exitCodeOf(proven, options.plan, tol);
 }

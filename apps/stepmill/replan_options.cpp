@@ -144,8 +144,8 @@ std::vector<CycleTarget> cycleTimesOf(const ReplanOptions& options, const PlanRe
 
 }  // namespace
 
-PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Machine& machine) {
-    PlanRequest request = planRequest(options.plan, machine);
+PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Shop& shop) {
+    PlanRequest request = planRequest(options.plan, shop);
     // Materials may come from a file that the plan does not name; what it took of it stands in it.
     if (options.plan.material == before.material) request.sequence.cut_material = before.cut_material;
     request.earlier = earlierSetups(before);

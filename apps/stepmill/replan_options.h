@@ -27,6 +27,6 @@ void fillFromJob(ReplanOptions& options, const PlanRecord& before);
 /// material.
 /// \pre fillFromJob()
 Shop shopOf(const ReplanOptions& options, const PlanRecord& before);
-PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Machine& machine);
+PlanRequest requestOf(const ReplanOptions& options, const PlanRecord& before, const Shop& shop);
 
 }  // namespace stepmill

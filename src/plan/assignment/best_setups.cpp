@@ -89,9 +89,11 @@ class SetupSearch {
                books.leftMm3() > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
+    /// More than form cutters leave; without any of them that is so of every wall.
     bool leavesWalls(const Alike& ridges) const {
         const VolumeBalance& books = best_->balance;
-        return books.unreachable_mm3 > std::max(ridges.share * books.stock_minus_part_mm3, ridges.mm3);
+        return request_.scallop_mm > 0 &&
+               books.unreachable_mm3 > std::max(ridges.share * books.stock_minus_part_mm3, ridges.mm3);
     }
     /// Two setups the other way round may finish walls that the second one cuts away the room for.
     static bool isTurnedRound(const std::vector<Setup>& setups, const std::vector<Setup>& chosen) {

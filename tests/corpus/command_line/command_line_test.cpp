@@ -6,6 +6,8 @@
 #include <fstream>
 #include <iterator>
 
+#include <nlohmann/json.hpp>
+
 #include "support/expected_outcomes.h"
 #include "support/planned_parts.h"
 #include "support/run_program.h"
@@ -85,6 +87,14 @@ TEST_F(CommandLine, WhatWasAskedForAndIsNotDoneIsAGap) {
         const ProgramRun run = plan({kPart, "-o", out_.string(), option, value});
         EXPECT_EQ(run.exit_code, 1) << option << "\n" << run.out;
     }
+}
+
+TEST_F(CommandLine, AMaterialMayBeCalledAsTheMaterialsCallIt) {
+    const ProgramRun run = plan({kPart, "-o", out_.string(), "--material", "S235JR", "--json"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(nlohmann::json::parse(run.out)["material"], "steel");
+    expectRefused(plan({kPart, "-o", (out_ / "none").string(), "--material", "cheese"}), out_ / "none",
+                  {"--material", "'cheese'", "aluminium, steel"});
 }
 
 TEST_F(CommandLine, JsonOnStandardOutputIsThePlanFile) {

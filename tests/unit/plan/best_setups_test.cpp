@@ -113,6 +113,7 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedForLotsOfAShiftAlone) {
 
 TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereTwoSetupsLeaveWalls) {
     sets_.others = {along({kX, kZ})};
+    request_.scallop_mm = 0.02;
     from_x_ = {12, 0};
     chosen_ = {10, 0.001 * kRemovedMm3};
     EXPECT_EQ(best().setups.front().setup.axis, kZ);
