@@ -9,6 +9,7 @@
 
 #include "plan/holding/hold_warnings.h"
 #include "stepmill/catalog/spindle.h"
+#include "stepmill/plan/books.h"
 #include "stepmill/plan/hold_stage.h"
 #include "stepmill/planar/edge.h"
 
