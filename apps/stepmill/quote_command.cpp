@@ -98,6 +98,9 @@ int quoteFolder(QuoteOptions options) {
     const fs::path out = options.part.out_dir;
     if (out.empty()) throw Error(ErrorCode::Usage, "--output", "a folder of quotes needs one to write to");
     const std::vector<ListedPart> parts = findParts(options.part.part_file, out);
+    if (parts.empty())
+        throw Error(ErrorCode::Usage, options.part.part_file,
+                    "expected STEP files in or below it, found none");
     makeFolder(out);
     std::string table = quoteCsvHead();
     int exit_code = kComplete;

@@ -353,7 +353,9 @@ class Sharing {
 SharedChoice shareTools(const std::vector<Precedence>& features,
                         const std::vector<std::vector<SequenceChoice>>& choices, double change_weight,
                         const ToolLibrary& library, int magazine) {
-    return Sharing(features, choices, change_weight, library, magazine).best();
+    SharedChoice shared = Sharing(features, choices, change_weight, library, magazine).best();
+    if (magazine <= 0 || shared.gain.tools <= magazine) return shared;
+    return Sharing(features, choices, change_weight, library, 0).best();
 }
 
 SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const ToolLibrary& library,

@@ -13,10 +13,11 @@ struct SharedChoice {
 };
 
 /// Chooses one sequence a feature so that paths and tool changes of the whole plan, operations merged, weigh
-/// least, and no more tools are called than the magazine has places, as far as the choices allow: first the
-/// places, then the weight. Exact where the choices have few combinations (kMostCombinations); else from each
-/// feature's own cheapest by giving up tools or single visits of theirs and changing single features as long
-/// as that helps. Never worse than the features' own cheapest.
+/// least, and no more tools are called than the magazine has places where choices allow that: where they do
+/// not, tools are changed by hand, and fewer of them are worth no longer paths. Exact where the choices have
+/// few combinations (kMostCombinations); else from each feature's own cheapest by giving up tools or single
+/// visits of theirs and changing single features as long as that helps. Never worse than the features' own
+/// cheapest.
 /// \param choices        of each feature, its own cheapest first
 /// \param change_weight  of one tool change, in the unit of the choices' paths
 /// \param library        tells the tools' diameters: a wide one may go down through all features first
