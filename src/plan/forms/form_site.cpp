@@ -20,8 +20,8 @@ namespace {
 /// Bands are no thinner, whatever the lean, and no thicker on walls that lean at all [mm].
 constexpr double kThinnestBandMm = 0.01;
 constexpr double kThickestBandMm = 0.25;
-/// The thickest of a small ground. A ball goes into a groove of its own radius as much too high as the
-/// thickest of its bands, and from one mostly too high to be worth it.
+/// The thickest of a ground with few bands: a ball stays over the bottom of a groove of its own radius by as
+/// much as the thickest band is high.
 constexpr double kThickestOfFewMm = 0.05;
 constexpr std::size_t kFewBands = 150;
 /// A setup has no more bands than this; where it would, they are cut coarser.
