@@ -151,25 +151,18 @@ void reportImport(const std::vector<Part>& parts, const PlanOptions& options) {
 
 namespace {
 
-MaterialFile materialsOf(const PlanOptions& options) {
-    return options.materials_file.empty()
-               ? defaultMaterials()
-               : readMaterials(options.materials_file, options.limits.maxFileBytes());
-}
-
 /// The library's name for what --material asks for, which may be another that the materials know it by.
-std::string materialIn(const ToolLibrary& library, const PlanOptions& options) {
-    const std::vector<std::string> known = library.materials();
+std::string materialIn(const Shop& shop, const PlanOptions& options) {
+    const std::vector<std::string> known = shop.library.materials();
     std::vector<std::string> names{options.material};
-    const MaterialFile materials = materialsOf(options);
-    if (const Material* material = materials.find(options.material)) {
+    if (const Material* material = shop.materials.find(options.material)) {
         names.push_back(material->name);
         names.insert(names.end(), material->also_called.begin(), material->also_called.end());
     }
     for (const std::string& name : names)
         if (std::find(known.begin(), known.end(), name) != known.end()) return name;
     throw Error(ErrorCode::Usage, "--material",
-                fmt::format("no tool in {} has cutting data for '{}'; it knows {}", library.file,
+                fmt::format("no tool in {} has cutting data for '{}'; it knows {}", shop.library.file,
                             options.material, fmt::join(known, ", ")));
 }
 
@@ -182,7 +175,9 @@ Shop loadShop(const PlanOptions& options) {
         options.tools_file.empty() ? defaultToolLibrary() : readToolLibrary(options.tools_file, max_bytes);
     shop.machine =
         options.machine_file.empty() ? defaultMachine() : readMachine(options.machine_file, max_bytes);
-    shop.material = materialIn(shop.library, options);
+    shop.materials = options.materials_file.empty() ? defaultMaterials()
+                                                    : readMaterials(options.materials_file, max_bytes);
+    shop.material = materialIn(shop, options);
     return shop;
 }
 
@@ -236,11 +231,10 @@ std::vector<Pattern> patternsFrom(const std::vector<std::string>& words) {
 }
 
 /// What the material's cuts ask for, unless feeds are to be the library's or it is not known.
-void readMaterial(const PlanOptions& options, PlanRequest& request) {
+void setMaterial(const PlanOptions& options, const Shop& shop, PlanRequest& request) {
     if (options.library_feeds) return;
-    const MaterialFile materials = materialsOf(options);
-    request.materials_file = materials.file;
-    if (const Material* known = materials.find(options.material)) request.sequence.cut_material = *known;
+    request.materials_file = shop.materials.file;
+    if (const Material* known = shop.materials.find(options.material)) request.sequence.cut_material = *known;
 }
 
 }  // namespace
@@ -271,7 +265,7 @@ PlanRequest planRequest(const PlanOptions& options, const Shop& shop) {
     request.scallop_mm = zeroOrWithin(options.scallop_mm, kLeastScallopMm, kMostScallopMm, "--scallop");
     request.break_edges_mm =
         zeroOrWithin(options.break_edges_mm, kLeastEdgeBreakMm, kMostEdgeBreakMm, "--break-edges");
-    readMaterial(options, request);
+    setMaterial(options, shop, request);
     return request;
 }
 

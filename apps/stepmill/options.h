@@ -9,6 +9,7 @@
 #include "drawing_options.h"
 #include "limits.h"
 #include "stepmill/catalog/machine.h"
+#include "stepmill/catalog/material.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/plan/plan.h"
 
@@ -80,6 +81,7 @@ void reportImport(const std::vector<Part>& parts, const PlanOptions& options);
 struct Shop {
     ToolLibrary library;
     Machine machine;
+    MaterialFile materials;
     std::string material;  ///< as the library calls what --material asks for
 };
 Shop loadShop(const PlanOptions& options);

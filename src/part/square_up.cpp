@@ -127,7 +127,7 @@ TopoDS_Shape turned(const TopoDS_Shape& solid, const Turn& turn) {
 }
 
 /// Would the blank be larger? An outline with tangent flats at a slant lies well already.
-bool growsBy(const Turn& turn, const TopoDS_Shape& solid) {
+bool enlargesBox(const Turn& turn, const TopoDS_Shape& solid) {
     return boxOf(turned(solid, turn)).volume() > boxOf(solid).volume();
 }
 
@@ -145,7 +145,7 @@ std::optional<Turn> squaringTurn(const TopoDS_Shape& solid) {
         turn = leastTurn(first, second);
     }
     if ((turn - Turn::Identity()).norm() < kNoTurn) return std::nullopt;
-    if (axes == 1 && growsBy(turn, solid)) return std::nullopt;
+    if (axes == 1 && enlargesBox(turn, solid)) return std::nullopt;
     return turn;
 }
 

@@ -59,10 +59,10 @@ class SetupSearch {
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
         if (sets.with_forms.size() > 1 && mayBeBetter(sets.with_forms)) tryOut(sets.with_forms, ridges);
+        const bool all = isWorthWeighing();
         const bool leaves_walls = leavesWalls(ridges);
         for (; other != sets.others.end(); ++other)
-            if (isWorthWeighing() || (leaves_walls && isTurnedRound(*other, sets.chosen)))
-                tryOut(*other, kSidesAlike);
+            if (all || (leaves_walls && isTurnedRound(*other, sets.chosen))) tryOut(*other, kSidesAlike);
     }
 
     /// Adds setups while plans with them are better: each is to take half of what its side is free to.
@@ -91,9 +91,7 @@ class SetupSearch {
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
     /// More than form cutters leave; without any of them that is so of every wall.
     bool leavesWalls(const Alike& ridges) const {
-        const VolumeBalance& books = best_->balance;
-        return request_.scallop_mm > 0 &&
-               books.unreachable_mm3 > std::max(ridges.share * books.stock_minus_part_mm3, ridges.mm3);
+        return request_.scallop_mm > 0 && best_->balance.unreachable_mm3 > alikeMm3(*best_, ridges);
     }
     /// Two setups the other way round may finish walls that the second one cuts away the room for.
     static bool isTurnedRound(const std::vector<Setup>& setups, const std::vector<Setup>& chosen) {

@@ -25,10 +25,6 @@ auto unheld(const Plan& plan) {
     });
 }
 
-double alikeMm3(const Plan& plan, const Alike& alike) {
-    return std::max(alike.mm3, alike.share * plan.balance.stock_minus_part_mm3);
-}
-
 bool leavesMore(const Plan& plan, const Plan& than, const Alike& alike) {
     return plan.balance.leftMm3() > than.balance.leftMm3() + alikeMm3(plan, alike);
 }
@@ -41,6 +37,10 @@ std::vector<Setup> setupsOf(const Plan& plan) {
 }
 
 }  // namespace
+
+double alikeMm3(const Plan& plan, const Alike& alike) {
+    return std::max(alike.mm3, alike.share * plan.balance.stock_minus_part_mm3);
+}
 
 std::string toString(SetupVerdict verdict) {
     return wordOf(kSetupVerdicts, verdict);

@@ -16,6 +16,8 @@ struct Alike {
     double share = 0;  ///< of all there is to remove
     double mm3 = 0;
 };
+/// As a volume, the larger of both [mm3].
+double alikeMm3(const Plan& plan, const Alike& alike);
 
 /// Plans of two sets of setups against each other, each weighed with the time to set it up, or what that
 /// costs.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -44,6 +45,13 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
 
 /// What a drill with no longer flutes comes out by below a through hole, at its full width [mm].
 constexpr double kLeastBreakThroughMm = 0.1;
+
+/// Where the tip is with the flutes wholly in the hole; no limit where the library does not have their
+/// length.
+double tipByFlutesZ(const Feature& hole, const ToolAssembly& drill) {
+    return drill.flute_length_mm > 0 ? hole.top_z_mm - drill.flute_length_mm
+                                     : -std::numeric_limits<double>::infinity();
+}
 
 /// The tip of a drill that makes room stays so far over the floor [mm].
 constexpr double kOverFloorMm = 0.1;
@@ -139,10 +147,8 @@ double drillReachMm(const ToolAssembly& drill) {
 double drillTipZ(const Feature& feature, const ToolAssembly& drill) {
     if (feature.through) {
         const double just_through_z = feature.floor_z_mm - pointLengthMm(drill);
-        const double deepest_z = just_through_z - kBreakThroughMm;
-        if (drill.flute_length_mm <= 0) return deepest_z;
-        const double by_flutes_z = feature.top_z_mm - drill.flute_length_mm;
-        return std::clamp(by_flutes_z, deepest_z, just_through_z - kLeastBreakThroughMm);
+        return std::clamp(tipByFlutesZ(feature, drill), just_through_z - kBreakThroughMm,
+                          just_through_z - kLeastBreakThroughMm);
     }
     return feature.point_mm > 0 ? tipInPointZ(feature, drill) : feature.floor_z_mm;
 }
@@ -211,12 +217,9 @@ CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, con
 }
 
 double preDrilledToZ(const Feature& feature, const ToolAssembly& drill) {
-    const double by_flutes_z = feature.top_z_mm - drill.flute_length_mm + pointLengthMm(drill);
-    const bool long_enough =
-        drill.flute_length_mm <= 0 || feature.top_z_mm - drill.flute_length_mm <= drillTipZ(feature, drill);
-    if (feature.through && long_enough) return feature.floor_z_mm;
-    const double over_floor_z = feature.floor_z_mm + kOverFloorMm + pointLengthMm(drill);
-    return drill.flute_length_mm > 0 ? std::max(over_floor_z, by_flutes_z) : over_floor_z;
+    const double by_flutes_z = tipByFlutesZ(feature, drill);
+    if (feature.through && by_flutes_z <= drillTipZ(feature, drill)) return feature.floor_z_mm;
+    return std::max(feature.floor_z_mm + kOverFloorMm, by_flutes_z) + pointLengthMm(drill);
 }
 
 SequenceStep preDrillStep(const Feature& feature, const ToolAssembly& drill, const CuttingData& cutting,
