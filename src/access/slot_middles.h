@@ -6,11 +6,12 @@
 
 namespace stepmill::access {
 
-/// Where the axis may go in a slot as wide as the cutter.
+/// Where the axis may go in a slot as wide as the cutter, or in several that cross or meet.
 struct SlotCentres {
-    Path middle;   ///< on into the air where the slot is open at an end
-    Region along;  ///< around the middle, as narrow as the fit tolerance leaves it
-    Region strip;  ///< around the middle, wide enough to count: no pass runs at its edge
+    /// On into the air where a slot is open at an end, and straight on where another crosses it.
+    std::vector<Path> middles;
+    Region along;  ///< around the middles, as narrow as the fit tolerance leaves it
+    Region strip;  ///< around the middles, wide enough to count: no pass runs at its edge
 };
 
 /// The slots that are as wide as the cutter, within the fit tolerance, and that its `usual` centres, those

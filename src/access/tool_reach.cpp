@@ -35,7 +35,7 @@ struct FreeCentres {
 
     const access::SlotCentres* slotOf(const Region& component) const {
         const auto found = std::find_if(slots.begin(), slots.end(), [&](const access::SlotCentres& slot) {
-            return contains(component, slot.middle.start);
+            return contains(component, slot.middles.front().start);
         });
         return found == slots.end() ? nullptr : &*found;
     }
@@ -78,7 +78,8 @@ bool keepEnterable(const FeatureGround& ground, const ToolAssembly& tool, FreeCe
         all = all && entry.has_value();
         if (!entry) continue;
         found.entries.push_back(*entry);
-        if (slot != nullptr) found.slot_middles.push_back(slot->middle);
+        if (slot != nullptr)
+            found.slot_middles.insert(found.slot_middles.end(), slot->middles.begin(), slot->middles.end());
         for (Loop& loop : component.loops)
             found.free_centres.loops.push_back(std::move(loop));
     }

@@ -143,7 +143,7 @@ struct KeptOff {
 struct ClearingTask {
     Region free_centres;         ///< where the axis may go at every depth of the feature
     std::vector<Entry> entries;  ///< one per component of free_centres, in components() order
-    /// Components of the free centres that stand for the middle of a slot as wide as the cutter: these.
+    /// Of components of the free centres that stand for the middles of slots as wide as the cutter: these.
     std::vector<Path> slot_middles;
     /// In what a cutter as wide as its slot has left no rapid down has room: ways that are clear of material
     /// are fed across where the cutter is.

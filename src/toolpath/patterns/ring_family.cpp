@@ -86,7 +86,7 @@ class FamilyMaker {
         for (const Edge& edge : component.boundary.edges())
             (isOpen(edge) ? component.open_sides : walls).push_back(edge);
         component.walls = EdgeIndex(std::move(walls));
-        if (addMiddle(component)) return component;
+        if (addMiddles(component)) return component;
         const std::vector<Inset> insets = insetsOf(region);
         for (const Inset& inset : insets)
             if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
@@ -103,17 +103,14 @@ class FamilyMaker {
         return task_.pattern == Pattern::Best ? isAmong(task_.patterns, pattern) : task_.pattern == pattern;
     }
 
-    /// In a slot as wide as the cutter one pass along its middle is all.
-    bool addMiddle(RingFamily::Component& component) const {
-        const auto& middles = task_.slot_middles;
-        const auto middle = std::find_if(middles.begin(), middles.end(), [&](const Path& path) {
-            return contains(component.region, path.start);
-        });
-        if (middle == middles.end()) return false;
+    /// In slots as wide as the cutter one pass along the middle of each is all.
+    bool addMiddles(RingFamily::Component& component) const {
+        RingFamily::Variant along;
+        for (const Path& middle : task_.slot_middles)
+            if (contains(component.region, middle.start)) along.rings.push_back({middle, 0, false, true});
+        if (along.rings.empty()) return false;
         component.slot = true;
         component.guarded = component.region;
-        RingFamily::Variant along;
-        along.rings.push_back({*middle, 0, false, true});
         component.variants.push_back(std::move(along));
         return true;
     }

@@ -38,7 +38,7 @@ class RingFamily {
         EdgeIndex boundary;
         EdgeIndex walls;               ///< of the boundary, where a disc touches what must stay
         std::vector<Edge> open_sides;  ///< of the boundary, where it only touches the target
-        bool slot = false;             ///< as wide as the cutter: its middle is the only curve
+        bool slot = false;             ///< as wide as the cutter: the middles are the only curves
         /// Contour-parallel from inside out first; no two give the same path.
         std::vector<Variant> variants;
     };

@@ -31,7 +31,12 @@ void Descender::goOn() {
     }
     const std::vector<Joint> joints = progress_.waiting(true);
     STEPMILL_CHECK(!joints.empty(), "the order of passes has a cycle");
-    rampInto(joints.front());
+    const Joint& joint = joints.front();
+    const LinkRates& rates = task_.rates;
+    const double plunge_min = rates.plunge_mm / rates.plunge_feed_mm_per_min;
+    const Pass& pass = progress_.pass(joint.pass);
+    const bool plunges = rates.may_plunge && !isAtWall(pass) && plunge_min < minutesAlong(pass);
+    plunges ? plungeOnto(joint) : rampInto(joint);
 }
 
 /// Down along the pass itself, which is then cut.
@@ -85,6 +90,11 @@ bool Descender::enter(const Joint& joint, bool ready) {
     return false;
 }
 
+/// Beside a finished wall a plunge would show.
+bool Descender::isAtWall(const Pass& pass) {
+    return pass.closed && pass.level == 0;
+}
+
 std::vector<Descender::PricedWay> Descender::waysDown(const Joint& joint, const Joint& from_entry) const {
     const Pass& pass = progress_.pass(joint.pass);
     const LinkRates& rates = task_.rates;
@@ -92,9 +102,7 @@ std::vector<Descender::PricedWay> Descender::waysDown(const Joint& joint, const 
     const double link_min = from_entry.distance_mm / rates.feed_mm_per_min;
     std::vector<PricedWay> ways;
     if (mayRampAlong(pass)) ways.push_back({WayDown::AlongPass, minutesAlong(pass)});
-    // Beside a finished wall a plunge would show.
-    const bool at_wall = pass.closed && pass.level == 0;
-    if (rates.may_plunge && !at_wall) ways.push_back({WayDown::PlungeOntoPass, plunge_min});
+    if (rates.may_plunge && !isAtWall(pass)) ways.push_back({WayDown::PlungeOntoPass, plunge_min});
     if (rates.may_plunge && !entry_.isOpen()) {
         // From there it cuts its whole width.
         const double slot_feed =

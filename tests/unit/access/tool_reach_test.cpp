@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -88,6 +89,46 @@ TEST(ToolReach, IsTheMiddleOfASlotExactlyAsWideAsTheTool) {
     const ToolReach none = access(FeatureGround(slot, no_fit), endMill(10));
     ASSERT_TRUE(none.exclusion());
     EXPECT_EQ(none.exclusion()->reason, ExclusionReason::TooWide);
+}
+
+/// A channel as wide as a cutter of 6 mm, round at both ends.
+Region channel(double x0, double y0, double x1, double y1) {
+    return makeRoundedRectangle({x0 - 3, y0 - 3}, {x1 + 3, y1 + 3}, 3);
+}
+
+TEST(ToolReach, OfChannelsThatCrossGoesStraightAlongEach) {
+    const Region cross = unite(
+        std::vector<Region>{channel(0, 20, 60, 20), channel(20, 0, 20, 40), channel(40, 0, 40, 40)}, kTol);
+    const ToolReach found = access(FeatureGround(closedPocket(cross), kTol), endMill(6));
+    EXPECT_EQ(components(found.cutter.free_centres).size(), 1U);
+    ASSERT_EQ(found.cutter.slot_middles.size(), 3U);
+    double length_mm = 0;
+    for (const Path& middle : found.cutter.slot_middles)
+        length_mm += length(middle);
+    EXPECT_NEAR(length_mm, 60 + 2 * 40, 0.05);
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, area(cross), kAreaMm2);
+}
+
+TEST(ToolReach, OfAChannelThatEndsInAnotherMeetsItsMiddle) {
+    const Region tee = unite(channel(0, 0, 60, 0), channel(30, 0, 30, 40), kTol);
+    const ToolReach found = access(FeatureGround(closedPocket(tee), kTol), endMill(6));
+    EXPECT_EQ(components(found.cutter.free_centres).size(), 1U);
+    ASSERT_EQ(found.cutter.slot_middles.size(), 2U);
+    EXPECT_NEAR(length(found.cutter.slot_middles[0]) + length(found.cutter.slot_middles[1]), 60 + 40, 0.05);
+}
+
+TEST(ToolReach, OfARoundChannelThatOthersCrossGoesAllRound) {
+    const Region ring = subtract(makeCircle({0, 0}, 43), makeCircle({0, 0}, 37), kTol);
+    const Region crossed = unite(
+        std::vector<Region>{ring, channel(20, 0, 60, 0), channel(-60, 0, -20, 0), channel(0, 20, 0, 60)},
+        kTol);
+    const ToolReach found = access(FeatureGround(closedPocket(crossed), kTol), endMill(6));
+    const std::vector<Path>& middles = found.cutter.slot_middles;
+    ASSERT_EQ(middles.size(), 4U);
+    const auto round = std::find_if(middles.begin(), middles.end(), [](const Path& m) { return m.closed(); });
+    ASSERT_NE(round, middles.end());
+    EXPECT_NEAR(length(*round), 2 * kPi * 40, 0.05);
+    EXPECT_NEAR(found.cutter.coverable_area_mm2, area(crossed), kAreaMm2);
 }
 
 TEST(ToolReach, CoversAShoulderNarrowerThanTheCutterFromOutside) {
