@@ -12,6 +12,7 @@
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/chain.h"
 #include "stepmill/planar/indexed_region.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "stepmill/toolpath/path_frame.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/emit.h"
@@ -26,6 +27,11 @@ constexpr int kDirections = 12;
 /// ... and at these many clearances' distance, from inside and from outside.
 constexpr std::array<double, 2> kInsideSteps{1.05, 2.1};
 constexpr std::array<double, 2> kSideSteps{1.05, 1.6};
+/// A glide down keeps this off what stands [mm]; nearer the cutter goes down as fast as it cuts.
+constexpr double kGlideOffMm = 0.05;
+/// Less of it is no move of its own [mm].
+constexpr double kLeastGlideMm = 0.1;
+
 /// A way that was cut, and how high the tool was there at most, the deepest time: depths of cut are like each
 /// other.
 struct CutEdge {
@@ -108,13 +114,13 @@ class Ground {
     }
 
     /// Is the straight way at that height clear of all that stands for the cutter itself, and of what keeps
-    /// the holder away?
-    bool isFreeInAir(const Vec2& a, const Vec2& b, double z_mm) const {
+    /// the holder away? \param off_mm  and so far off it
+    bool isFreeInAir(const Vec2& a, const Vec2& b, double z_mm, double off_mm = 0) const {
         const Edge way = makeLine(a, b);
-        if (walls_.boundary().anyNearer(way, radius_mm_)) return false;
+        if (walls_.boundary().anyNearer(way, radius_mm_ + off_mm)) return false;
         for (const Holder& holder : holder_)
             if (holder.edges.anyNearer(way, holder.distance_mm)) return false;
-        return z_mm >= task_.top_z_mm || isSweptClear(z_mm, a, b, 0, near_);
+        return z_mm >= task_.top_z_mm || isSweptClear(z_mm, a, b, off_mm, near_);
     }
 
     /// Over how high ground the tool may be fed down at a place from there on, ascending.
@@ -205,8 +211,14 @@ struct Landing {
 
 class ClearRapids {
   public:
-    ClearRapids(const Toolpath& path, const ClearingTask& task, double radius_mm, const RapidClearance& keep)
-        : path_(path), keep_(keep), in_slot_(task.in_slot), ground_(task, radius_mm, keep) {
+    ClearRapids(const Toolpath& path, const ClearingTask& task, double radius_mm, const RapidClearance& keep,
+                const Machine& machine)
+        : path_(path),
+          keep_(keep),
+          rapid_mm_per_min_(machine.rapid_mm_per_min),
+          glide_mm_per_min_(glideFeedMmPerMin(machine)),
+          in_slot_(task.in_slot),
+          ground_(task, radius_mm, keep) {
         made_ = path;
         made_.moves.clear();
     }
@@ -246,28 +258,50 @@ class ClearRapids {
         const Vec2 place = to.head<2>();
         if (from == place && to.z() >= at().z()) return add(MoveKind::Rapid, place, to.z());
         const Landing landing = landingFor(place, to.z());
-        if (in_slot_ && feedAcross(from, to, landing)) return;
+        const double over_mm =
+            from == landing.at ? landing.z_mm
+                               : std::max({crossingZ(from, landing.at, crossing_mm), landing.z_mm, at().z()});
+        if (feedAcross(from, to, landing, over_mm)) return;
         // The path starts over its first place: at the retract height that is where it comes down.
         if (made_.moves.empty() && from == place) made_.start.head<2>() = landing.at;
         if (Vec2(at().head<2>()) != landing.at) {
-            const double z_mm = std::max({crossingZ(from, landing.at, crossing_mm), landing.z_mm, at().z()});
-            add(MoveKind::Rapid, from, z_mm);
-            add(MoveKind::Rapid, landing.at, z_mm);
+            add(MoveKind::Rapid, from, over_mm);
+            add(MoveKind::Rapid, landing.at, over_mm);
         }
         add(MoveKind::Rapid, landing.at, landing.z_mm);
         add(MoveKind::Feed, place, landing.z_mm);
-        add(MoveKind::Plunge, place, to.z());
+        feedDown(place, to.z());
     }
 
-    /// Level through what is cleared, where a rapid would have to come down from higher.
-    bool feedAcross(const Vec2& from, const Vec3& to, const Landing& landing) {
+    /// Where the cutter itself has room, but no rapid: faster than through material, as far as that goes.
+    void feedDown(const Vec2& place, double z_mm) {
+        for (const double height : ground_.heightsOver(z_mm)) {
+            if (height > at().z() - kLeastGlideMm) break;
+            if (!ground_.isFreeInAir(place, place, height)) continue;
+            const bool apart = ground_.isFreeInAir(place, place, height, kGlideOffMm);
+            const double feed = apart ? glide_mm_per_min_ : path_.feed_mm_per_min;
+            if (feed > path_.plunge_feed_mm_per_min)
+                made_.moves.push_back(
+                    {MoveKind::Feed, {place.x(), place.y(), height}, std::nullopt, true, feed});
+            break;
+        }
+        add(MoveKind::Plunge, place, z_mm);
+    }
+
+    /// Level through what is cleared, where that is quicker than over it, or a rapid would have to come down
+    /// from higher in a slot.
+    bool feedAcross(const Vec2& from, const Vec3& to, const Landing& landing, double over_mm) {
+        if (made_.moves.empty()) return false;
         const Vec2 place = to.head<2>();
         const double z_mm = std::max(at().z(), to.z());
-        const bool higher = landing.z_mm > z_mm + kSameHeightMm;
-        if (!higher || !ground_.isFreeInAir(from, place, z_mm)) return false;
+        const double over_min = 2 * (over_mm - z_mm) / rapid_mm_per_min_;
+        const bool quicker = (place - from).norm() / path_.feed_mm_per_min < over_min;
+        const bool higher = in_slot_ && landing.z_mm > z_mm + kSameHeightMm;
+        if (!(higher || quicker) || !ground_.isFreeInAir(from, place, z_mm)) return false;
         add(MoveKind::Rapid, from, z_mm);
         add(MoveKind::Feed, place, z_mm);
-        add(MoveKind::Plunge, place, to.z());
+        if (landing.at == place) add(MoveKind::Rapid, place, std::min(landing.z_mm, z_mm));
+        feedDown(place, to.z());
         return true;
     }
 
@@ -311,6 +345,8 @@ class ClearRapids {
 
     const Toolpath& path_;
     RapidClearance keep_;
+    double rapid_mm_per_min_;
+    double glide_mm_per_min_;
     bool in_slot_;
     Ground ground_;
     Toolpath made_;
@@ -323,7 +359,7 @@ Toolpath withClearRapids(const Toolpath& path, const ClearingTask& task, double 
     const RapidClearance keep = clearanceOver(task, machine);
     const bool may_touch = keep.side_mm <= 0 && keep.inside_mm <= 0 && keep.top_mm <= 0;
     if (path.moves.empty() || (may_touch && task.skirt.empty())) return path;
-    Toolpath made = ClearRapids(path, task, tool_radius_mm, keep).make();
+    Toolpath made = ClearRapids(path, task, tool_radius_mm, keep, machine).make();
     made.totals = measure(made, machine);
     return made;
 }

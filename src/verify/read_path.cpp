@@ -24,14 +24,23 @@ LinedPath LinedPath::first(std::size_t count) const {
 ReadOperation withGlidesAsRapids(const ReadOperation& operation, const RecordedOperation& planned,
                                  const Machine& machine) {
     ReadOperation proven = operation;
-    if (planned.engagement_deg <= 0) return proven;
     const double cuts_at = planned.feed_mm_per_min * (planned.rating ? kMostChipThinning : 1);
     const double most = glideFeedMmPerMin(machine);
+    const double sinks_at = planned.tool.isForHoles() ? most : planned.plunge_feed_mm_per_min;
+    const auto isBetween = [](double feed, double slow, double fast) {
+        return feed > slow * (1 + kGlideShare) && feed <= fast * (1 + kGlideShare);
+    };
+    Vec3 from = operation.start;
     for (ReadMove& read : proven.moves) {
+        Move& move = read.fed.move;
+        const bool down = move.to.head<2>() == from.head<2>() && move.to.z() < from.z();
+        from = move.to;
+        const bool may = move.kind == MoveKind::Feed || move.kind == MoveKind::Plunge;
+        if (!may || move.arc) continue;
         const double feed = read.fed.feed_mm_per_min;
-        const bool glides = feed > cuts_at * (1 + kGlideShare) && feed <= most * (1 + kGlideShare);
-        const bool may = read.fed.move.kind == MoveKind::Feed || read.fed.move.kind == MoveKind::Plunge;
-        if (may && !read.fed.move.arc && glides) read.fed.move.kind = MoveKind::Rapid;
+        const bool glides_level = planned.engagement_deg > 0 && isBetween(feed, cuts_at, most);
+        const bool glides_down = down && sinks_at > 0 && isBetween(feed, sinks_at, most);
+        if (glides_level || glides_down) move.kind = MoveKind::Rapid;
     }
     return proven;
 }

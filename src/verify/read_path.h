@@ -17,8 +17,9 @@ struct LinedPath {
     LinedPath first(std::size_t count) const;
 };
 
-/// An adaptive operation with its glides as rapids: what is fed faster than the tool may cut is proven as
-/// one. Feeds the machine does not have stay what they are.
+/// An operation with its glides as rapids: what an adaptive one feeds faster than the tool may cut, and what
+/// a mill goes straight down faster than it may through material, is proven as one. Feeds the machine does
+/// not have stay what they are.
 ReadOperation withGlidesAsRapids(const ReadOperation& operation, const RecordedOperation& planned,
                                  const Machine& machine);
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <optional>
+
 #include <gtest/gtest.h>
 
 #include "support/clearing_tasks.h"
@@ -78,6 +81,45 @@ TEST(WithClearRapids, IsFedDownWhereNoPlaceIsClear) {
     // The middle of solid ground: a rapid there was believed to fall into a hole.
     const Toolpath path = withClearRapids(pathFrom({30, 15}, {40, 15}), slot(), kRadiusMm, carefulMachine());
     EXPECT_DOUBLE_EQ(lowestRapid(path), kTopMm);
+}
+
+/// The path with a glide straight down, and its height; nothing without one.
+std::optional<double> glideTo(const Toolpath& path) {
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        if (isGlide(move) && move.to.head<2>() == from.head<2>() && move.to.z() < from.z())
+            return move.to.z();
+        from = move.to;
+    }
+    return std::nullopt;
+}
+
+/// A pocket that leaves the cutter `room_mm` on either side, cut to the floor before.
+ClearingTask clearedPocket(double room_mm) {
+    const double half_mm = kRadiusMm + room_mm;
+    const Region target = makeRectangle(Vec2(-half_mm, -half_mm), Vec2(half_mm, half_mm));
+    ClearingTask task = fullTask(target, subtract(makeRectangle(Vec2(-50, -50), Vec2(50, 50)), target, kTol),
+                                 kRadiusMm, kTol);
+    task.cleared_centres = task.free_centres;
+    return task;
+}
+
+TEST(WithClearRapids, GlidesDownWhereTheCutterHasRoomButNoRapid) {
+    const Toolpath path =
+        withClearRapids(pathFrom({0, 0}, {0.1, 0}), clearedPocket(0.3), kRadiusMm, carefulMachine());
+    EXPECT_GE(lowestRapid(path), kTopMm);
+    ASSERT_TRUE(glideTo(path));
+    EXPECT_DOUBLE_EQ(*glideTo(path), -6);
+    EXPECT_FALSE(glideTo(withClearRapids(pathFrom({30, 15}, {40, 15}), slot(), kRadiusMm, carefulMachine())))
+        << "into solid ground";
+}
+
+TEST(WithClearRapids, GoesDownAsFastAsItCutsBesideAWall) {
+    const Toolpath path =
+        withClearRapids(pathFrom({0, 0}, {0.01, 0}), clearedPocket(0.02), kRadiusMm, carefulMachine());
+    const auto glide = std::find_if(path.moves.begin(), path.moves.end(), isGlide);
+    ASSERT_NE(glide, path.moves.end());
+    EXPECT_DOUBLE_EQ(glide->feed_mm_per_min, 1000);
 }
 
 TEST(WithClearRapids, KeepsOffWallsOverGroundThatIsCut) {
