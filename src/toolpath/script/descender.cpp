@@ -185,6 +185,7 @@ double Descender::widthAfterPlunge(const Path& ring) const {
 
 double Descender::minutesByEntry() const {
     const LinkRates& rates = task_.rates;
+    if (entry_.isCleared()) return rates.deep_approach_mm / rates.plunge_feed_mm_per_min;
     switch (entry_.entry().kind) {
         case EntryKind::OpenEdge:
             return rates.approach_mm / rates.plunge_feed_mm_per_min;

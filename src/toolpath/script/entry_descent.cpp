@@ -29,7 +29,15 @@ bool EntryDescent::isFree(const Vec2& a, const Vec2& b) const {
     return isOpen() ? task_.standing.isClear(a, b) : isFreeWay(component_, a, b, task_.tol);
 }
 
+bool EntryDescent::isCleared() const {
+    return !isOpen() && before_.isClear(entry_.at, entry_.at);
+}
+
 bool EntryDescent::goDown(const Vec2& towards) {
+    if (isCleared()) {
+        progress_.descend(ComeDown{entry_.at, Over::Retract, true}, entry_.at);
+        return true;
+    }
     switch (entry_.kind) {
         case EntryKind::Helix:
             return goDownHelix(towards);

@@ -16,6 +16,8 @@ class EntryDescent {
 
     const Entry& entry() const { return entry_; }
     bool isOpen() const { return entry_.kind == EntryKind::OpenEdge; }
+    /// Has a tool before cleared the place within the component, as the drill that makes room for a mill?
+    bool isCleared() const;
 
     /// May the axis go straight from a to b? An open edge's entry may lie outside the component, clear of
     /// everything.

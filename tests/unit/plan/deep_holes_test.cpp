@@ -48,6 +48,14 @@ TEST(DeepHoles, AMillMakesWhatADrillDoesNotReach) {
               (std::vector<std::string>{"S1 DR8", "S1 EM6L"}));
 }
 
+TEST(DeepHoles, AreDrilledBeforeTheyAreMilledWider) {
+    // From the full a mill of 4 takes twice as long.
+    const gp_Ax2 axis(gp_Pnt(30, 8, -1), gp::DZ());
+    const TopoDS_Shape two =
+        test::cut(plateWithHole(5.5, 18), BRepPrimAPI_MakeCylinder(axis, 2.75, 20).Shape());
+    EXPECT_EQ(toolsInSetups(plannedInShop(two)), (std::vector<std::string>{"S1 DR5", "S1 EM4L"}));
+}
+
 // Drill of 6: flutes of 34, and no longer mill is as narrow.
 
 TEST(DeepHoles, AreDrilledFromBothSides) {
