@@ -50,8 +50,7 @@ class GroundSearch {
         while (found.size() < kMostGrounds) {
             std::optional<Proposal> best = mostGain();
             if (!best) break;
-            taken_ = taken_.empty() ? best->region : unite(taken_, best->region, tol_);
-            begins_.push_back(best->from);
+            taken_.push_back(*best);
             found.push_back(std::move(*best));
         }
         return found;
@@ -72,16 +71,19 @@ class GroundSearch {
     void consider(const ToolAssembly& tool, const CuttingData& cutting, std::size_t to,
                   std::optional<Proposal>& best) const {
         const CutterArea* own = ownArea(tool, to);
-        const Region region = own != nullptr ? notTaken(*own) : Region{};
+        const Region region = own != nullptr ? notTaken(*own, to) : Region{};
         if (region.empty()) return;
         const double layer_s = area(region) * secondsPerMm2(tool, cutting, *own, to);
         double replaced_s = replacedS(to, region);
+        double lower_s = 0;  ///< the gain from where it begins lower
         for (std::size_t from = to; from-- > highestBegin(to) && goesOn(from);) {
             replaced_s += replacedS(from, region);
             const double height_mm = level(from).top_z_mm - level(to).floor_z_mm;
             if (height_mm > access::freeReachMm(tool)) return;
             const double gain_s = replaced_s - layer_s * depthsOf(height_mm, cutting);
-            if (gain_s < kLeastGainS + kLeastGainShare * all_s_) continue;
+            // A level that gains next to nothing would only be in the way of ground over it.
+            if (gain_s < std::max(kLeastGainShare * all_s_, lower_s) + kLeastGainS) continue;
+            lower_s = gain_s;
             if (!best || gain_s > best->gain_s) best = Proposal{from, to, region, gain_s};
         }
     }
@@ -90,8 +92,8 @@ class GroundSearch {
     /// which stands until the levels above it are cut.
     std::size_t highestBegin(std::size_t to) const {
         std::size_t highest = 0;
-        for (const std::size_t begin : begins_)
-            if (begin <= to) highest = std::max(highest, begin);
+        for (const Proposal& ground : taken_)
+            if (ground.from <= to) highest = std::max(highest, ground.from);
         return highest;
     }
 
@@ -108,10 +110,13 @@ class GroundSearch {
         return nullptr;
     }
 
-    /// What the tool covers of a level and no ground has yet.
-    Region notTaken(const CutterArea& own) const {
-        return access::withoutSliverComponents(
-            taken_.empty() ? own.coverable : subtract(own.coverable, taken_, tol_), tol_);
+    /// What the tool covers of a level and no ground has yet that goes down to it or past it.
+    Region notTaken(const CutterArea& own, std::size_t to) const {
+        Region free = own.coverable;
+        for (const Proposal& ground : taken_)
+            if (ground.from <= to && ground.to >= highestBegin(to))
+                free = subtract(free, ground.region, tol_);
+        return access::withoutSliverComponents(free, tol_);
     }
 
     static double depthsOf(double height_mm, const CuttingData& cutting) {
@@ -149,8 +154,7 @@ class GroundSearch {
     const std::string& material_;
     const Tolerances& tol_;
     double all_s_ = 0;
-    Region taken_;
-    std::vector<std::size_t> begins_;  ///< first levels of what was found
+    std::vector<Proposal> taken_;
 };
 
 /// The region within the targets of all levels: what tolerances leave outside would be cut by nobody.

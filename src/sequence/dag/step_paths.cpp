@@ -130,6 +130,12 @@ class AsFed {
     CutGround ground_;
 };
 
+/// What a path cuts decides how fast it is fed: its times are those.
+void takeTotalsAsFed(const DagTask& task, const Candidate& n, const Stretch& stretch, Toolpath& path) {
+    if (!task.options.cut_material || path.moves.empty()) return;
+    if (const std::optional<PathTotals> totals = AsFed(task, n, stretch)(path)) path.totals = *totals;
+}
+
 /// A first tool's path, or that of one pattern for all regions where its cuts are so much less wide that it
 /// is quicker: an open face is entered through a full slot only where all ways round take longer.
 Toolpath quickestAsFed(Toolpath path, const DagTask& task, const Candidate& n, const Stretch& stretch,
@@ -209,6 +215,7 @@ SequenceStep milledBy(const DagTask& task, const Candidate* m, const Candidate& 
     const ClearingTask clearing = clearingTask(task, n, stretch, step.area, task.options.pattern, nullptr);
     step.path = withRapidsOverVoids(quickestPath(task, n, stretch, step.area), clearing, n.tool->radius_mm(),
                                     task.machine, tol);
+    takeTotalsAsFed(task, n, stretch, step.path);
     if (step.path.engagement_rad > 0) step.speed_rpm = adaptiveSpeedRpm(n.cutting);
     const bool facing = feature.feature_class == FeatureClass::Face;
     step.role = m != nullptr ? Role::Rest : facing ? Role::Face : Role::Rough;
@@ -235,7 +242,10 @@ std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, con
     for (const Stretch& stretch : stretchesOf(task, m)) {
         SequenceStep step = stepOf(task, stretch, n);
         step.path = pathBy(kWeighedPattern, task, n, stretch, step.area, rings);
-        if (!step.path.moves.empty()) steps.push_back(std::move(step));
+        if (step.path.moves.empty()) continue;
+        // Over open ground another pattern will go round what is a full slot for the weighed one.
+        if (m != nullptr || task.ground.walledIn()) takeTotalsAsFed(task, n, stretch, step.path);
+        steps.push_back(std::move(step));
     }
     return steps;
 }
