@@ -3,7 +3,9 @@
 #include "plan/holding/loose_pieces.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -15,6 +17,8 @@ namespace {
 
 /// Smaller pieces go with the chips [mm3].
 constexpr double kCrumbMm3 = 10;
+/// So many are told one by one, the largest.
+constexpr std::size_t kNamedPieces = 3;
 /// Stock as near to a jaw touches it [mm].
 constexpr double kTouchingMm = 0.05;
 
@@ -44,22 +48,28 @@ class Pieces {
                         joined_[rootOf(below)] = rootOf(above);
             above_from = from;
         }
+        held_.assign(slices_.size(), 0);
+        for (std::size_t i = 0; i < slices_.size(); ++i)
+            if (!held_[rootOf(i)] && isHeld(slices_[i])) held_[rootOf(i)] = 1;
     }
 
-    std::vector<LoosePiece> loose() {
+    /// What hangs together with nothing that is held, the largest first.
+    /// \param arrives  the pieces before the cut: what hung loose already is a slice wider than the stock, for
+    ///                 none fell from the setups before
+    std::vector<LoosePiece> loose(const std::function<const Pieces&()>& arrives) const {
         std::vector<LoosePiece> pieces(slices_.size());
-        std::vector<char> held(slices_.size(), 0);
         for (std::size_t i = 0; i < slices_.size(); ++i) {
             const Slice& slice = slices_[i];
             LoosePiece& piece = pieces[rootOf(i)];
             piece.volume_mm3 += area(slice.section) * (slice.top_z_mm - slice.bottom_z_mm);
             if (rootOf(i) == i)
                 piece.at = Vec3(slice.box.center().x(), slice.box.center().y(), slice.top_z_mm);
-            if (isHeld(slice)) held[rootOf(i)] = 1;
         }
         std::vector<LoosePiece> found;
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (rootOf(i) == i && !held[i] && pieces[i].volume_mm3 > kCrumbMm3) found.push_back(pieces[i]);
+            if (rootOf(i) == i && !held_[i] && pieces[i].volume_mm3 > kCrumbMm3 &&
+                arrives().holds(slices_[i]))
+                found.push_back(pieces[i]);
         std::stable_sort(found.begin(), found.end(), [](const LoosePiece& a, const LoosePiece& b) {
             return a.volume_mm3 > b.volume_mm3;
         });
@@ -108,6 +118,16 @@ class Pieces {
         return gone_;
     }
 
+    /// Does a piece that is held have some of the slice?
+    bool holds(const Slice& slice) const {
+        const double middle_mm = (slice.top_z_mm + slice.bottom_z_mm) / 2;
+        for (std::size_t i = 0; i < slices_.size(); ++i)
+            if (slices_[i].top_z_mm > middle_mm && slices_[i].bottom_z_mm < middle_mm && held_[rootOf(i)] &&
+                touch(slices_[i], slice))
+                return true;
+        return false;
+    }
+
     std::size_t rootOf(std::size_t i) const {
         while (joined_[i] != i)
             i = joined_[i];
@@ -149,6 +169,7 @@ class Pieces {
     std::vector<std::size_t> gone_prisms_;  ///< those that gone_ unites
     Region gone_;
     std::vector<Slice> slices_;
+    std::vector<char> held_;           ///< by root: is its piece?
     std::vector<std::size_t> joined_;  ///< by slice: one it hangs together with, itself at the root
 };
 
@@ -158,18 +179,29 @@ std::vector<LoosePiece> loosePieces(const Stage& stage, const std::vector<Prism>
                                     const Tolerances& tol) {
     const HoldKind kind = stage.clamping.kind;
     if (kind == HoldKind::None || kind == HoldKind::Given) return {};
-    return Pieces(stage, removed, tol).loose();
+    const std::vector<Prism> nothing;
+    std::optional<Pieces> arrives;
+    return Pieces(stage, removed, tol).loose([&]() -> const Pieces& {
+        if (!arrives) arrives.emplace(stage, nothing, tol);
+        return *arrives;
+    });
 }
 
 std::vector<Warning> looseWarnings(const std::vector<LoosePiece>& pieces, const std::string& setup_id) {
     std::vector<Warning> warnings;
-    warnings.reserve(pieces.size());
-    for (const LoosePiece& piece : pieces)
+    for (std::size_t i = 0; i < std::min(pieces.size(), kNamedPieces); ++i)
         warnings.push_back(
             {"loose", setup_id,
              fmt::format("{:.4g} mm3 fall loose at X{:.1f} Y{:.1f} Z{:.1f}: nothing that is held ties "
                          "them; screw or tape that piece down (--fixtures), or leave it to another setup",
-                         piece.volume_mm3, piece.at.x(), piece.at.y(), piece.at.z())});
+                         pieces[i].volume_mm3, pieces[i].at.x(), pieces[i].at.y(), pieces[i].at.z())});
+    if (pieces.size() <= kNamedPieces) return warnings;
+    double others_mm3 = 0;
+    for (std::size_t i = kNamedPieces; i < pieces.size(); ++i)
+        others_mm3 += pieces[i].volume_mm3;
+    warnings.push_back({"loose", setup_id,
+                        fmt::format("{} more pieces fall loose, {:.4g} mm3 in all",
+                                    pieces.size() - kNamedPieces, others_mm3)});
     return warnings;
 }
 

@@ -65,5 +65,22 @@ TEST(LoosePieces, AreUnderNoScrew) {
     EXPECT_NEAR(loose.front().volume_mm3, (80 * 50 - 40 * 20) * 20, 1e-6);
 }
 
+TEST(LoosePieces, AreNotWhatHungLooseBefore) {
+    // Seen aslant the stock is slices, and one too wide may stand apart from it.
+    Stage stage = inVise();
+    stage.layers.layers[0].stock = unite(kBlank, makeRectangle({100, 20}, {110, 30}), kTol);
+    EXPECT_TRUE(loosePieces(stage, {{makeRectangle({100, 20}, {110, 30}), 0, -5}}, kTol).empty());
+    EXPECT_EQ(loosePieces(stage, {{kRing, 0, -20}}, kTol).size(), 1U);
+}
+
+TEST(LoosePieces, AreToldOneByOneWhereTheyAreFew) {
+    const std::vector<LoosePiece> few(3, {100, Vec3::Zero()});
+    EXPECT_EQ(looseWarnings(few, "S1").size(), 3U);
+    const std::vector<Warning> warnings =
+        looseWarnings(std::vector<LoosePiece>(9, {100, Vec3::Zero()}), "S1");
+    ASSERT_EQ(warnings.size(), 4U);
+    EXPECT_EQ(warnings.back().text, "6 more pieces fall loose, 600 mm3 in all");
+}
+
 }  // namespace
 }  // namespace stepmill
