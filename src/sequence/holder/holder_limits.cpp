@@ -13,6 +13,9 @@ namespace {
 /// Going less deep must machine this much more of the feature to be worth it.
 constexpr double kWorthShare = 0.01;
 
+/// Of what a longer tool would clear in addition a wider one's part is as much.
+constexpr double kMostShare = 0.9;
+
 /// A drill whose tip gets down to a hole's end, but not its full width, stops so far above it [mm].
 constexpr double kLeftUnderDrillMm = 0.5;
 
@@ -58,6 +61,7 @@ Shallower depthOf(const FeatureGround& ground, const ToolAssembly& tool, const C
         found.stick_out_mm = limit.stick_out_mm;
     }
     found.diameter_mm = tool.diameter_mm;
+    found.has_stick_out_mm = tool.stick_out_mm;
     return found;
 }
 
@@ -70,16 +74,15 @@ bool isHeldOff(const ToolReach& reach) {
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,
                                      const std::vector<ToolReach>& reaches) {
     const double same_mm2 = sameArea(ground.feature(), ground.tolerances());
-    double widest_mm2 = most_mm2 + same_mm2;
+    double widest_mm2 = most_mm2;
     for (const ToolReach& reach : reaches)
-        if (isHeldOff(reach)) widest_mm2 = std::max(widest_mm2, reach.cutter.coverable_area_mm2);
+        if (isShortOfReach(reach)) widest_mm2 = std::max(widest_mm2, reach.cutter.coverable_area_mm2);
+    const double enough_mm2 = std::max(most_mm2 + same_mm2, most_mm2 + kMostShare * (widest_mm2 - most_mm2));
     const ToolReach* found = nullptr;
     double longer_mm = 0;
     Withheld withheld;
     for (const ToolReach& reach : reaches) {
-        const double could_mm2 = reach.cutter.coverable_area_mm2;
-        if (!isHeldOff(reach) || could_mm2 < widest_mm2 - same_mm2 || could_mm2 <= most_mm2 + same_mm2)
-            continue;
+        if (!isShortOfReach(reach) || reach.cutter.coverable_area_mm2 <= enough_mm2) continue;
         const ToolAssembly& tool = library.tool(reach.tool_id);
         const double stick_out_mm = depthLimitOf(ground, tool, reach.cutter).stick_out_mm;
         if (found != nullptr && stick_out_mm - tool.stick_out_mm >= longer_mm) continue;
@@ -90,9 +93,10 @@ std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibr
         withheld.has_stick_out_mm = tool.stick_out_mm;
     }
     if (found == nullptr) return std::nullopt;
+    withheld.too_short = !isHeldOff(*found);
     withheld.coverable = found->cutter.coverable;
     const double slim_mm = widestClearHolderMm(ground, library.tool(found->tool_id), found->cutter);
-    if (slim_mm > withheld.diameter_mm) withheld.holder_diameter_mm = slim_mm;
+    if (!withheld.too_short && slim_mm > withheld.diameter_mm) withheld.holder_diameter_mm = slim_mm;
     return withheld;
 }
 

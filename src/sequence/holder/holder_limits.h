@@ -10,10 +10,12 @@ namespace stepmill {
 /// Was the tool turned down because its shank or holder is in the way?
 bool isHeldOff(const ToolReach& reach);
 
-/// What the cutter that reaches most of a feature could clear, were it not for its holder, and what would let
-/// it. Of cutters that reach the same, the one that needs the least longer stick-out.
+/// What the cutter that reaches most of a feature could clear, were it not too short or its holder in the
+/// way, and what would let it. Of cutters that reach nearly as much, the one that needs the least longer
+/// stick-out.
 struct Withheld {
     Region coverable;
+    bool too_short = false;  ///< everywhere; else its holder is in the way somewhere
     double diameter_mm = 0;
     double stick_out_mm = 0;        ///< with which it would
     double has_stick_out_mm = 0;    ///< now
@@ -25,12 +27,13 @@ struct Shallower {
     double floor_z_mm = 0;
     double volume_mm3 = 0;  ///< that the tool clears down to there
     double diameter_mm = 0;
-    double stick_out_mm = 0;  ///< that would do for the whole depth
-    bool by_flutes = false;   ///< a drill's flutes end before its stick-out does
+    double stick_out_mm = 0;      ///< that would do for the whole depth
+    double has_stick_out_mm = 0;  ///< now
+    bool by_flutes = false;       ///< a drill's flutes end before its stick-out does
 };
 
-/// What the cutter that reaches most of a feature is kept off; nothing when tools that take part clear as
-/// much.
+/// What the cutter that reaches most of a feature is kept off or too short for; nothing when tools that take
+/// part clear as much.
 /// \param reaches  as the cutters and holders have them, before anything was admitted
 /// \param most_mm2  most that a tool that takes part covers
 std::optional<Withheld> withheldFrom(const FeatureGround& ground, const ToolLibrary& library, double most_mm2,

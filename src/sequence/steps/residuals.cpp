@@ -62,14 +62,19 @@ std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& dri
     return {rim};
 }
 
-std::string longerTool(const std::string& kind, double diameter_mm, double stick_out_mm) {
+/// \param has_mm  the stick-out of the library's own
+std::string longerTool(const std::string& kind, double diameter_mm, double stick_out_mm, double has_mm) {
+    if (has_mm >= stick_out_mm)
+        return fmt::format("{} of {:.4g} mm whose neck is no wider for {:.4g} mm", kind, diameter_mm,
+                           stick_out_mm);
     return fmt::format("{} of {:.4g} mm with a stick-out of {:.4g} mm or a slimmer holder", kind, diameter_mm,
                        stick_out_mm);
 }
 
 std::string whatWouldClear(const Withheld& withheld) {
-    if (withheld.holder_diameter_mm <= 0)
-        return longerTool("an end mill", withheld.diameter_mm, withheld.stick_out_mm);
+    if (withheld.holder_diameter_mm <= 0 || withheld.has_stick_out_mm >= withheld.stick_out_mm)
+        return longerTool("an end mill", withheld.diameter_mm, withheld.stick_out_mm,
+                          withheld.has_stick_out_mm);
     return fmt::format(
         "an end mill of {:.4g} mm with a stick-out of {:.4g} mm ({:.4g} mm more), or a holder no wider than "
         "{:.1f} mm below that",
@@ -151,7 +156,7 @@ std::vector<Residual> residualsOf(const FeatureGround& ground, const std::vector
     if (!missed.empty()) rest = unite(rest, missed, tol);
     Residual held_off;
     if (withheld) {
-        held_off.reason = {Reason::HolderCollision, {}};
+        held_off.reason = {withheld->too_short ? Reason::TooDeep : Reason::HolderCollision, {}};
         held_off.advice = whatWouldClear(*withheld);
         for (const Region& piece : components(intersect(rest, withheld->coverable, tol)))
             if (area(piece) > tol.area_mm2) add(held_off, piece, feature.depth_mm());
@@ -202,8 +207,8 @@ Residual belowReach(const Feature& feature, const Shallower& reached) {
         below.advice = fmt::format("a drill of {:.4g} mm with flutes of {:.4g} mm", reached.diameter_mm,
                                    reached.stick_out_mm);
     else
-        below.advice =
-            longerTool(drilled ? "a drill" : "an end mill", reached.diameter_mm, reached.stick_out_mm);
+        below.advice = longerTool(drilled ? "a drill" : "an end mill", reached.diameter_mm,
+                                  reached.stick_out_mm, reached.has_stick_out_mm);
     return below;
 }
 
@@ -230,6 +235,10 @@ Residual wholeFeature(const FeatureGround& ground, const std::vector<ToolReach>&
     whole.volume_mm3 = feature.volume_mm3;
     whole.reason = {reasonFor(reason), most != votes.end() ? most->second.text : std::string()};
     whole.advice = adviceFor(reason, cutterFor(feature, widest_mm), feature.depth_mm());
+    const bool short_of_reach =
+        reason == ExclusionReason::HolderCollision || reason == ExclusionReason::TooShort;
+    if (const auto withheld = short_of_reach ? withheldFrom(ground, library, 0, reaches) : std::nullopt)
+        whole.advice = whatWouldClear(*withheld);
     return whole;
 }
 
