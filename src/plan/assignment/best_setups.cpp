@@ -24,6 +24,11 @@ constexpr double kOthersTimeShareAtLast = 0.6;
 /// [s].
 constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 
+/// So many times what its tools need at least is far from the best: other sides and orders are weighed, ...
+constexpr double kFarFromBound = 4.5;
+/// ... where a plan of no more operations is soon made.
+constexpr std::size_t kFewOperations = 100;
+
 /// Of the sides that are free to what stays so many are tried, those to most of it: each is a plan more.
 constexpr std::size_t kSidesTried = 2;
 
@@ -59,7 +64,7 @@ class SetupSearch {
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
         if (sets.with_forms.size() > 1 && mayBeBetter(sets.with_forms)) tryOut(sets.with_forms, ridges);
-        const bool all = isWorthWeighing();
+        const bool all = isWorthWeighing() || isFarFromBest();
         const bool leaves_walls = leavesWalls(ridges);
         for (; other != sets.others.end(); ++other)
             if (all || (leaves_walls && isTurnedRound(*other, sets.chosen))) tryOut(*other, kSidesAlike);
@@ -89,6 +94,14 @@ class SetupSearch {
                books.leftMm3() > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
+    bool isFarFromBest() const {
+        std::size_t operations = 0;
+        for (const PlannedSetup& setup : best_->setups)
+            operations += setup.operations.size();
+        const double bound_s = best_->totals.lower_bound_s;
+        return operations <= kFewOperations && bound_s > 0 &&
+               best_->totals.motion_s > kFarFromBound * bound_s;
+    }
     /// More than form cutters leave; without any of them that is so of every wall.
     bool leavesWalls(const Alike& ridges) const {
         return request_.scallop_mm > 0 && best_->balance.unreachable_mm3 > alikeMm3(*best_, ridges);

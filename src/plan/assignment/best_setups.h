@@ -22,9 +22,9 @@ struct SetupSets {
 using PlanOfSetups = std::function<Plan(const std::vector<Setup>&, const Deadline& flat_by)>;
 
 /// The best of whole plans. Setups that are quicker to set up come first: where no plan of those chosen could
-/// be better, none is made. All others are planned where the lot keeps the machine busy for a shift. At last
-/// setups are added from sides that are free to what the tools did not get to. What was weighed stands in the
-/// plan's choices.
+/// be better, none is made. All others are planned where the lot keeps the machine busy for a shift, or where
+/// a small plan is far from its lower bound. At last setups are added from sides that are free to what the
+/// tools did not get to. What was weighed stands in the plan's choices.
 /// \see docs/algorithms/setups.md, sections 8 to 10
 Plan bestPlan(const SetupSets& sets, const PlanRequest& request, const Machine& machine,
               const PlanOfSetups& plan_of);

@@ -31,6 +31,7 @@ class SetupSearchOf : public testing::Test {
     struct Outcome {
         double minutes = 10;
         double stays_mm3 = 0;
+        double bound_minutes = 0;
         std::optional<ErrorCode> fails = std::nullopt;
     };
 
@@ -47,6 +48,7 @@ class SetupSearchOf : public testing::Test {
             if (outcome.fails) throw Error(*outcome.fails, "a part", "no plan");
             Plan plan;
             plan.totals.motion_s = 60 * outcome.minutes;
+            plan.totals.lower_bound_s = 60 * outcome.bound_minutes;
             plan.balance.stock_minus_part_mm3 = kRemovedMm3;
             plan.balance.unreachable_mm3 = outcome.stays_mm3;
             for (const stepmill::Setup& setup : setups) {
@@ -118,6 +120,15 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereTwoSetupsLeaveWalls) {
     chosen_ = {10, 0.001 * kRemovedMm3};
     EXPECT_EQ(best().setups.front().setup.axis, kZ);
     chosen_ = {10, 0.003 * kRemovedMm3};
+    EXPECT_EQ(best().setups.front().setup.axis, kX);
+}
+
+TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereAPlanIsFarFromItsBound) {
+    sets_.others = {along({kX, kZ})};
+    from_x_ = {8, 0};
+    chosen_ = {10, 0, 3};
+    EXPECT_EQ(best().setups.front().setup.axis, kZ);
+    chosen_.bound_minutes = 2;
     EXPECT_EQ(best().setups.front().setup.axis, kX);
 }
 
