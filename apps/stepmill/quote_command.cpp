@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/core.h>
@@ -63,6 +64,8 @@ int quoteFile(const QuoteOptions& options, const fs::path& folder, ProgressLine&
     const Shop shop = loadShop(options.part);
     line.showImport(options.part.part_file);
     PlanRequest request = planRequest(options.part, shop);
+    // A smaller lot never pays for setups that only a larger one is worth.
+    request.quantity = *std::min_element(options.terms.quantities.begin(), options.terms.quantities.end());
     const std::vector<Part> parts = chooseParts(options.part);
     int exit_code = kComplete;
     std::size_t to_do = parts.size();
@@ -122,7 +125,7 @@ int runQuote(const QuoteOptions& options) {
 }
 
 void addTermsOptions(CLI::App& quote, QuoteTerms& terms) {
-    quote.add_option("--quantity", terms.quantities, "pieces of a lot; several with commas")
+    quote.add_option("--quantity", terms.quantities, "pieces of a lot; several with commas: planned for the smallest")
         ->delimiter(',')
         ->check(CLI::Range(1, kMostPieces))
         ->capture_default_str();
