@@ -217,6 +217,7 @@ std::string measuresOf(const FeatureCaution& caution) {
 }
 
 void warnOfUnreachable(const Plan& plan, Warnings& into) {
+    const std::size_t before = into.size();
     for (const ReasonVolume& entry : plan.balance.unreachable_by_reason) {
         if (entry.volume_mm3 < kWorthAWarningMm3) continue;
         if (plan.request.roughing && isLeftByRoughing(entry.reason)) continue;
@@ -224,6 +225,13 @@ void warnOfUnreachable(const Plan& plan, Warnings& into) {
                         fmt::format("{:.4g} mm3 are not planned in any setup: {}", entry.volume_mm3,
                                     toString(entry.reason))});
     }
+    if (into.size() == before || !plan.request.setup.axes.empty()) return;
+    if (const std::size_t axes = axesNotWeighed(plan.part); axes > 0)
+        into.push_back(
+            {"axes-not-weighed", plan.part.file,
+             fmt::format("{} directions of its faces were not weighed as tool axes, as they are too "
+                         "many: holes along them stay unless --setup names them",
+                         axes)});
 }
 
 void warnOfBooks(const Plan& plan, const std::string& largest_gap, const Tolerances& tol, Warnings& into) {

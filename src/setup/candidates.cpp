@@ -73,6 +73,12 @@ std::vector<Direction> tiltedDirections(const TopoDS_Shape& solid) {
     return found;
 }
 
+std::vector<Direction> tiltedDirections(const Part& part) {
+    std::vector<Direction> tilted;
+    guardOcct(ErrorCode::GeometryKernel, "tool axes", [&] { tilted = tiltedDirections(part.shape->solid); });
+    return tilted;
+}
+
 }  // namespace
 
 std::vector<Vec3> boxDirections() {
@@ -81,8 +87,7 @@ std::vector<Vec3> boxDirections() {
 
 std::vector<Vec3> candidateAxes(const Part& part, const std::vector<Vec3>& forbidden) {
     std::vector<Vec3> axes = boxDirections();
-    std::vector<Direction> tilted;
-    guardOcct(ErrorCode::GeometryKernel, "tool axes", [&] { tilted = tiltedDirections(part.shape->solid); });
+    std::vector<Direction> tilted = tiltedDirections(part);
     std::stable_sort(tilted.begin(), tilted.end(),
                      [](const Direction& a, const Direction& b) { return a.area_mm2 > b.area_mm2; });
     if (tilted.size() > kMostTiltedAxes) tilted.resize(kMostTiltedAxes);
@@ -94,3 +99,12 @@ std::vector<Vec3> candidateAxes(const Part& part, const std::vector<Vec3>& forbi
 }
 
 }  // namespace stepmill::setup
+
+namespace stepmill {
+
+std::size_t axesNotWeighed(const Part& part) {
+    const std::size_t tilted = setup::tiltedDirections(part).size();
+    return tilted - std::min(tilted, setup::kMostTiltedAxes);
+}
+
+}  // namespace stepmill

@@ -40,6 +40,22 @@ std::string operationOf(const std::string& comment) {
     return comment.substr(from, comment.find_first_of(" \"", from) - from);
 }
 
+/// What goes straight down faster than the tool may cut, and no faster than it may through air, as rapids.
+std::vector<CanonEvent> withGlidesAsRapids(std::vector<CanonEvent> events, const JudgedSetup& setup) {
+    std::optional<Vec3> at;
+    for (CanonEvent& event : events) {
+        const Vec3 to = placeOf(event);
+        const auto found = setup.operations.find(operationOf(event.comment));
+        const bool down = at && event.kind == Kind::Feed && to.head<2>() == at->head<2>() && to.z() < at->z();
+        const bool glides = down && found != setup.operations.end() &&
+                            event.feed_mm_per_min > kFeedShare * found->second.feed_mm_per_min &&
+                            event.feed_mm_per_min <= kFeedShare * setup.glide_feed_mm_per_min;
+        if (event.kind == Kind::Rapid || event.kind == Kind::Feed || event.kind == Kind::Arc) at = to;
+        if (glides) event.kind = Kind::Rapid;
+    }
+    return events;
+}
+
 /// Settings and places that are wrong whatever is cut.
 class SettingsJudge {
   public:
@@ -125,7 +141,8 @@ Toolpath pathOf(const Vec3& from, const CanonEvent& event) {
     return path;
 }
 
-StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup) {
+StockLeft leftBy(const std::vector<CanonEvent>& read, const JudgedSetup& setup) {
+    const std::vector<CanonEvent> events = withGlidesAsRapids(read, setup);
     Box2 box;
     box.extend(Vec2(0, 0));
     box.extend(Vec2(setup.stock_mm[0], setup.stock_mm[1]));
@@ -162,7 +179,7 @@ StockLeft leftBy(const std::vector<CanonEvent>& events, const JudgedSetup& setup
 
 std::string worseThan(const StockLeft& before, const std::vector<CanonEvent>& events,
                       const JudgedSetup& setup) {
-    const std::string wrong = SettingsJudge(setup).judge(events);
+    const std::string wrong = SettingsJudge(setup).judge(withGlidesAsRapids(events, setup));
     if (!wrong.empty()) return wrong;
     const StockLeft now = leftBy(events, setup);
     if (now.rapid_hits > before.rapid_hits) return "a rapid in material";

@@ -30,6 +30,7 @@ struct JudgedSetup {
     double length_mm_per_tool = 0;  ///< the tool table has number times this as a tool's length
     double safe_z_mm = 0;           ///< nothing stands higher
     std::array<double, 3> travel_mm{};
+    double glide_feed_mm_per_min = 0;  ///< straight down, faster than it cuts, a tool goes no faster
 };
 
 /// What a program leaves of the stock, over square cells.

@@ -102,6 +102,10 @@ struct Setup {
 /// \see docs/algorithms/setups.md
 std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 
+/// Directions of the part's faces, no box directions, that chooseSetups() has no room for: it takes those of
+/// the largest faces.
+std::size_t axesNotWeighed(const Part& part);
+
 /// Sets of setups that sight does not tell from the chosen one, for whole plans to be weighed: those chosen
 /// where one of the axes is not to be had, as far as they take no longer to set up and see about as much of
 /// the part, the quickest to set up first; then the chosen ones in other orders, opposite axes the other way

@@ -26,7 +26,9 @@ constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 
 /// So many times what its tools need at least is far from the best: other sides and orders are weighed, ...
 constexpr double kFarFromBound = 4.5;
-/// ... where a plan of no more operations is soon made.
+/// ... where there is so much to gain [s] ...
+constexpr double kGainWorthWeighingS = 2 * kSecondsPerMinute;
+/// ... and a plan of no more operations is soon made.
 constexpr std::size_t kFewOperations = 100;
 
 /// Of the sides that are free to what stays so many are tried, those to most of it: each is a plan more.
@@ -99,8 +101,9 @@ class SetupSearch {
         for (const PlannedSetup& setup : best_->setups)
             operations += setup.operations.size();
         const double bound_s = best_->totals.lower_bound_s;
-        return operations <= kFewOperations && bound_s > 0 &&
-               best_->totals.motion_s > kFarFromBound * bound_s;
+        const double motion_s = best_->totals.motion_s;
+        return operations <= kFewOperations && bound_s > 0 && motion_s > kFarFromBound * bound_s &&
+               (motion_s - bound_s) * request_.quantity > kGainWorthWeighingS;
     }
     /// More than form cutters leave; without any of them that is so of every wall.
     bool leavesWalls(const Alike& ridges) const {

@@ -79,8 +79,9 @@ TEST(CommonPocketPlan, IsHardlyEverInAir) {
 }
 
 /// Of all feed motion in closed pockets, rest material in their corners included, less than that is in air:
-/// rapids come down beside the walls, and the tool is fed from there.
-constexpr double kMostAirShare = 0.08;
+/// rapids come down beside the walls, and the tool is fed from there. Small tools in corners glide down, at
+/// several times the cutting feed, where a rapid has no room.
+constexpr double kMostAirShare = 0.11;
 
 class ClosedPockets : public testing::TestWithParam<ExpectedOutcome> {};
 

@@ -56,13 +56,14 @@ TEST_P(ToolCallsOfPart, AreFew) {
     EXPECT_LE(calledAgain(plan), expected.most_called_again);
 }
 
-// hole_model's face mill and all its other tools are called once a setup.
+// All tools of hole_model are called once a setup, but for the one whose slot waits for the ground in it. Of
+// plate_with_holes one call more saves four seconds of cutting.
 INSTANTIATE_TEST_SUITE_P(Corpus, ToolCallsOfPart,
-                         testing::Values(ToolCalls{"machined/hole_model.stp", 15, 0},
+                         testing::Values(ToolCalls{"machined/hole_model.stp", 15, 1},
                                          ToolCalls{"machined/isolated_blends_test_09.stp", 5, 0},
                                          ToolCalls{"machined/nist_d2mi_827-9999-904.stp", 11, 1},
                                          ToolCalls{"machined/gehause_rohteil.stp", 14, 0},
-                                         ToolCalls{"step_parts/plate_with_holes.step", 6, 0}),
+                                         ToolCalls{"step_parts/plate_with_holes.step", 7, 0}),
                          [](const auto& row) {
                              ExpectedOutcome named;
                              named.part = row.param.part;

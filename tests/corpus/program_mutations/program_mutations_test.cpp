@@ -11,6 +11,7 @@
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/toolpath/adaptive_cutting.h"
 #include "stepmill/verify/verify.h"
 #include "support/planned_parts.h"
 #include "support/program_edits.h"
@@ -126,6 +127,7 @@ JudgedSetup judgedSetup(const PlanRecord& record) {
         judged.safe_z_mm = std::max(judged.safe_z_mm, fixture.top_z_mm);
     judged.length_mm_per_tool = kInchesATool * kMillimetresPerInch;
     judged.travel_mm = record.machine.travel_mm;
+    judged.glide_feed_mm_per_min = glideFeedMmPerMin(record.machine);
     return judged;
 }
 

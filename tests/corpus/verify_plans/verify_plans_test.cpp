@@ -285,7 +285,10 @@ TEST_F(SpoiltProgram, ShowsEverySettingThatIsMissingOrAnother) {
 
 TEST_F(SpoiltProgram, TakesHarmlessEdits) {
     const std::vector<std::string> whole = lines_;
-    const std::size_t up = find(" G0 Z5", find(" G1 X"));
+    // G94 asks for a word F of the next feed.
+    std::size_t up = find(" G0 Z5", find(" G1 X"));
+    while (lines_[find(" G1 ", up)].find(" F") == std::string::npos)
+        up = find(" G0 Z5", up + 1);
     for (const char* line : {"G53 G0 Z0", "G28 Z40", "M1", "M0", "G4 P0.5", "G0 Z40", "(a comment)",
                              "; G0 Z-50", "N1", "G64 P0.01", "g90 g17", "G94", "G61", "G0Z40.0", ""}) {
         lines_ = whole;

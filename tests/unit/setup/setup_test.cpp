@@ -1,6 +1,12 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 
 #include "stepmill/core/error.h"
+#include "stepmill/core/units.h"
 #include "support/occt_solids.h"
 
 using namespace stepmill;
@@ -238,4 +244,21 @@ TEST(ChooseSetups, GivesTheTopMarginToTheFirstSetup) {
     const auto& to_setup = setups.front().part_to_setup;
     const double top_mm = std::max((to_setup * Vec3(30, 25, 0)).z(), (to_setup * Vec3(30, 25, 30)).z());
     EXPECT_NEAR(top_mm, -1, 1e-6);
+}
+
+/// A regular prism, its first side square to x.
+static Part prismOf(int sides) {
+    BRepBuilderAPI_MakePolygon outline;
+    for (int i = 0; i < sides; ++i) {
+        const double angle_rad = (2 * i + 1) * kPi / sides;
+        outline.Add(gp_Pnt(50 * std::cos(angle_rad), 50 * std::sin(angle_rad), 0));
+    }
+    outline.Close();
+    return part(
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 20)).Shape());
+}
+
+TEST(AxesNotWeighed, AreThoseOfSmallerFacesThanThereIsRoomFor) {
+    EXPECT_EQ(axesNotWeighed(prismOf(26)), 0U);
+    EXPECT_EQ(axesNotWeighed(prismOf(40)), 10U);  // four are along x and y
 }
