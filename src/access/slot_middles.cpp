@@ -26,8 +26,8 @@ constexpr double kToMiddleShare = 0.8;
 constexpr double kSameLengthShare = 0.99;
 /// Where a boundary turns back on itself its directions are opposite: their product is less than this.
 constexpr double kTurnsBack = -0.9;
-/// Of two that cross, each ends about a radius before the crossing: no farther apart are its ends [radii],
-/// ...
+/// Of two that cross, each ends about a radius before the crossing: so far apart are its ends at most, in
+/// radii, ...
 constexpr double kAcrossRadii = 2.5;
 /// ... and no farther is an end from another's middle.
 constexpr double kToOtherRadii = 1.5;
@@ -105,14 +105,15 @@ Segment beside(const Edge& way, double off_mm) {
 Region stripAround(const Edge& way, double half_mm) {
     const Vec2 left = half_mm * leftOf(tangentAt(way, 0));
     const Vec2 before = way.from - half_mm * tangentAt(way, 0);
-    Path right_side{snapToGrid(Vec2(way.from - left)), {beside(way, -half_mm)}};
     const Path left_side = reversed(Path{snapToGrid(Vec2(way.from + left)), {beside(way, half_mm)}});
-    Loop loop{snapToGrid(Vec2(before - left)), {{right_side.start, std::nullopt}}};
-    loop.segments.push_back(right_side.segments.front());
-    loop.segments.push_back({left_side.start, std::nullopt});
+    Loop loop{snapToGrid(Vec2(before - left)), {}};
+    const auto lineTo = [&](const Vec2& to) { loop.segments.push_back({snapToGrid(to), std::nullopt}); };
+    lineTo(way.from - left);
+    loop.segments.push_back(beside(way, -half_mm));
+    lineTo(left_side.start);
     loop.segments.push_back(left_side.segments.front());
-    loop.segments.push_back({snapToGrid(Vec2(before + left)), std::nullopt});
-    loop.segments.push_back({loop.start, std::nullopt});
+    lineTo(before + left);
+    lineTo(loop.start);
     return {{std::move(loop)}};
 }
 
@@ -276,7 +277,7 @@ class Middles {
                                    const Vec2& outward) const {
         for (std::size_t j = 0; j < others.size(); ++j) {
             if (j == own) continue;
-            const Vec2 on = nearestOn(others[j], end).point;
+            const Vec2 on = snapToGrid(nearestOn(others[j], end).point);
             const double length_mm = (on - end).norm();
             if (length_mm < kGridMm || length_mm > kToOtherRadii * radius_mm_) continue;
             if ((on - end).dot(outward) > kStraightOn * length_mm && isFree(makeLine(end, on))) return on;

@@ -114,7 +114,8 @@ class Ground {
     }
 
     /// Is the straight way at that height clear of all that stands for the cutter itself, and of what keeps
-    /// the holder away? \param off_mm  and so far off it
+    /// the holder away?
+    /// \param off_mm  and farther off it than that
     bool isFreeInAir(const Vec2& a, const Vec2& b, double z_mm, double off_mm = 0) const {
         const Edge way = makeLine(a, b);
         if (walls_.boundary().anyNearer(way, radius_mm_ + off_mm)) return false;
