@@ -125,7 +125,9 @@ int runQuote(const QuoteOptions& options) {
 }
 
 void addTermsOptions(CLI::App& quote, QuoteTerms& terms) {
-    quote.add_option("--quantity", terms.quantities, "pieces of a lot; several with commas: planned for the smallest")
+    quote
+        .add_option("--quantity", terms.quantities,
+                    "pieces of a lot; several with commas: planned for the smallest")
         ->delimiter(',')
         ->check(CLI::Range(1, kMostPieces))
         ->capture_default_str();

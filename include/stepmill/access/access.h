@@ -90,9 +90,9 @@ struct CutterArea {
     Region free_centres;
     /// One per component of `free_centres`, in the order of components().
     std::vector<Entry> entries;
-    /// Of the components that stand for slots as wide as the cutter: their middles, of slots that cross several
-    /// in a component. The axis goes nowhere else there; the components are strips around them, wide enough to
-    /// count as material.
+    /// Of the components that stand for slots as wide as the cutter: their middles, of slots that cross
+    /// several in a component. The axis goes nowhere else there; the components are strips around them, wide
+    /// enough to count as material.
     std::vector<Path> slot_middles;
     /// A_t = offset(C_t, r).
     Region accessible;
