@@ -9,9 +9,9 @@
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge.h"
-#include "stepmill/planar/edge_index.h"
 #include "stepmill/planar/indexed_region.h"
 #include "stepmill/planar/path_parts.h"
+#include "stepmill/planar/tangent_arc.h"
 
 namespace stepmill::access {
 namespace {
@@ -64,34 +64,6 @@ Path middleOf(const Region& strip, double width_mm) {
     return middle;
 }
 
-/// How far beyond an end of the middle the disc has left the target; nothing where it meets a wall before.
-std::optional<Vec2> outInTheAir(const FeatureGround& ground, double radius_mm, const Vec2& end,
-                                const Vec2& outward) {
-    const Tolerances& tol = ground.tolerances();
-    if (ground.walledIn()) return std::nullopt;
-    const Feature& feature = ground.feature();
-    const IndexedRegion walls(feature.obstruction);
-    const double near_mm = radius_mm - tol.fit_mm - tol.linear_mm;
-    const double farthest_mm = 2 * radius_mm + kFarthestMm;
-    for (double out_mm = kBeyondMm; out_mm <= farthest_mm; out_mm += kStepRadii * radius_mm) {
-        const Vec2 at = snapToGrid(Vec2(end + outward * out_mm));
-        if (walls.contains(at) || walls.boundary().anyNearer(makeEdge(end, {at, std::nullopt}), near_mm))
-            return std::nullopt;
-        if (distanceToRegion(feature.target, at) >= radius_mm + tol.guard_mm) return at;
-    }
-    return std::nullopt;
-}
-
-/// The way from an end in its direction to another: straight where that lies straight ahead, else the arc.
-Edge wayOn(const Vec2& from, const Vec2& direction, const Vec2& to) {
-    const Vec2 chord = to - from;
-    const Vec2 left = leftOf(direction);
-    const double off_mm = chord.dot(left);
-    if (std::abs(off_mm) < kGridMm) return makeLine(from, to);
-    const double radius_mm = chord.squaredNorm() / (2 * off_mm);
-    return makeEdge(from, {to, Arc{from + radius_mm * left, std::abs(radius_mm), off_mm > 0}});
-}
-
 /// Along one side of a way, `off_mm` to its left.
 Segment beside(const Edge& way, double off_mm) {
     const Vec2 to = snapToGrid(Vec2(way.to() + off_mm * leftOf(tangentAt(way, 1))));
@@ -132,7 +104,7 @@ class Middles {
         : ground_(ground),
           radius_mm_(radius_mm),
           near_mm_(radius_mm - ground.tolerances().fit_mm - ground.tolerances().linear_mm),
-          walls_(EdgeIndex(ground.feature().obstruction)) {}
+          walls_(ground.feature().obstruction) {}
 
     void add(const Region& component) {
         const Tolerances& tol = ground_.tolerances();
@@ -168,9 +140,7 @@ class Middles {
     /// Over open ends they go on into the air.
     void leadOut() {
         for (std::size_t i = 0; i < middles_.size(); ++i)
-            leadOn(i, [&](const Vec2& end, const Vec2& outward) {
-                return outInTheAir(ground_, radius_mm_, end, outward);
-            });
+            leadOn(i, [&](const Vec2& end, const Vec2& outward) { return outInTheAir(end, outward); });
     }
 
     /// Those that cross or meet belong together.
@@ -209,7 +179,7 @@ class Middles {
         const std::vector<Edge> edges = edgesOf(middles_[end.middle]);
         return end.at_end ? tangentAt(edges.back(), 1) : Vec2(-tangentAt(edges.front(), 0));
     }
-    bool isFree(const Edge& way) const { return !walls_.anyNearer(way, near_mm_); }
+    bool isFree(const Edge& way) const { return !walls_.boundary().anyNearer(way, near_mm_); }
 
     void addGaps(std::size_t i, std::size_t j, std::vector<Gap>& gaps) const {
         if (middles_[i].closed() || middles_[j].closed()) return;
@@ -220,7 +190,7 @@ class Middles {
                 const End to{j, to_end};
                 const double apart_mm = (pointAt(to) - pointAt(from)).norm();
                 if (apart_mm < kGridMm || apart_mm > kAcrossRadii * radius_mm_) continue;
-                const Edge way = wayOn(pointAt(from), outwardAt(from), pointAt(to));
+                const Edge way = makeEdge(pointAt(from), arcTo(pointAt(from), outwardAt(from), pointAt(to)));
                 const bool straight_on =
                     outwardAt(from).dot(pointAt(to) - pointAt(from)) > kStraightOn * apart_mm &&
                     tangentAt(way, 1).dot(outwardAt(to)) < -kSameDirection;
@@ -285,10 +255,23 @@ class Middles {
         return std::nullopt;
     }
 
+    /// How far beyond an end of a middle the disc has left the target; nothing where it meets a wall before.
+    std::optional<Vec2> outInTheAir(const Vec2& end, const Vec2& outward) const {
+        if (ground_.walledIn()) return std::nullopt;
+        const double farthest_mm = 2 * radius_mm_ + kFarthestMm;
+        for (double out_mm = kBeyondMm; out_mm <= farthest_mm; out_mm += kStepRadii * radius_mm_) {
+            const Vec2 at = snapToGrid(Vec2(end + outward * out_mm));
+            if (walls_.contains(at) || !isFree(makeLine(end, at))) return std::nullopt;
+            if (distanceToRegion(ground_.feature().target, at) >= radius_mm_ + ground_.tolerances().guard_mm)
+                return at;
+        }
+        return std::nullopt;
+    }
+
     const FeatureGround& ground_;
     double radius_mm_;
     double near_mm_;  ///< the axis comes no nearer to walls
-    EdgeIndex walls_;
+    IndexedRegion walls_;
     std::vector<Path> middles_;
     std::vector<Region> strips_;
 };

@@ -46,14 +46,12 @@ class GroundSearch {
     const Feature& level(std::size_t i) const { return levels_[i]->feature; }
 
     std::vector<Proposal> run() {
-        std::vector<Proposal> found;
-        while (found.size() < kMostGrounds) {
+        while (taken_.size() < kMostGrounds) {
             std::optional<Proposal> best = mostGain();
             if (!best) break;
-            taken_.push_back(*best);
-            found.push_back(std::move(*best));
+            taken_.push_back(std::move(*best));
         }
-        return found;
+        return std::move(taken_);
     }
 
   private:
@@ -112,10 +110,10 @@ class GroundSearch {
 
     /// What the tool covers of a level and no ground has yet that goes down to it or past it.
     Region notTaken(const CutterArea& own, std::size_t to) const {
+        const std::size_t highest = highestBegin(to);
         Region free = own.coverable;
         for (const Proposal& ground : taken_)
-            if (ground.from <= to && ground.to >= highestBegin(to))
-                free = subtract(free, ground.region, tol_);
+            if (ground.from <= to && ground.to >= highest) free = subtract(free, ground.region, tol_);
         return access::withoutSliverComponents(free, tol_);
     }
 

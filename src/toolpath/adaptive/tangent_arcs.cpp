@@ -9,6 +9,7 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/planar/edge.h"
+#include "stepmill/planar/tangent_arc.h"
 
 namespace stepmill::toolpath {
 namespace {
@@ -17,20 +18,8 @@ namespace {
 constexpr std::size_t kMostSpan = 24;
 /// Shorter arcs are none: their ends may fall together [mm].
 constexpr double kLeastArcMm = 1e-3;
-/// Wider arcs are straight: their centres lie farther off than controllers take [mm].
-constexpr double kWidestArcMm = 9e4;
 /// Where the way turns by more it has met a wall: no arc goes through.
 constexpr double kCornerDeg = 25;
-
-/// An arc that leaves `from` in a direction and ends at `to`; straight where it hardly bends.
-Segment arcTo(const Vec2& from, const Vec2& along, const Vec2& to) {
-    const Vec2 chord = to - from;
-    const double side = cross(along, chord);
-    if (chord.squaredNorm() >= 2 * std::abs(side) * kWidestArcMm) return {to, std::nullopt};
-    const double radius_mm = chord.squaredNorm() / (2 * side);
-    const Vec2 centre = from + radius_mm * leftOf(along);
-    return {to, Arc{centre, std::abs(radius_mm), radius_mm > 0}};
-}
 
 /// Two arcs with one tangent where they meet, from one point and direction to another: equal lengths of the
 /// control polygon. Nothing where the directions do not allow it.

@@ -31,12 +31,11 @@ void Descender::goOn() {
     }
     const std::vector<Joint> joints = progress_.waiting(true);
     STEPMILL_CHECK(!joints.empty(), "the order of passes has a cycle");
-    const Joint& joint = joints.front();
-    const LinkRates& rates = task_.rates;
-    const double plunge_min = rates.plunge_mm / rates.plunge_feed_mm_per_min;
-    const Pass& pass = progress_.pass(joint.pass);
-    const bool plunges = rates.may_plunge && !isAtWall(pass) && plunge_min < minutesAlong(pass);
-    plunges ? plungeOnto(joint) : rampInto(joint);
+    const Pass& pass = progress_.pass(joints.front().pass);
+    if (mayPlungeOnto(pass) && minutesOfPlunge() < minutesAlong(pass))
+        plungeOnto(joints.front());
+    else
+        rampInto(joints.front());
 }
 
 /// Down along the pass itself, which is then cut.
@@ -91,18 +90,23 @@ bool Descender::enter(const Joint& joint, bool ready) {
 }
 
 /// Beside a finished wall a plunge would show.
-bool Descender::isAtWall(const Pass& pass) {
-    return pass.closed && pass.level == 0;
+bool Descender::mayPlungeOnto(const Pass& pass) const {
+    const bool at_wall = pass.closed && pass.level == 0;
+    return task_.rates.may_plunge && !at_wall;
+}
+
+double Descender::minutesOfPlunge() const {
+    return task_.rates.plunge_mm / task_.rates.plunge_feed_mm_per_min;
 }
 
 std::vector<Descender::PricedWay> Descender::waysDown(const Joint& joint, const Joint& from_entry) const {
     const Pass& pass = progress_.pass(joint.pass);
     const LinkRates& rates = task_.rates;
-    const double plunge_min = rates.plunge_mm / rates.plunge_feed_mm_per_min;
+    const double plunge_min = minutesOfPlunge();
     const double link_min = from_entry.distance_mm / rates.feed_mm_per_min;
     std::vector<PricedWay> ways;
     if (mayRampAlong(pass)) ways.push_back({WayDown::AlongPass, minutesAlong(pass)});
-    if (rates.may_plunge && !isAtWall(pass)) ways.push_back({WayDown::PlungeOntoPass, plunge_min});
+    if (mayPlungeOnto(pass)) ways.push_back({WayDown::PlungeOntoPass, plunge_min});
     if (rates.may_plunge && !entry_.isOpen()) {
         // From there it cuts its whole width.
         const double slot_feed =
@@ -190,7 +194,7 @@ double Descender::minutesByEntry() const {
         case EntryKind::OpenEdge:
             return rates.approach_mm / rates.plunge_feed_mm_per_min;
         case EntryKind::Plunge:
-            return rates.plunge_mm / rates.plunge_feed_mm_per_min;
+            return minutesOfPlunge();
         case EntryKind::Helix:
         case EntryKind::Ramp:
             break;

@@ -38,7 +38,8 @@ class Descender {
     bool goDown(WayDown way, const Joint& joint, const Joint& from_entry);
     void plungeOnto(const Joint& joint);
     void goOnFromEntry(const Joint& joint, const Joint& from_entry);
-    static bool isAtWall(const Pass& pass);
+    bool mayPlungeOnto(const Pass& pass) const;
+    double minutesOfPlunge() const;
     bool mayRampAlong(const Pass& pass) const;
     double minutesAlong(const Pass& pass) const;
     double depthOfCut() const;
