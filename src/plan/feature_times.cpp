@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "plan/order/joint_bound.h"
+
 namespace stepmill {
 namespace {
 
@@ -31,26 +33,35 @@ BandTimes timesOf(const std::string& band_id, const std::vector<Operation>& oper
 
 }  // namespace
 
+LeastTimes leastTimesAsFed(const PlannedFeature& band, const std::vector<Operation>& operations) {
+    double pace = 1;
+    for (const Operation& operation : operations)
+        if (operation.feature_id == band.feature.id) pace = std::max(pace, operation.pace);
+    LeastTimes least = band.sequence.least;
+    for (std::vector<double>& row : least.cutting_s)
+        for (double& cutting_s : row)
+            cutting_s /= pace;
+    return least;
+}
+
 FeatureTimes timesOf(const WholeFeature<PlannedFeature>& feature, const std::vector<Operation>& operations,
                      const Machine& machine) {
     FeatureTimes times;
     Visits most;
-    double change_bound_s = 0;
+    std::vector<LeastTimes> least;
     for (const PlannedFeature* band : feature.bands) {
         const BandTimes own = timesOf(band->feature.id, operations);
         times.time_s += own.time_s;
         times.motion_s += own.motion_s;
         for (const auto& [tool, count] : own.visits)
             most[tool] = std::max(most[tool], count);
-        times.lower_bound_s += band->sequence.cutting_bound_s;
-        change_bound_s =
-            std::max(change_bound_s, band->sequence.lower_bound_s - band->sequence.cutting_bound_s);
+        least.push_back(leastTimesAsFed(*band, operations));
     }
     for (const auto& [tool, count] : most) {
         times.time_s += count * machine.tool_change_s;
         times.motion_s += count * machine.tool_change_s;
     }
-    times.lower_bound_s += change_bound_s;
+    times.lower_bound_s = leastTogetherS(least, machine.tool_change_s);
     return times;
 }
 

@@ -4,29 +4,16 @@
 
 #include "plan/order/joint_bound.h"
 #include "stepmill/core/units.h"
+#include "stepmill/plan/feature_times.h"
 
 namespace stepmill {
 namespace {
 
-/// No cut of the feature is fed higher than this times its cutting data's feed.
-double fastestPace(const PlannedSetup& setup, const std::string& feature_id) {
-    double pace = 1;
-    for (const Operation& operation : setup.operations)
-        if (operation.feature_id == feature_id) pace = std::max(pace, operation.pace);
-    return pace;
-}
-
 /// What the setup's features take at least.
 std::vector<LeastTimes> leastTimesOf(const PlannedSetup& setup) {
     std::vector<LeastTimes> features;
-    for (const PlannedFeature& planned : setup.features) {
-        if (planned.sequence.steps.empty()) continue;
-        LeastTimes& least = features.emplace_back(planned.sequence.least);
-        const double pace = fastestPace(setup, planned.feature.id);
-        for (std::vector<double>& row : least.cutting_s)
-            for (double& cutting_s : row)
-                cutting_s /= pace;
-    }
+    for (const PlannedFeature& planned : setup.features)
+        if (!planned.sequence.steps.empty()) features.push_back(leastTimesAsFed(planned, setup.operations));
     return features;
 }
 

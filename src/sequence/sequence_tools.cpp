@@ -49,7 +49,6 @@ ToolSequence sequenceTo(const SharedJob& job, bool may_end_higher) {
     choices->take(0, sequence);
     TimeBounds bounds = choices->bounds();
     sequence.lower_bound_s = bounds.with_changes_s;
-    sequence.cutting_bound_s = bounds.cutting_s;
     sequence.least = std::move(bounds.as_cut);
     sequence.residual = choices->residuals();
     sequence.choices = choices;

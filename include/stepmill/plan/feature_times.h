@@ -18,4 +18,7 @@ struct FeatureTimes {
 FeatureTimes timesOf(const WholeFeature<PlannedFeature>& feature, const std::vector<Operation>& operations,
                      const Machine& machine);
 
+/// What one of them takes at least, at no higher feeds than its operations are paced to.
+LeastTimes leastTimesAsFed(const PlannedFeature& band, const std::vector<Operation>& operations);
+
 }  // namespace stepmill

@@ -179,9 +179,8 @@ struct ToolSequence {
     std::string not_sized;  ///< why holes do not get the fit they were to get; empty when they do
     double time_s = 0;      ///< with a tool change wherever the tool is another
     double cost = 0;
-    double motion_s = 0;         ///< `time_s` with the machine's acceleration where that is given
-    double lower_bound_s = 0;    ///< no plan with these tools can be faster [costs.md, 'The lower bound']
-    double cutting_bound_s = 0;  ///< the same without any tool change, for sums over features
+    double motion_s = 0;       ///< `time_s` with the machine's acceleration where that is given
+    double lower_bound_s = 0;  ///< no plan with these tools can be faster [costs.md, 'The lower bound']
     /// The same at the feeds that plans run with, for sums over features that share tools: where feeds follow
     /// from what is cut, no move removes more than its tool is rated for, straight ways down apart.
     LeastTimes least;

@@ -108,10 +108,7 @@ TimeBounds timeBounds(const Feature& feature, const std::vector<Candidate>& tool
     TimeBounds bounds;
     const CheapestPath with = cheapestPath(
         n, [&](int m, int k) { return least.cuttingS(m, k) + machine.tool_change_s; }, least.ends);
-    const CheapestPath without = cheapestPath(
-        n, [&](int m, int k) { return least.cuttingS(m, k); }, least.ends);
     if (!with.tools.empty()) bounds.with_changes_s = with.cost;
-    if (!without.tools.empty()) bounds.cutting_s = without.cost;
     bounds.as_cut = leastTimes(feature, tools, ends, reached, BoundFeeds::AsCut);
     return bounds;
 }

@@ -10,8 +10,7 @@ namespace stepmill {
 /// Lower bounds of a feature's machining time, see docs/algorithms/costs.md.
 struct TimeBounds {
     double with_changes_s = 0;  ///< one tool change for every tool used
-    double cutting_s = 0;       ///< no tool changes, as if all tools were free to call
-    LeastTimes as_cut;  ///< at the feeds that plans run with; the two above at those that the DAG weighs
+    LeastTimes as_cut;  ///< at the feeds that plans run with; the one above at those that the DAG weighs
 };
 
 /// \param ends  as from endTools()

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "stepmill/sequence/tool_dag.h"
+
 namespace stepmill {
 namespace {
 
@@ -9,8 +11,7 @@ PlannedFeature bandOf(int number, int count) {
     PlannedFeature band;
     band.feature.id = bandId("S1.F1", number, count);
     if (count > 1) band.feature.band = Band{"S1.F1", number, count};
-    band.sequence.cutting_bound_s = 4;
-    band.sequence.lower_bound_s = 9;
+    band.sequence.least = {{"A"}, {{4}, {kNoEdge}}, {true}};
     return band;
 }
 
@@ -39,7 +40,7 @@ TEST(FeatureTimes, AreThoseOfItsOwnOperations) {
                                                 operationOn(band, "B"), operationOn(band, "A")});
     EXPECT_DOUBLE_EQ(times.time_s, 3 * 3 + 3 * 5);
     EXPECT_DOUBLE_EQ(times.motion_s, 3 * 4 + 3 * 5);
-    EXPECT_DOUBLE_EQ(times.lower_bound_s, 9);
+    EXPECT_DOUBLE_EQ(times.lower_bound_s, 4 + 5);
 }
 
 TEST(FeatureTimes, HaveEachToolChangedToAsOftenAsTheBandThatCallsItMost) {
@@ -49,7 +50,7 @@ TEST(FeatureTimes, HaveEachToolChangedToAsOftenAsTheBandThatCallsItMost) {
                         operationOn(bands[1], "A"), operationOn(bands[2], "B")});
     EXPECT_DOUBLE_EQ(times.time_s, 5 * 3 + 3 * 5) << "A twice and B once";
     EXPECT_DOUBLE_EQ(times.motion_s, 5 * 4 + 3 * 5);
-    EXPECT_DOUBLE_EQ(times.lower_bound_s, 3 * 4 + 5);
+    EXPECT_DOUBLE_EQ(times.lower_bound_s, 3 * 4 + 5) << "A is called once";
 }
 
 TEST(FeatureTimes, OfWhatNoToolCutsAreNone) {
