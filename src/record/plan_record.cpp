@@ -460,16 +460,22 @@ namespace {
 /// The whole features of a setup, as far as its bands tell; by name alone those that common ground took.
 std::vector<EarlierFeature> earlierFeatures(const PlanRecord& record, const RecordedSetup& setup) {
     std::map<std::string, EarlierFeature> features;
+    std::map<std::string, double> ground_tops;  // by the first of its levels, which may begin below it
     for (const std::string& id : setup.feature_ids) {
         const Feature& band = record.features.at(id).feature;
         for (const std::string& level : band.ground_of) {
             const std::string whole = level.substr(0, level.find('.', level.find('.') + 1));
             features.emplace(whole, EarlierFeature{whole, band.feature_class, 0, 0, {}});
         }
-        if (!band.ground_of.empty()) continue;
+        if (!band.ground_of.empty()) {
+            ground_tops.emplace(band.ground_of.front(), band.top_z_mm);
+            continue;
+        }
+        const auto ground_top = ground_tops.find(id);
+        const double top_z_mm = ground_top != ground_tops.end() ? ground_top->second : band.top_z_mm;
         EarlierFeature& whole = features[wholeOf(band)];
         if (whole.target.empty())
-            whole = {wholeOf(band), band.feature_class, band.top_z_mm, band.floor_z_mm, band.target};
+            whole = {wholeOf(band), band.feature_class, top_z_mm, band.floor_z_mm, band.target};
         whole.floor_z_mm = band.floor_z_mm;
     }
     std::vector<EarlierFeature> list;

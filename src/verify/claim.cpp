@@ -344,7 +344,7 @@ class ClaimWalk {
         for (const std::string& id : recorded.feature_ids) {
             const Feature& feature = record_.features.at(id).feature;
             if (feature.ground_of.empty()) continue;
-            const CommonGround ground{id, feature.ground_of, feature.target};
+            const CommonGround ground{id, feature.ground_of, feature.target, feature.floor_z_mm};
             if (isCommonGround(features, ground, tol_)) {
                 features = withCommonGround(std::move(features), ground, tol_);
                 continue;

@@ -21,6 +21,18 @@ std::vector<Feature>::const_iterator find(const std::vector<Feature>& features, 
                         [&](const Feature& feature) { return feature.id == id; });
 }
 
+bool endsAbove(const CommonGround& ground, const Feature& level) {
+    return ground.floor_z_mm > level.floor_z_mm + kSameWrittenHeightMm;
+}
+
+/// What a level keeps below ground that takes all of it down to there.
+Feature belowGround(Feature level, double ground_floor_z_mm) {
+    const double depth_mm = level.depth_mm();
+    level.top_z_mm = ground_floor_z_mm;
+    level.volume_mm3 *= level.depth_mm() / depth_mm;
+    return level;
+}
+
 /// What a level keeps beside the ground.
 Feature besideGround(Feature level, const Region& ground, const Tolerances& tol) {
     const double before_mm2 = level.area_mm2;
@@ -42,6 +54,10 @@ Feature groundFeature(const CommonGround& ground, const std::vector<Feature>& le
     feature.ground_of = ground.levels;
     feature.parents = levels.front().parents;
     feature.top_z_mm = levels.front().top_z_mm;
+    if (endsAbove(ground, levels.back())) {
+        feature.floor_z_mm = ground.floor_z_mm;
+        feature.through = false;
+    }
     feature.target = ground.region;
     feature.area_mm2 = area(ground.region);
     feature.volume_mm3 = 0;
@@ -70,6 +86,7 @@ void replaceParent(std::vector<std::string>& parents, const std::string& gone,
 
 bool isCommonGround(const std::vector<Feature>& features, const CommonGround& ground, const Tolerances& tol) {
     if (feature::isSliver(ground.region, tol)) return false;
+    if (ground.levels.empty()) return false;
     std::string above;
     for (const std::string& id : ground.levels) {
         const auto level = find(features, id);
@@ -83,7 +100,11 @@ bool isCommonGround(const std::vector<Feature>& features, const CommonGround& gr
         if (!feature::isSliver(outside, tol)) return false;
         above = id;
     }
-    return ground.levels.size() > 1;
+    const auto last = find(features, above);
+    const bool takes_all = feature::isSliver(subtract(last->target, ground.region, tol), tol);
+    if (endsAbove(ground, *last))
+        return takes_all && ground.floor_z_mm < last->top_z_mm - kSameWrittenHeightMm;
+    return ground.levels.size() > 1 || !takes_all;
 }
 
 std::vector<Feature> withCommonGround(std::vector<Feature> features, const CommonGround& ground,
@@ -94,7 +115,9 @@ std::vector<Feature> withCommonGround(std::vector<Feature> features, const Commo
         const auto level = find(features, id);
         STEPMILL_CHECK(level != features.end(), "the levels of common ground are features");
         levels.push_back(*level);
-        kept.push_back(besideGround(*level, ground.region, tol));
+        const bool goes_on_below = id == ground.levels.back() && endsAbove(ground, *level);
+        kept.push_back(goes_on_below ? belowGround(*level, ground.floor_z_mm)
+                                     : besideGround(*level, ground.region, tol));
     }
     std::vector<Feature> result;
     for (Feature& feature : features) {

@@ -6,6 +6,7 @@
 
 #include "plan/features/few_tools.h"
 #include "plan/features/nests.h"
+#include "plan/features/propose_depths.h"
 #include "plan/features/propose_ground.h"
 #include "plan/features/sized_holes.h"
 #include "plan/operations/retract.h"
@@ -61,6 +62,8 @@ constexpr double kGroundPays = 0.995;
 constexpr double kTurnedMm = 0.2;
 /// So often ground is sought anew beside the ground that was found.
 constexpr int kMostGroundRounds = 2;
+/// So many ways to cut a level in parts are tried, those of most promise.
+constexpr std::size_t kMostDepthTrials = 2;
 
 /// Planned features that belong together, parents before children, with what went wrong.
 struct PlannedNest {
@@ -238,7 +241,8 @@ class FeaturePlanner {
         return result;
     }
 
-    /// The levels one after another, or cut together where that is quicker and leaves no more.
+    /// The levels one after another, or cut together, or a level in parts, where that is quicker and leaves
+    /// no more.
     PlannedNest planNest(const Nest& nest) {
         std::vector<Feature> levels;
         for (const std::size_t i : nest) {
@@ -246,39 +250,66 @@ class FeaturePlanner {
             levels.push_back(belowGround(features_[i]));
         }
         PlannedNest best = planAll(levels, {}, {});
-        if (!mayShareGround(levels) || best.failed() || best.isHasty()) return best;
-        for (int round = 0; round < kMostGroundRounds; ++round)
-            if (!shareMoreGround(groundIds(levels.front()), best)) break;
+        if (!mayTakeGround(levels) || best.failed() || best.isHasty()) return best;
+        const std::string ids = groundIds(levels.front());
+        for (int round = 0; round < kMostGroundRounds && levels.size() > 1; ++round)
+            if (!shareMoreGround(ids, best)) break;
+        for (int round = 0; round < kMostGroundRounds && !isAskedFor(levels); ++round)
+            if (!cutInParts(ids, best)) break;
         return best;
     }
 
     /// Takes common ground out of the nest where it is quicker so and leaves no more.
     bool shareMoreGround(const std::string& ids, PlannedNest& best) const {
-        const std::vector<CommonGround> grounds =
+        std::vector<CommonGround> grounds =
             proposeGround(best.features, shop_.library, shop_.request.sequence.material, ids, shop_.tol);
-        const NestLimit limit{best.residualMm3() + kVolumeRoundingMm3, kGroundPays * weightOf(best, shop_)};
         // All of them, or the one that promises most: every trial takes as long as the nest itself.
-        for (std::size_t count = grounds.size(); count > 0; count = count > 1 ? 1 : 0) {
-            if (shop_.request.patience.all_tools.passed()) return false;
-            std::vector<Feature> features;
-            for (const PlannedFeature& planned : best.features)
-                features.push_back(planned.feature);
-            for (std::size_t i = 0; i < count; ++i)
-                if (isCommonGround(features, grounds[i], shop_.tol))
-                    features = withCommonGround(std::move(features), grounds[i], shop_.tol);
-            PlannedNest together = planAll(features, best, limit);
-            if (together.features.size() < features.size() || together.failed() || together.isHasty())
-                continue;
-            if (weightOf(together, shop_) > limit.weight) continue;
-            best = std::move(together);
-            return true;
-        }
+        if (grounds.empty()) return false;
+        if (takeGrounds(grounds, best)) return true;
+        if (grounds.size() == 1) return false;
+        grounds.resize(1);
+        return takeGrounds(grounds, best);
+    }
+
+    /// Parts one deep level of the nest where stiff mills that do not get down to its floor pay above it.
+    bool cutInParts(const std::string& ids, PlannedNest& best) const {
+        const std::vector<DepthProposal> proposals = proposeDepths(
+            best.features,
+            {shop_.library, shop_.request.sequence.material, growth_, shop_.machine.tool_change_s}, ids,
+            shop_.tol);
+        for (std::size_t i = 0; i < std::min(proposals.size(), kMostDepthTrials); ++i)
+            if (takeGrounds(proposals[i].grounds, best)) return true;
         return false;
     }
 
-    bool mayShareGround(const std::vector<Feature>& levels) const {
+    /// Is a hole table asked how to make some of it? Such holes stay whole.
+    bool isAskedFor(const std::vector<Feature>& levels) const {
+        return std::any_of(levels.begin(), levels.end(), [&](const Feature& level) {
+            return shop_.wishes.entryOf(level, setup_) != nullptr;
+        });
+    }
+
+    /// The nest with these grounds taken out of it, where that is quicker and leaves no more; else it stays.
+    bool takeGrounds(const std::vector<CommonGround>& grounds, PlannedNest& best) const {
+        if (shop_.request.patience.all_tools.passed()) return false;
+        const NestLimit limit{best.residualMm3() + kVolumeRoundingMm3, kGroundPays * weightOf(best, shop_)};
+        std::vector<Feature> features;
+        for (const PlannedFeature& planned : best.features)
+            features.push_back(planned.feature);
+        for (const CommonGround& ground : grounds)
+            if (isCommonGround(features, ground, shop_.tol))
+                features = withCommonGround(std::move(features), ground, shop_.tol);
+        PlannedNest together = planAll(features, best, limit);
+        const bool is_whole = together.features.size() == features.size();
+        if (!is_whole || together.failed() || together.isHasty()) return false;
+        if (isBeyond(together, limit, shop_) || weightOf(together, shop_) > limit.weight) return false;
+        best = std::move(together);
+        return true;
+    }
+
+    bool mayTakeGround(const std::vector<Feature>& levels) const {
         const PlanRequest& request = shop_.request;
-        if (levels.size() < 2 || !request.common_ground || request.sequence.finish.any()) return false;
+        if (!request.common_ground || request.sequence.finish.any()) return false;
         const std::string grounds = groundIds(levels.front()) + ".";
         return std::none_of(request.cautions.begin(), request.cautions.end(), [&](const auto& caution) {
             if (!isMoreThanAPattern(caution.second)) return false;
@@ -429,7 +460,7 @@ class FeaturePlanner {
         auto sequence = sequenceBefore(grown, fewTools(library, options.material), options);
         // Nothing is known of what the other tools could do.
         if (sequence) {
-            sequence->lower_bound_s = sequence->cutting_bound_s = 0;
+            sequence->lower_bound_s = 0;
             sequence->least = {};
         }
         return sequence;

@@ -6,13 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "plan/features/level_times.h"
 #include "stepmill/access/collision.h"
 #include "stepmill/access/slivers.h"
-#include "stepmill/core/units.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/toolpath/step_over.h"
 
 namespace stepmill {
 namespace {
@@ -71,7 +70,7 @@ class GroundSearch {
         const CutterArea* own = ownArea(tool, to);
         const Region region = own != nullptr ? notTaken(*own, to) : Region{};
         if (region.empty()) return;
-        const double layer_s = area(region) * secondsPerMm2(tool, cutting, *own, to);
+        const double layer_s = area(region) * secondsPerMm2(*levels_[to], tool, cutting, *own);
         double replaced_s = replacedS(to, region);
         double lower_s = 0;  ///< the gain from where it begins lower
         for (std::size_t from = to; from-- > highestBegin(to) && goesOn(from);) {
@@ -117,33 +116,11 @@ class GroundSearch {
         return access::withoutSliverComponents(free, tol_);
     }
 
-    static double depthsOf(double height_mm, const CuttingData& cutting) {
-        constexpr double kRounding = 1e-9;
-        return cutting.step_down_mm > 0 ? std::ceil(height_mm / cutting.step_down_mm - kRounding) : 1;
-    }
-
-    /// What a depth of cut takes there: as where the tool has a path on that level, else all over its centres
-    /// at the step-over and along their boundary.
-    double secondsPerMm2(const ToolAssembly& tool, const CuttingData& cutting, const CutterArea& own,
-                         std::size_t level) const {
-        for (const SequenceStep& step : levels_[level]->sequence.steps) {
-            if (step.tool_id != tool.id || step.path.depths == 0 || step.area.new_area_mm2 <= 0) continue;
-            return step.path.totals.motion_time_s / step.path.depths / area(step.area.area);
-        }
-        const double step_over_mm = toolpath::usedStepOver(cutting, tool.radius_mm());
-        const double length_mm = area(own.free_centres) / step_over_mm + perimeter(own.free_centres);
-        return length_mm / cutting.feed_mm_per_min * kSecondsPerMinute / own.coverable_area_mm2;
-    }
-
     /// What the level's own steps take for the ground.
     double replacedS(std::size_t level, const Region& ground) const {
         double replaced_s = 0;
-        for (const SequenceStep& step : levels_[level]->sequence.steps) {
-            const double all_mm2 = area(step.area.area);
-            if (all_mm2 <= 0) continue;
-            replaced_s +=
-                step.path.totals.motion_time_s * area(intersect(step.area.area, ground, tol_)) / all_mm2;
-        }
+        for (const SequenceStep& step : levels_[level]->sequence.steps)
+            replaced_s += secondsOver(step, ground, tol_);
         return replaced_s;
     }
 
@@ -183,6 +160,7 @@ std::vector<CommonGround> proposeGround(const std::vector<PlannedFeature>& nest,
         for (std::size_t i = proposal.from; i <= proposal.to; ++i)
             ground.levels.push_back(search.level(i).id);
         ground.region = std::move(region);
+        ground.floor_z_mm = search.level(proposal.to).floor_z_mm;
         grounds.push_back(std::move(ground));
     }
     return grounds;

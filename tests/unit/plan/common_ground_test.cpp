@@ -37,8 +37,12 @@ std::vector<Feature> threeLevels() {
             pocket("S1.F4", makeCircle({45, 20}, 3), -6, -9, {"S1.F2"})};
 }
 
+/// Down to the floor of the last level.
 CommonGround groundOf(const std::vector<std::string>& levels, const Region& region) {
-    return {"S1.G1.1", levels, region};
+    CommonGround ground{"S1.G1.1", levels, region};
+    for (const Feature& level : threeLevels())
+        if (level.id == levels.back()) ground.floor_z_mm = level.floor_z_mm;
+    return ground;
 }
 
 double volumeMm3(const std::vector<Feature>& features) {
@@ -113,6 +117,38 @@ TEST(CommonGround, IsNoneWhereALevelDoesNotHaveIt) {
     EXPECT_FALSE(isCommonGround(features, groundOf({"S1.F1", "S1.F2", "S1.F3"}, wide), kTol));
     EXPECT_FALSE(isCommonGround(features, groundOf({"S1.F1", "S1.F3"}, features[2].target), kTol));
     EXPECT_FALSE(isCommonGround(features, groundOf({"S1.F3"}, features[2].target), kTol));
+}
+
+TEST(CommonGround, OfOneLevelIsAPartOfItOrADepth) {
+    const std::vector<Feature> features = threeLevels();
+    const Region bulk = makeRoundedRectangle({0, 0}, {40, 40}, 5);
+    EXPECT_TRUE(isCommonGround(features, groundOf({"S1.F3"}, bulk), kTol));
+    CommonGround upper = groundOf({"S1.F3"}, features[2].target);
+    upper.floor_z_mm = -9;
+    EXPECT_TRUE(isCommonGround(features, upper, kTol));
+    upper.floor_z_mm = features[2].top_z_mm;
+    EXPECT_FALSE(isCommonGround(features, upper, kTol)) << "nothing is above its floor";
+    // What lies below would be no prism.
+    CommonGround part = groundOf({"S1.F3"}, bulk);
+    part.floor_z_mm = -9;
+    EXPECT_FALSE(isCommonGround(features, part, kTol));
+}
+
+TEST(CommonGround, DownToADepthLeavesTheLevelBelow) {
+    const std::vector<Feature> before = threeLevels();
+    CommonGround upper = groundOf({"S1.F3"}, before[2].target);
+    upper.floor_z_mm = -9;
+    const std::vector<Feature> after = withCommonGround(before, upper, kTol);
+    ASSERT_EQ(after.size(), 5U);
+    EXPECT_EQ(after[2].id, "S1.G1.1");
+    EXPECT_EQ(after[2].parents, before[2].parents);
+    EXPECT_DOUBLE_EQ(after[2].top_z_mm, -6);
+    EXPECT_DOUBLE_EQ(after[2].floor_z_mm, -9);
+    EXPECT_EQ(after[3].id, "S1.F3");
+    EXPECT_EQ(after[3].parents, std::vector<std::string>{"S1.G1.1"});
+    EXPECT_DOUBLE_EQ(after[3].top_z_mm, -9);
+    EXPECT_DOUBLE_EQ(after[3].floor_z_mm, -12);
+    EXPECT_NEAR(volumeMm3(after), volumeMm3(before), 1e-6);
 }
 
 }  // namespace

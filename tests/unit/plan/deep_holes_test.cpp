@@ -1,4 +1,4 @@
-// Holes nearly as deep as drills reach, and deeper.
+// Holes nearly as deep as drills reach, and deeper; slots deeper than the stiff mills of their width.
 
 #include <algorithm>
 
@@ -88,6 +88,51 @@ TEST(DeepGaps, AskForLongerMillsNotForNarrowerOnes) {
                std::string::npos;
     });
     EXPECT_NE(deep, plan.warnings.end());
+}
+
+// Of 4 mm one mill is 16 mm long and another, which takes twice as long, 22.
+
+TEST(DeepSlots, AreCutAsFarDownAsTheStiffMillGetsBeforeTheLongOneFollows) {
+    const Plan plan =
+        plannedInShop(test::cut(test::box(0, 0, 0, 60, 40, 30), test::box(-1, 18, 10, 62, 4, 21)));
+    EXPECT_EQ(toolsInSetups(plan), (std::vector<std::string>{"S1 EM4", "S1 EM4L"}));
+    EXPECT_TRUE(leavesNothing(plan.balance, false, kTol));
+    ASSERT_EQ(plan.setups.front().features.size(), 2U);
+    const Feature& above = plan.setups.front().features[0].feature;
+    const Feature& below = plan.setups.front().features[1].feature;
+    EXPECT_EQ(above.ground_of, std::vector<std::string>{below.id});
+    EXPECT_LT(above.depth_mm(), 16) << "clear of the shank on a blank that is too high";
+    EXPECT_GT(above.depth_mm(), 14);
+    EXPECT_DOUBLE_EQ(above.floor_z_mm, below.top_z_mm);
+}
+
+TEST(DeepSlots, AreCutByOneMillWhereThatIsLongEnough) {
+    const Plan plan =
+        plannedInShop(test::cut(test::box(0, 0, 0, 60, 40, 30), test::box(-1, 18, 16, 62, 4, 15)));
+    EXPECT_EQ(toolsInSetups(plan), std::vector<std::string>{"S1 EM4"});
+}
+
+// A pocket for wide mills, 30 mm deep, and a channel of 7 mm from it.
+
+TEST(DeepSlots, KeepWhatWideMillsReachAllTheWayDown) {
+    const TopoDS_Shape pocket = test::cut(test::box(0, 0, 0, 160, 80, 45), test::box(5, 5, 15, 45, 70, 31));
+    const Plan plan = plannedInShop(test::cut(pocket, test::box(49, 30, 15, 100, 7, 31)));
+    EXPECT_TRUE(std::any_of(plan.setups.front().features.begin(), plan.setups.front().features.end(),
+                            [](const PlannedFeature& planned) {
+                                return planned.feature.ground_of.size() == 1 &&
+                                       planned.feature.depth_mm() > 29;
+                            }));
+}
+
+// Of 35 mm no drill is there, and all mills but slender ones are too short.
+
+TEST(DeepHoles, AreMilledAsFarDownAsWideMillsGet) {
+    const Plan plan = plannedInShop(plateWithHole(35, 70));
+    const std::vector<std::string> tools = toolsInSetups(plan);
+    EXPECT_GT(tools.size(), 1U);
+    EXPECT_TRUE(std::any_of(tools.begin(), tools.end(), [](const std::string& tool) {
+        return tool.ends_with("EM25") || tool.ends_with("EM20") || tool.ends_with("EM16");
+    }));
 }
 
 }  // namespace

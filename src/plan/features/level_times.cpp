@@ -1,0 +1,33 @@
+#include "plan/features/level_times.h"
+
+#include <cmath>
+
+#include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
+#include "stepmill/toolpath/step_over.h"
+
+namespace stepmill {
+
+double depthsOf(double height_mm, const CuttingData& cutting) {
+    constexpr double kRounding = 1e-9;
+    return cutting.step_down_mm > 0 ? std::ceil(height_mm / cutting.step_down_mm - kRounding) : 1;
+}
+
+double secondsPerMm2(const PlannedFeature& level, const ToolAssembly& tool, const CuttingData& cutting,
+                     const CutterArea& area) {
+    for (const SequenceStep& step : level.sequence.steps) {
+        if (step.tool_id != tool.id || step.path.depths == 0 || step.area.new_area_mm2 <= 0) continue;
+        return step.path.totals.motion_time_s / step.path.depths / stepmill::area(step.area.area);
+    }
+    const double step_over_mm = toolpath::usedStepOver(cutting, tool.radius_mm());
+    const double length_mm = stepmill::area(area.free_centres) / step_over_mm + perimeter(area.free_centres);
+    return length_mm / cutting.feed_mm_per_min * kSecondsPerMinute / area.coverable_area_mm2;
+}
+
+double secondsOver(const SequenceStep& step, const Region& ground, const Tolerances& tol) {
+    const double all_mm2 = area(step.area.area);
+    if (all_mm2 <= 0) return 0;
+    return step.path.totals.motion_time_s * area(intersect(step.area.area, ground, tol)) / all_mm2;
+}
+
+}  // namespace stepmill

@@ -1,0 +1,156 @@
+#include "plan/features/propose_depths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "plan/features/level_times.h"
+#include "stepmill/access/collision.h"
+#include "stepmill/access/slivers.h"
+#include "stepmill/feature/region_compare.h"
+#include "stepmill/planar/boolean.h"
+
+namespace stepmill {
+namespace {
+
+/// Gains below this are within the error of the estimate [s], [share of what the feature takes].
+constexpr double kLeastPartingS = 2;
+constexpr double kLeastPartingShare = 0.05;
+/// A part less deep than this is not worth its changes of tools [mm].
+constexpr double kLeastPartMm = 1;
+
+/// The proposals of one feature.
+class DepthSearch {
+  public:
+    DepthSearch(const PlannedFeature& planned, const DepthPlanning& from, const Tolerances& tol)
+        : planned_(planned), from_(from), tol_(tol) {
+        for (const SequenceStep& step : planned.sequence.steps)
+            all_s_ += step.path.totals.motion_time_s;
+    }
+
+    /// \param ids  of its grounds, but for a number
+    /// \param next  the first of these numbers
+    std::vector<DepthProposal> run(const std::string& ids, std::size_t next) {
+        std::vector<DepthProposal> found;
+        if (!mayBeParted()) return found;
+        for (const ToolReach& reach : planned_.sequence.tools)
+            if (auto proposal = proposalOf(reach, ids, next)) found.push_back(std::move(*proposal));
+        return found;
+    }
+
+  private:
+    const Feature& feature() const { return planned_.feature; }
+
+    bool mayBeParted() const {
+        return feature().ground_of.empty() && !drills() && cutMm() >= 2 * kLeastPartMm &&
+               all_s_ > kLeastPartingS + 2 * from_.change_s;
+    }
+
+    /// Holes that are drilled stay whole.
+    bool drills() const {
+        const std::vector<SequenceStep>& steps = planned_.sequence.steps;
+        return std::any_of(steps.begin(), steps.end(), [&](const SequenceStep& step) {
+            return from_.library.tool(step.tool_id).isForHoles();
+        });
+    }
+
+    /// How deep its steps go: less than the feature where no tool gets down to its floor.
+    double cutMm() const { return feature().top_z_mm - planned_.sequence.floor_z_mm; }
+
+    std::optional<DepthProposal> proposalOf(const ToolReach& reach, const std::string& ids,
+                                            std::size_t next) {
+        const ToolAssembly& tool = from_.library.tool(reach.tool_id);
+        const CuttingData* cutting = tool.cuttingFor(from_.material);
+        if (cutting == nullptr || tool.isForHoles() || !isTooShort(reach, tool)) return std::nullopt;
+        const Region wide = coveredByWider(tool);
+        const Region own =
+            access::withoutSliverComponents(subtract(reach.cutter.coverable, wide, tol_), tol_);
+        const double replaced_s = secondsOfNarrower(tool, own);
+        if (replaced_s <= leastGainS()) return std::nullopt;
+        const double floor_z_mm = floorOf(reach, tool);
+        const double part_mm = feature().top_z_mm - floor_z_mm;
+        if (part_mm < kLeastPartMm || cutMm() - part_mm < kLeastPartMm) return std::nullopt;
+        const double takes_s =
+            area(own) * secondsPerMm2(planned_, tool, *cutting, reach.cutter) * depthsOf(part_mm, *cutting);
+        DepthProposal proposal;
+        proposal.gain_s = replaced_s * part_mm / cutMm() - takes_s - from_.change_s;
+        if (proposal.gain_s <= leastGainS()) return std::nullopt;
+        const auto add = [&](Region region, double to_z_mm) {
+            proposal.grounds.push_back({fmt::format("{}.{}", ids, next + proposal.grounds.size()),
+                                        {feature().id},
+                                        std::move(region),
+                                        to_z_mm});
+        };
+        const Region bulk = access::withoutSliverComponents(intersect(wide, feature().target, tol_), tol_);
+        if (!bulk.empty()) add(bulk, feature().floor_z_mm);
+        Region rest = access::withoutSliverComponents(subtract(feature().target, bulk, tol_), tol_);
+        if (feature::isSliver(rest, tol_)) return std::nullopt;
+        add(std::move(rest), floor_z_mm);
+        return proposal;
+    }
+
+    double leastGainS() const { return std::max(kLeastPartingS, kLeastPartingShare * all_s_); }
+
+    /// Is it kept off for its length alone, at least in part?
+    bool isTooShort(const ToolReach& reach, const ToolAssembly& tool) const {
+        if (access::freeReachMm(tool) >= cutMm() && access::blockers(feature(), tool).empty()) return false;
+        const Exclusion* excluded = reach.exclusion();
+        if (excluded == nullptr) return reach.cutter.coverable_area_mm2 > reach.own().coverable_area_mm2;
+        return excluded->reason == ExclusionReason::TooShort ||
+               excluded->reason == ExclusionReason::HolderCollision;
+    }
+
+    /// What steps of wider tools clear all the way down.
+    Region coveredByWider(const ToolAssembly& tool) const {
+        std::vector<Region> covered;
+        for (const SequenceStep& step : planned_.sequence.steps)
+            if (from_.library.tool(step.tool_id).diameter_mm > tool.diameter_mm)
+                covered.push_back(step.area.area);
+        return covered.empty() ? Region{} : unite(covered, tol_);
+    }
+
+    double secondsOfNarrower(const ToolAssembly& tool, const Region& ground) const {
+        double seconds = 0;
+        if (ground.empty()) return seconds;
+        for (const SequenceStep& step : planned_.sequence.steps)
+            if (from_.library.tool(step.tool_id).diameter_mm <= tool.diameter_mm)
+                seconds += secondsOver(step, ground, tol_);
+        return seconds;
+    }
+
+    /// The lowest floor at which holder and shank are clear of what stands beside and of the feature's own
+    /// material, as much as the stock may have of that.
+    double floorOf(const ToolReach& reach, const ToolAssembly& tool) {
+        if (!grown_) grown_.emplace(onGrownStock(feature(), from_.growth, tol_), tol_);
+        const DepthLimit limit = depthLimitOf(*grown_, tool, reach.cutter);
+        const double own_z_mm = grown_->feature().top_z_mm - access::freeReachMm(tool);
+        return std::max(limit.floor_z_mm + tol_.linear_mm, own_z_mm);
+    }
+
+    const PlannedFeature& planned_;
+    const DepthPlanning& from_;
+    const Tolerances& tol_;
+    double all_s_ = 0;
+    std::optional<FeatureGround> grown_;  ///< made when first asked for
+};
+
+}  // namespace
+
+std::vector<DepthProposal> proposeDepths(const std::vector<PlannedFeature>& nest, const DepthPlanning& from,
+                                         const std::string& ids, const Tolerances& tol) {
+    const auto known = std::count_if(nest.begin(), nest.end(), [](const PlannedFeature& planned) {
+        return !planned.feature.ground_of.empty();
+    });
+    std::vector<DepthProposal> all;
+    for (const PlannedFeature& planned : nest)
+        for (DepthProposal& proposal :
+             DepthSearch(planned, from, tol).run(ids, static_cast<std::size_t>(known) + 1))
+            all.push_back(std::move(proposal));
+    std::stable_sort(all.begin(), all.end(),
+                     [](const DepthProposal& a, const DepthProposal& b) { return a.gain_s > b.gain_s; });
+    return all;
+}
+
+}  // namespace stepmill
