@@ -81,6 +81,9 @@ FixtureFile fixturesOf(const PlanOptions& options) {
 /// The margins that were asked for, or with `auto` what the shop saws, with stock for the vise below the
 /// part.
 void setMargins(const PlanOptions& options, SetupRequest& request) {
+    if (options.stock_margin && !isBox(options.stock))
+        throw Error(ErrorCode::Usage, "--stock-margin",
+                    "has no meaning beside a stock file, which is as large as it is");
     if (options.stock_margin) request.margin = parseMargin(*options.stock_margin);
     if (options.stock != "auto") return;
     const FixtureFile shop = options.fixtures_file.empty()

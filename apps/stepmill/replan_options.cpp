@@ -104,7 +104,10 @@ void fillFromJob(ReplanOptions& options, const PlanRecord& before) {
     fillRequest(plan, request);
     std::string stock;
     files.fill("--stock", stock, request.stock);
-    if (!stock.empty()) plan.stock = stock;
+    if (!stock.empty()) {
+        plan.stock = stock;
+        plan.stock_margin.reset();
+    }
     plan.stock_tolerance_mm = before.stock.tolerance_mm;
     files.fill("--fixtures", plan.fixtures_file, request.fixtures);
     files.fill("--holes", plan.holes_file, request.holes);

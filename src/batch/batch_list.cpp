@@ -146,7 +146,11 @@ std::vector<ListedPart> findParts(const fs::path& folder, const fs::path& withou
     Finder finder(folder, without);
     if (const std::error_code why = finder.look(folder))
         throw Error(ErrorCode::FileUnreadable, folder.string(), why.message());
-    return std::move(finder).parts();
+    std::vector<ListedPart> parts = std::move(finder).parts();
+    if (parts.empty())
+        throw Error(ErrorCode::FileUnreadable, folder.string(),
+                    "expected STEP files (.step, .stp) in the folder or below, found none");
+    return parts;
 }
 
 std::string safeFolderName(const std::string& name, std::string_view identity) {
@@ -168,6 +172,9 @@ std::vector<ListedPart> readPartList(const fs::path& list, std::string_view text
         throw Error(ErrorCode::InvalidCatalog, list.filename().string(),
                     "expected a first line with the columns' names, found nothing");
     const ListReader reader(list, rows.front());
+    if (rows.size() == 1)
+        throw Error(ErrorCode::InvalidCatalog, list.filename().string(),
+                    "expected a row for every part below the columns' names, found none");
     std::vector<ListedPart> parts;
     for (std::size_t i = 1; i < rows.size(); ++i)
         parts.push_back(reader.read(rows[i]));

@@ -30,7 +30,7 @@ Element cards(const Plan& plan, const Measures& in) {
     const VolumeBalance& books = plan.balance;
     Element cards("div.cards", card(clockTime(totals.time_s), "machining time"));
     if (plan.machine.acceleration_mm_per_s2 > 0)
-        cards.add(card(clockTime(totals.motion_s), "of it with the machine's acceleration"));
+        cards.add(card(clockTime(totals.motion_s), "the same with the machine's acceleration"));
     cards.add(
         card(fixed(totals.cost, 2) + " " + plan.machine.currency, "machine and tool cost"),
         card(timesBound(totals.time_s, totals.lower_bound_s),

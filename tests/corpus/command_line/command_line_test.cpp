@@ -236,6 +236,12 @@ TEST_F(CommandLine, AStockThatDoesNotHoldThePartIsRefused) {
     expectRefused(plan({large, "-o", out_.string(), "--stock", small}), out_, {"stock"});
 }
 
+TEST_F(CommandLine, AStockFileHasNoMargin) {
+    const std::string stock = kSource + "/step_parts/shoulder_block.step";
+    expectRefused(plan({kPart, "-o", out_.string(), "--stock", stock, "--stock-margin", "1,1,1"}), out_,
+                  {"--stock-margin", "stock file"});
+}
+
 TEST_F(CommandLine, EndsAtItsTimeLimitAndLeavesNothing) {
     const ProgramRun run =
         plan({kSource + "/step_parts/bossed_pocket.step", "-o", out_.string(), "--timeout", "0.05"});

@@ -61,6 +61,12 @@ TEST_F(BatchList, AFolderThatIsNotThereIsAnError) {
     EXPECT_THROW(findParts(root_, root_ / "out"), Error);
 }
 
+TEST_F(BatchList, OfNoPartsIsAnError) {
+    file("notes.txt");
+    EXPECT_THROW(findParts(root_, root_ / "out"), Error);
+    EXPECT_THROW(readPartList("list.csv", "file,quantity\n"), Error);
+}
+
 TEST_F(BatchList, ReadsRowsByTheNamesOfTheirColumns) {
     const auto parts = readPartList("/orders/march.csv",
                                     "\xEF\xBB\xBFquantity,file,due,options,material\r\n"
