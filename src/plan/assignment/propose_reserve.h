@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "plan/features/feature_planner.h"
+#include "plan/features/planning_shop.h"
 #include "stepmill/plan/assignment.h"
 
 namespace stepmill {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "plan/features/feature_planner.h"
+#include "plan/features/planning_shop.h"
 
 namespace stepmill {
 

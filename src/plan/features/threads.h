@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "plan/features/feature_planner.h"
+#include "plan/features/planning_shop.h"
 #include "stepmill/plan/hole_wishes.h"
 #include "stepmill/plan/plan.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "plan/features/feature_planner.h"
+#include "plan/features/planning_shop.h"
 #include "plan/planned_stage.h"
 #include "stepmill/plan/plan.h"
 
