@@ -13,6 +13,7 @@
 #include "stepmill/catalog/fit.h"
 #include "stepmill/catalog/thread.h"
 #include "stepmill/core/error.h"
+#include "stepmill/feature/whole_feature.h"
 #include "stepmill/post/post.h"
 
 namespace stepmill::record {
@@ -190,24 +191,43 @@ void checkSame(const Json& feature, const char* field, double by_bands, double s
                fmt::format("expected what its bands say, {:.6f}, found {:.6f}", by_bands, told));
 }
 
-/// Bands are numbered from above, each where the one above it ends; common ground may have taken some.
-void checkBandAbove(const Json& above, const Json& band, const std::string& pointer) {
+/// The floors of ground that is cut before the rest of one band, by the band's id.
+using UpperParts = std::map<std::string, std::set<double>>;
+
+UpperParts upperParts(const Json& plan) {
+    UpperParts floors;
+    for (const Json& feature : plan["features"])
+        if (feature.contains("ground_of") && feature["ground_of"].size() == 1)
+            floors[feature["ground_of"].front()].insert(feature["floor_z_mm"].get<double>());
+    return floors;
+}
+
+bool beginsBelowAPart(const Json& feature, const Json& band, const UpperParts& parts) {
+    const auto found = parts.find(bandId(feature["id"], band["band"], feature["levels"]));
+    return found != parts.end() && found->second.count(band["top_z_mm"].get<double>()) > 0;
+}
+
+/// Bands are numbered from above, each where the one above it ends, or what of the band is cut before it;
+/// common ground may have taken some.
+void checkBandAbove(const Json& above, const Json& band, bool below_a_part, const std::string& pointer) {
     const int apart = band["band"].get<int>() - above["band"].get<int>();
     if (apart < 1) failAt(pointer + "/band", "expected a number above that of the band above");
     const double gap_mm = above["floor_z_mm"].get<double>() - band["top_z_mm"].get<double>();
-    if (apart == 1 ? gap_mm != 0 : gap_mm <= 0)
-        failAt(pointer + "/top_z_mm", "expected the floor of the band above");
+    const bool follows = apart > 1 || below_a_part ? gap_mm > 0 : gap_mm == 0;
+    if (!follows) failAt(pointer + "/top_z_mm", "expected the floor of the band above");
 }
 
 /// A feature is what its bands make up.
-void checkBands(const Json& feature, const std::string& pointer) {
+void checkBands(const Json& feature, const UpperParts& parts, const std::string& pointer) {
     const Json& bands = feature["bands"];
     double volume_mm3 = 0;
     for (std::size_t i = 0; i < bands.size(); ++i) {
         volume_mm3 += bands[i]["volume_mm3"].get<double>();
         checkColumns(bands[i]["tools"], fmt::format("{}/bands/{}/tools", pointer, i));
         checkColumns(bands[i]["dag"]["edges"], fmt::format("{}/bands/{}/dag/edges", pointer, i));
-        if (i > 0) checkBandAbove(bands[i - 1], bands[i], fmt::format("{}/bands/{}", pointer, i));
+        if (i > 0)
+            checkBandAbove(bands[i - 1], bands[i], beginsBelowAPart(feature, bands[i], parts),
+                           fmt::format("{}/bands/{}", pointer, i));
     }
     if (bands.back()["band"] > feature["levels"])
         failAt(pointer + "/levels", "expected no less than the number of the lowest band");
@@ -384,8 +404,9 @@ void checkPlanRules(const Json& plan) {
     for (const char* list : {"setups", "tools", "features", "operations"})
         checkUnique(plan, list, "id");
     checkUnique(plan, "tools", "number");
+    const UpperParts parts = upperParts(plan);
     for (std::size_t i = 0; i < plan["features"].size(); ++i)
-        checkBands(plan["features"][i], pointerTo("features", i));
+        checkBands(plan["features"][i], parts, pointerTo("features", i));
     checkParents(plan);
     checkKeptNames(plan);
     checkRatings(plan);

@@ -24,10 +24,16 @@ double secondsPerMm2(const PlannedFeature& level, const ToolAssembly& tool, cons
     return length_mm / cutting.feed_mm_per_min * kSecondsPerMinute / area.coverable_area_mm2;
 }
 
-double secondsOver(const SequenceStep& step, const Region& ground, const Tolerances& tol) {
-    const double all_mm2 = area(step.area.area);
-    if (all_mm2 <= 0) return 0;
-    return step.path.totals.motion_time_s * area(intersect(step.area.area, ground, tol)) / all_mm2;
+double secondsOver(const PlannedFeature& level, const Region& ground, const Tolerances& tol) {
+    if (ground.empty()) return 0;
+    double seconds = 0;
+    for (const SequenceStep& step : level.sequence.steps) {
+        const Region cut = intersect(step.area.area, level.feature.target, tol);
+        const double all_mm2 = area(cut);
+        if (all_mm2 > tol.area_mm2)
+            seconds += step.path.totals.motion_time_s * area(intersect(cut, ground, tol)) / all_mm2;
+    }
+    return seconds;
 }
 
 }  // namespace stepmill

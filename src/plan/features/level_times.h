@@ -15,7 +15,8 @@ double depthsOf(double height_mm, const CuttingData& cutting);
 double secondsPerMm2(const PlannedFeature& level, const ToolAssembly& tool, const CuttingData& cutting,
                      const CutterArea& area);
 
-/// What one step of a level takes for its share of some ground [s].
-double secondsOver(const SequenceStep& step, const Region& ground, const Tolerances& tol);
+/// What a level's steps take for their shares of some ground [s]. What they sweep beyond the target, in air,
+/// counts for nothing.
+double secondsOver(const PlannedFeature& level, const Region& ground, const Tolerances& tol);
 
 }  // namespace stepmill

@@ -24,19 +24,20 @@ constexpr double kLeastPartMm = 1;
 /// The proposals of one feature.
 class DepthSearch {
   public:
-    DepthSearch(const PlannedFeature& planned, const DepthPlanning& from, const Tolerances& tol)
-        : planned_(planned), from_(from), tol_(tol) {
+    /// \param ids   of its grounds, but for a number
+    /// \param next  the first of these numbers
+    DepthSearch(const PlannedFeature& planned, const DepthPlanning& from, const std::string& ids,
+                std::size_t next, const Tolerances& tol)
+        : planned_(planned), from_(from), ids_(ids), next_(next), tol_(tol) {
         for (const SequenceStep& step : planned.sequence.steps)
             all_s_ += step.path.totals.motion_time_s;
     }
 
-    /// \param ids  of its grounds, but for a number
-    /// \param next  the first of these numbers
-    std::vector<DepthProposal> run(const std::string& ids, std::size_t next) {
+    std::vector<DepthProposal> run() {
         std::vector<DepthProposal> found;
         if (!mayBeParted()) return found;
         for (const ToolReach& reach : planned_.sequence.tools)
-            if (auto proposal = proposalOf(reach, ids, next)) found.push_back(std::move(*proposal));
+            propose(reach, found);
         return found;
     }
 
@@ -48,76 +49,73 @@ class DepthSearch {
                all_s_ > kLeastPartingS + 2 * from_.change_s;
     }
 
-    /// Holes that are drilled stay whole.
+    /// Holes that a drill makes stay whole; one that only makes room for a mill does so for each part.
     bool drills() const {
         const std::vector<SequenceStep>& steps = planned_.sequence.steps;
-        return std::any_of(steps.begin(), steps.end(), [&](const SequenceStep& step) {
-            return from_.library.tool(step.tool_id).isForHoles();
-        });
+        return !steps.empty() && from_.library.tool(steps.back().tool_id).isForHoles();
     }
 
     /// How deep its steps go: less than the feature where no tool gets down to its floor.
     double cutMm() const { return feature().top_z_mm - planned_.sequence.floor_z_mm; }
 
-    std::optional<DepthProposal> proposalOf(const ToolReach& reach, const std::string& ids,
-                                            std::size_t next) {
+    /// With what wider mills clear cut by itself, or by this mill as well.
+    void propose(const ToolReach& reach, std::vector<DepthProposal>& found) {
         const ToolAssembly& tool = from_.library.tool(reach.tool_id);
-        const CuttingData* cutting = tool.cuttingFor(from_.material);
-        if (cutting == nullptr || tool.isForHoles() || !isTooShort(reach, tool)) return std::nullopt;
-        const Region wide = coveredByWider(tool);
-        const Region own =
-            access::withoutSliverComponents(subtract(reach.cutter.coverable, wide, tol_), tol_);
-        const double replaced_s = secondsOfNarrower(tool, own);
+        if (tool.cuttingFor(from_.material) == nullptr || tool.isForHoles() || !isTooShort(reach)) return;
+        if (auto proposal = proposalBeside({}, reach)) found.push_back(std::move(*proposal));
+        const Region bulk = coveredByWider(tool);
+        if (bulk.empty()) return;
+        if (auto proposal = proposalBeside(bulk, reach)) found.push_back(std::move(*proposal));
+    }
+
+    /// \param bulk  what of the target other mills clear all the way down before
+    std::optional<DepthProposal> proposalBeside(const Region& bulk, const ToolReach& reach) {
+        const ToolAssembly& tool = from_.library.tool(reach.tool_id);
+        const CuttingData& cutting = *tool.cuttingFor(from_.material);
+        const Region own = without(reach.cutter.coverable, bulk);
+        const double replaced_s = secondsOver(planned_, own, tol_);
         if (replaced_s <= leastGainS()) return std::nullopt;
-        const double floor_z_mm = floorOf(reach, tool);
+        const double floor_z_mm = std::max(floorOf(reach, tool), planned_.sequence.floor_z_mm + kLeastPartMm);
         const double part_mm = feature().top_z_mm - floor_z_mm;
-        if (part_mm < kLeastPartMm || cutMm() - part_mm < kLeastPartMm) return std::nullopt;
+        if (part_mm < kLeastPartMm) return std::nullopt;
         const double takes_s =
-            area(own) * secondsPerMm2(planned_, tool, *cutting, reach.cutter) * depthsOf(part_mm, *cutting);
+            area(own) * secondsPerMm2(planned_, tool, cutting, reach.cutter) * depthsOf(part_mm, cutting);
         DepthProposal proposal;
         proposal.gain_s = replaced_s * part_mm / cutMm() - takes_s - from_.change_s;
         if (proposal.gain_s <= leastGainS()) return std::nullopt;
-        const auto add = [&](Region region, double to_z_mm) {
-            proposal.grounds.push_back({fmt::format("{}.{}", ids, next + proposal.grounds.size()),
-                                        {feature().id},
-                                        std::move(region),
-                                        to_z_mm});
-        };
-        const Region bulk = access::withoutSliverComponents(intersect(wide, feature().target, tol_), tol_);
-        if (!bulk.empty()) add(bulk, feature().floor_z_mm);
-        Region rest = access::withoutSliverComponents(subtract(feature().target, bulk, tol_), tol_);
+        const Region rest = without(feature().target, bulk);
         if (feature::isSliver(rest, tol_)) return std::nullopt;
-        add(std::move(rest), floor_z_mm);
+        const auto add = [&](const Region& region, double to_z_mm) {
+            const std::string id = fmt::format("{}.{}", ids_, next_ + proposal.grounds.size());
+            proposal.grounds.push_back({id, {feature().id}, region, to_z_mm});
+        };
+        if (!bulk.empty()) add(bulk, feature().floor_z_mm);
+        add(rest, floor_z_mm);
         return proposal;
+    }
+
+    Region without(const Region& region, const Region& bulk) const {
+        return bulk.empty() ? region : access::withoutSliverComponents(subtract(region, bulk, tol_), tol_);
     }
 
     double leastGainS() const { return std::max(kLeastPartingS, kLeastPartingShare * all_s_); }
 
     /// Is it kept off for its length alone, at least in part?
-    bool isTooShort(const ToolReach& reach, const ToolAssembly& tool) const {
-        if (access::freeReachMm(tool) >= cutMm() && access::blockers(feature(), tool).empty()) return false;
+    static bool isTooShort(const ToolReach& reach) {
         const Exclusion* excluded = reach.exclusion();
         if (excluded == nullptr) return reach.cutter.coverable_area_mm2 > reach.own().coverable_area_mm2;
         return excluded->reason == ExclusionReason::TooShort ||
                excluded->reason == ExclusionReason::HolderCollision;
     }
 
-    /// What steps of wider tools clear all the way down.
+    /// What of the target steps of wider tools clear.
     Region coveredByWider(const ToolAssembly& tool) const {
         std::vector<Region> covered;
         for (const SequenceStep& step : planned_.sequence.steps)
             if (from_.library.tool(step.tool_id).diameter_mm > tool.diameter_mm)
                 covered.push_back(step.area.area);
-        return covered.empty() ? Region{} : unite(covered, tol_);
-    }
-
-    double secondsOfNarrower(const ToolAssembly& tool, const Region& ground) const {
-        double seconds = 0;
-        if (ground.empty()) return seconds;
-        for (const SequenceStep& step : planned_.sequence.steps)
-            if (from_.library.tool(step.tool_id).diameter_mm <= tool.diameter_mm)
-                seconds += secondsOver(step, ground, tol_);
-        return seconds;
+        if (covered.empty()) return {};
+        return access::withoutSliverComponents(intersect(unite(covered, tol_), feature().target, tol_), tol_);
     }
 
     /// The lowest floor at which holder and shank are clear of what stands beside and of the feature's own
@@ -131,6 +129,8 @@ class DepthSearch {
 
     const PlannedFeature& planned_;
     const DepthPlanning& from_;
+    const std::string& ids_;
+    const std::size_t next_;
     const Tolerances& tol_;
     double all_s_ = 0;
     std::optional<FeatureGround> grown_;  ///< made when first asked for
@@ -143,10 +143,10 @@ std::vector<DepthProposal> proposeDepths(const std::vector<PlannedFeature>& nest
     const auto known = std::count_if(nest.begin(), nest.end(), [](const PlannedFeature& planned) {
         return !planned.feature.ground_of.empty();
     });
+    const std::size_t next = static_cast<std::size_t>(known) + 1;
     std::vector<DepthProposal> all;
     for (const PlannedFeature& planned : nest)
-        for (DepthProposal& proposal :
-             DepthSearch(planned, from, tol).run(ids, static_cast<std::size_t>(known) + 1))
+        for (DepthProposal& proposal : DepthSearch(planned, from, ids, next, tol).run())
             all.push_back(std::move(proposal));
     std::stable_sort(all.begin(), all.end(),
                      [](const DepthProposal& a, const DepthProposal& b) { return a.gain_s > b.gain_s; });

@@ -25,8 +25,8 @@ struct DepthPlanning {
     double change_s = 0;  ///< of a tool: each part may ask for two more
 };
 
-/// What every mill that is too short for one of the features might take over from the steps of mills no wider
-/// than itself, those of most gain first. An estimate like proposeGround().
+/// What every mill that is too short for one of the features might take over from its steps, or from those
+/// beside what wider mills clear; the most gain first. An estimate like proposeGround().
 /// \param nest  planned with its paths, parents before children; ground that it has already is left alone
 /// \param ids   as for proposeGround()
 std::vector<DepthProposal> proposeDepths(const std::vector<PlannedFeature>& nest, const DepthPlanning& from,

@@ -71,10 +71,10 @@ class GroundSearch {
         const Region region = own != nullptr ? notTaken(*own, to) : Region{};
         if (region.empty()) return;
         const double layer_s = area(region) * secondsPerMm2(*levels_[to], tool, cutting, *own);
-        double replaced_s = replacedS(to, region);
+        double replaced_s = secondsOver(*levels_[to], region, tol_);
         double lower_s = 0;  ///< the gain from where it begins lower
         for (std::size_t from = to; from-- > highestBegin(to) && goesOn(from);) {
-            replaced_s += replacedS(from, region);
+            replaced_s += secondsOver(*levels_[from], region, tol_);
             const double height_mm = level(from).top_z_mm - level(to).floor_z_mm;
             if (height_mm > access::freeReachMm(tool)) return;
             const double gain_s = replaced_s - layer_s * depthsOf(height_mm, cutting);
@@ -114,14 +114,6 @@ class GroundSearch {
         for (const Proposal& ground : taken_)
             if (ground.from <= to && ground.to >= highest) free = subtract(free, ground.region, tol_);
         return access::withoutSliverComponents(free, tol_);
-    }
-
-    /// What the level's own steps take for the ground.
-    double replacedS(std::size_t level, const Region& ground) const {
-        double replaced_s = 0;
-        for (const SequenceStep& step : levels_[level]->sequence.steps)
-            replaced_s += secondsOver(step, ground, tol_);
-        return replaced_s;
     }
 
     std::vector<const PlannedFeature*> levels_;  ///< from above

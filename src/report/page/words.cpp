@@ -51,6 +51,12 @@ std::string axesWords(const SetupChoice& choice) {
     return words;
 }
 
+std::string shortId(const std::string& id) {
+    const std::size_t point = id.find('.');
+    if (point == std::string::npos) return id;
+    return id[point + 1] == 'O' ? id.substr(point + 2) : id.substr(point + 1);
+}
+
 std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
     std::string words = toString(feature.featureClass());
     const Feature& lowest = feature.lowest();
@@ -59,6 +65,13 @@ std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measur
         words = fmt::format("{} x {}", count, words);
     if (!isHole(feature.featureClass())) return words;
     return fmt::format("{}, {}", words, in.length(2 * holeRadiusMm(lowest)));
+}
+
+std::string groundWords(const Feature& feature) {
+    const std::vector<std::string>& levels = feature.ground_of;
+    if (levels.empty()) return {};
+    if (levels.size() == 1) return "part of " + shortId(levels.front());
+    return fmt::format("{} to {} together", shortId(levels.front()), shortId(levels.back()));
 }
 
 std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in) {

@@ -40,8 +40,15 @@ std::string listed(const std::vector<std::string>& words);
 /// "S1.F2 and 3 more".
 std::string subjectWords(const Warning& warning);
 
+/// "3" of "S1.O3", "F2" of "S1.F2": where the setup is told beside it.
+std::string shortId(const std::string& id);
+
 /// "through hole"; of a group of equal ones "6 x through hole, 5.00 mm".
 std::string classWords(const WholeFeature<PlannedFeature>& feature, const Measures& in);
+
+/// Of ground that is cut by itself whose it is: "part of F4", "F1 to F3 together"; empty of any
+/// other feature.
+std::string groundWords(const Feature& feature);
 /// Where the holes of a group are: "X 10, Y 20; X 30, Y 20"; empty for any other feature.
 std::string placesOfHoles(const WholeFeature<PlannedFeature>& feature, const Measures& in);
 

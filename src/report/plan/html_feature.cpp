@@ -192,6 +192,7 @@ Element bandFold(ReportSubject& subject, const PlannedSetup& setup, const Planne
 std::string headWords(const WholeFeature<PlannedFeature>& feature, const Measures& in) {
     std::string words = fmt::format("{} · {} · {} deep", feature.id(), classWords(feature, in),
                                     in.length(feature.depth_mm(), 3));
+    if (const std::string ground = groundWords(feature.uppermost()); !ground.empty()) words += " · " + ground;
     if (feature.bands.size() > 1) words += fmt::format(" · {} bands", feature.bands.size());
     if (const std::string places = placesOfHoles(feature, in); !places.empty()) words += " · " + places;
     return words;

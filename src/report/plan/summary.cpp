@@ -36,11 +36,12 @@ std::string featureLine(const WholeFeature<PlannedFeature>& feature, const std::
             sum_mm3 += residual.stays_mm3.value_or(residual.volume_mm3);
         return sum_mm3;
     });
-    return fmt::format("{:<9} {:<26} {:>6.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n",
-                       feature.id(), report::classWords(feature, report::Measures(false)), feature.depth_mm(),
-                       feature.volume_mm3() / 1000, clockTime(times.time_s),
-                       timesBound(times.time_s, times.lower_bound_s), plainLine(toolWords(feature)),
-                       stays_mm3 / 1000);
+    const std::string ground = report::groundWords(feature.uppermost());
+    return fmt::format(
+        "{:<9} {:<26} {:>6.2f} mm {:>7.2f} cm3 {:>9} {:>6}  {:<34} {:>6.3f} cm3\n", feature.id(),
+        ground.empty() ? report::classWords(feature, report::Measures(false)) : ground, feature.depth_mm(),
+        feature.volume_mm3() / 1000, clockTime(times.time_s), timesBound(times.time_s, times.lower_bound_s),
+        plainLine(toolWords(feature)), stays_mm3 / 1000);
 }
 
 /// What form cutters do in each setup; empty where there are none.

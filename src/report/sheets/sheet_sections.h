@@ -27,9 +27,6 @@ struct SheetSubject {
 /// A heading with what belongs to it; not parted from its first lines on paper.
 Element titled(const char* title, Element content);
 
-/// "3" of "S1.O3", "F2" of "S1.F2": within a setup's own sheet.
-std::string shortId(const std::string& id);
-
 /// With the machine's acceleration where that is given, dwell included [s].
 double timeOf(const Operation& operation);
 

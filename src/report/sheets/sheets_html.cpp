@@ -20,12 +20,6 @@ Element titled(const char* title, Element content) {
     return Element("section", Element("h2", title), std::move(content));
 }
 
-std::string shortId(const std::string& id) {
-    const std::size_t point = id.find('.');
-    if (point == std::string::npos) return id;
-    return id[point + 1] == 'O' ? id.substr(point + 2) : id.substr(point + 1);
-}
-
 namespace {
 
 Element sheetHead(const SheetSubject& subject, const PlannedSetup& setup) {

@@ -21,9 +21,10 @@ TopoDS_Shape plateWithHole(double diameter_mm, double thickness_mm) {
     return test::cut(test::box(0, 0, 0, 60, 40, thickness_mm), hole);
 }
 
-Plan plannedInShop(const TopoDS_Shape& shape) {
+Plan plannedInShop(const TopoDS_Shape& shape, bool in_parts = true) {
     PlanRequest request;
     request.sequence.material = "aluminium";
+    request.common_ground = in_parts;
     const ToolLibrary library =
         readToolLibrary(std::string(STEPMILL_SOURCE_DIR) + "/samples/shop_metric_tools.json");
     return planPart(test::part(shape), request, library, defaultMachine(), kTol);
@@ -55,7 +56,7 @@ TEST(DeepHoles, AreDrilledBeforeTheyAreMilledWider) {
     const gp_Ax2 axis(gp_Pnt(30, 8, -1), gp::DZ());
     const TopoDS_Shape two =
         test::cut(plateWithHole(5.5, 18), BRepPrimAPI_MakeCylinder(axis, 2.75, 20).Shape());
-    EXPECT_EQ(toolsInSetups(plannedInShop(two)), (std::vector<std::string>{"S1 DR5", "S1 EM4L"}));
+    EXPECT_EQ(toolsInSetups(plannedInShop(two, false)), (std::vector<std::string>{"S1 DR5", "S1 EM4L"}));
 }
 
 // Drill of 6: flutes of 34, and no longer mill is as narrow.
@@ -122,6 +123,16 @@ TEST(DeepSlots, KeepWhatWideMillsReachAllTheWayDown) {
                                 return planned.feature.ground_of.size() == 1 &&
                                        planned.feature.depth_mm() > 29;
                             }));
+}
+
+// 60 mm wide: in the lower of its two bands the holder of the mill of 25 would meet the walls at the floor,
+// and a face mill goes down to it in 2 mm steps.
+
+TEST(DeepSlots, AreCutInPartsInEveryBand) {
+    const Plan plan =
+        plannedInShop(test::cut(test::box(0, 0, 0, 40, 80, 80), test::box(-1, 10, 10, 42, 60, 71)));
+    EXPECT_EQ(toolsInSetups(plan), (std::vector<std::string>{"S1 EM25", "S1 EM25", "S1 FM50"}));
+    EXPECT_TRUE(leavesNothing(plan.balance, false, kTol));
 }
 
 // Of 35 mm no drill is there, and all mills but slender ones are too short.

@@ -13,6 +13,7 @@
 #include "stepmill/report/inspection.h"
 #include "stepmill/report/part_views.h"
 #include "stepmill/report/report.h"
+#include "support/occt_solids.h"
 #include "support/page_check.h"
 
 namespace stepmill {
@@ -115,6 +116,25 @@ TEST(PlanJson, HasOneFeatureWithItsBandsThatAreReadBack) {
         EXPECT_EQ(read.parents, planned.feature.parents);
         EXPECT_EQ(read.obstacles.size(), planned.feature.obstacles.size());
     }
+}
+
+TEST(PlanJson, HasWhatIsCutOfABandBeforeTheRestOfIt) {
+    // 63 mm deep, where the mill of 25 gets to 61.5: two bands, of the lower one all but its last part first.
+    PlanRequest request;
+    request.sequence.material = "aluminium";
+    const TopoDS_Shape slot = test::cut(test::box(0, 0, 0, 80, 60, 70), test::box(-1, 17, 7, 82, 26, 64));
+    Part part = test::part(slot);
+    part.name = part.file = "slot.step";
+    part.sha256 = std::string(64, '0');
+    const Plan plan = planPart(
+        part, request, readToolLibrary(std::string(STEPMILL_SOURCE_DIR) + "/samples/shop_metric_tools.json"),
+        defaultMachine(), Tolerances());
+    const std::vector<PlannedFeature>& features = plan.setups.front().features;
+    ASSERT_EQ(features.size(), 3U);
+    EXPECT_EQ(features[1].feature.ground_of, std::vector<std::string>{features[2].feature.id});
+    EXPECT_LT(features[2].feature.top_z_mm, features[0].feature.floor_z_mm);
+    const PlanRecord record = planRecordFromText(planJson(plan), Tolerances());
+    EXPECT_EQ(record.features.at(features[2].feature.id).feature.top_z_mm, features[2].feature.top_z_mm);
 }
 
 TEST(Pages, ShowHostileNamesAsText) {
