@@ -25,12 +25,29 @@ Region rectangle(const Box2& box, double grown_mm) {
     return makeRectangle(snapToGrid(Vec2(box.min() - by)), snapToGrid(Vec2(box.max() + by)));
 }
 
+/// The region on the other side of the line where the axis has that value.
+Region mirrored(Region region, int axis, double at) {
+    const auto over = [&](Vec2& p) { p[axis] = snapToGrid(2 * at - p[axis]); };
+    for (Loop& loop : region.loops) {
+        over(loop.start);
+        for (Segment& segment : loop.segments) {
+            over(segment.to);
+            if (!segment.arc) continue;
+            segment.arc->centre[axis] = 2 * at - segment.arc->centre[axis];
+            segment.arc->ccw = !segment.arc->ccw;
+        }
+        loop = reversed(loop);
+    }
+    return region;
+}
+
 /// Where the stock may have too much.
 class Surplus {
   public:
     Surplus(const StockGrowth& growth, const Tolerances& tol) : growth_(growth), tol_(tol) {
         if (!growth.raw_sides_mm) return;
         const Region within = rectangle(*growth.raw_sides_mm, -kOverlapMm);
+        within_ = boundingBox(within);
         const double deep_mm = std::min(2 * growth.side_mm, growth.raw_sides_mm->sizes().minCoeff() / 4);
         rim_ = subtract(within, rectangle(*growth.raw_sides_mm, -deep_mm), tol);
         frame_ = subtract(rectangle(*growth.raw_sides_mm, growth.side_mm), within, tol);
@@ -56,10 +73,35 @@ class Surplus {
 
     /// What a feature's target gains.
     Region overOpenEdges(const Feature& feature) const {
-        return without(beside(feature.target), feature.obstruction);
+        return without(straightOut(feature.target), feature.obstruction);
     }
 
   private:
+    /// What may stand straight before a section: farther aside it would stand before what is left beside a
+    /// slot, and wide cutters were sent after it. Mirror images of the rim, which go on where that is cut by a
+    /// raw side; where the section narrows inwards they lack what stands before its walls.
+    Region straightOut(const Region& section) const {
+        if (!growth_.raw_sides_mm) return beside(section);
+        if (section.empty() || growth_.side_mm <= 0 || !reachesRim(section)) return {};
+        const Region at_rim = intersect(section, rim_, tol_);
+        if (at_rim.empty()) return {};
+        std::vector<Region> out;
+        const auto mirror = [&](const Region& region, int axis) {
+            const Box2 box = boundingBox(region);
+            std::vector<Region> images;
+            if (box.min()[axis] - within_.min()[axis] < growth_.side_mm)
+                images.push_back(mirrored(region, axis, within_.min()[axis]));
+            if (within_.max()[axis] - box.max()[axis] < growth_.side_mm)
+                images.push_back(mirrored(region, axis, within_.max()[axis]));
+            out.insert(out.end(), images.begin(), images.end());
+            return images;
+        };
+        for (const Region& aside : mirror(at_rim, 0))
+            mirror(aside, 1);  // before corners
+        mirror(at_rim, 1);
+        return intersect(unite(out, tol_), frame_, tol_);
+    }
+
     /// Surplus that an obstruction does not hold: fixtures stand beside the stock.
     Region without(const Region& surplus, const Region& obstruction) const {
         if (surplus.empty() || obstruction.empty()) return surplus;
@@ -78,7 +120,8 @@ class Surplus {
 
     const StockGrowth& growth_;
     const Tolerances& tol_;
-    Region rim_;    ///< just inside the raw sides
+    Box2 within_;   ///< just inside the raw sides
+    Region rim_;    ///< along them, inside
     Region frame_;  ///< outside them
 };
 

@@ -44,6 +44,19 @@ TEST(OnGrownStock, GoesOnOverOpenEdgesAsFarAsTheStockMay) {
     EXPECT_TRUE(area(intersect(grown.target, slot().obstruction, kTol)) < kTol.area_mm2);
 }
 
+TEST(OnGrownStock, GoesStraightOutAndIntoCorners) {
+    const Feature through = onGrownStock(slot(), growth(), kTol);
+    EXPECT_FALSE(contains(through.target, Vec2(100.25, 19.99))) << "before the wall beside it";
+    EXPECT_TRUE(contains(through.skirt, Vec2(100.25, 19.99)));
+    Feature step = slot();
+    step.target = makeRectangle(Vec2(40, 20), Vec2(100, 60));
+    step.obstruction = subtract(kBlock, step.target, kTol);
+    const Feature corner = onGrownStock(step, growth(), kTol);
+    EXPECT_TRUE(contains(corner.target, Vec2(100.4, 60.4)));
+    EXPECT_TRUE(contains(corner.target, Vec2(70, 60.4)));
+    EXPECT_NEAR(corner.area_mm2, 60.5 * 40.5, 1e-3);
+}
+
 TEST(OnGrownStock, HasASkirtBesideWhatMustStay) {
     const Feature grown = onGrownStock(slot(), growth(), kTol);
     EXPECT_TRUE(contains(grown.skirt, Vec2(100.25, 10)));
