@@ -26,7 +26,7 @@ constexpr double kGroundPays = 0.995;
 /// So often ground is sought anew beside the ground that was found.
 constexpr int kMostGroundRounds = 2;
 /// So many ways to cut a level in parts are tried, those of most promise.
-constexpr std::size_t kMostDepthTrials = 2;
+constexpr std::size_t kMostDepthTrials = 1;
 
 /// "S1.G2.1" of the ground that begins in S1.F2.1.
 std::string groundIds(const Feature& first) {

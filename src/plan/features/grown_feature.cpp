@@ -78,8 +78,8 @@ class Surplus {
 
   private:
     /// What may stand straight before a section: farther aside it would stand before what is left beside a
-    /// slot, and wide cutters were sent after it. Mirror images of the rim, which go on where that is cut by a
-    /// raw side; where the section narrows inwards they lack what stands before its walls.
+    /// slot, and wide cutters were sent after it. Mirror images of the rim, which go on where that is cut by
+    /// a raw side; where the section narrows inwards they lack what stands before its walls.
     Region straightOut(const Region& section) const {
         if (!growth_.raw_sides_mm) return beside(section);
         if (section.empty() || growth_.side_mm <= 0 || !reachesRim(section)) return {};

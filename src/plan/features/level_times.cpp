@@ -24,15 +24,20 @@ double secondsPerMm2(const PlannedFeature& level, const ToolAssembly& tool, cons
     return length_mm / cutting.feed_mm_per_min * kSecondsPerMinute / area.coverable_area_mm2;
 }
 
-double secondsOver(const PlannedFeature& level, const Region& ground, const Tolerances& tol) {
-    if (ground.empty()) return 0;
-    double seconds = 0;
+LevelTimes::LevelTimes(const PlannedFeature& level, const Tolerances& tol) : tol_(tol) {
     for (const SequenceStep& step : level.sequence.steps) {
-        const Region cut = intersect(step.area.area, level.feature.target, tol);
+        Region cut = intersect(step.area.area, level.feature.target, tol);
         const double all_mm2 = area(cut);
         if (all_mm2 > tol.area_mm2)
-            seconds += step.path.totals.motion_time_s * area(intersect(cut, ground, tol)) / all_mm2;
+            shares_.push_back({std::move(cut), step.path.totals.motion_time_s / all_mm2});
     }
+}
+
+double LevelTimes::secondsOver(const Region& ground) const {
+    if (ground.empty()) return 0;
+    double seconds = 0;
+    for (const Share& share : shares_)
+        seconds += share.s_per_mm2 * area(intersect(share.cut, ground, tol_));
     return seconds;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "stepmill/access/access.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/plan/plan.h"
@@ -15,8 +17,22 @@ double depthsOf(double height_mm, const CuttingData& cutting);
 double secondsPerMm2(const PlannedFeature& level, const ToolAssembly& tool, const CuttingData& cutting,
                      const CutterArea& area);
 
-/// What a level's steps take for their shares of some ground [s]. What they sweep beyond the target, in air,
-/// counts for nothing.
-double secondsOver(const PlannedFeature& level, const Region& ground, const Tolerances& tol);
+/// How a planned level's time lies over its target: each step's evenly over what of the target it is sent to.
+/// What steps sweep beyond, in air, counts for nothing.
+class LevelTimes {
+  public:
+    LevelTimes(const PlannedFeature& level, const Tolerances& tol);
+
+    /// What the steps take for their shares of some ground [s].
+    double secondsOver(const Region& ground) const;
+
+  private:
+    struct Share {
+        Region cut;
+        double s_per_mm2 = 0;
+    };
+    std::vector<Share> shares_;
+    const Tolerances& tol_;
+};
 
 }  // namespace stepmill

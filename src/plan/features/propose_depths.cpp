@@ -73,7 +73,8 @@ class DepthSearch {
         const ToolAssembly& tool = from_.library.tool(reach.tool_id);
         const CuttingData& cutting = *tool.cuttingFor(from_.material);
         const Region own = without(reach.cutter.coverable, bulk);
-        const double replaced_s = secondsOver(planned_, own, tol_);
+        if (!times_) times_.emplace(planned_, tol_);
+        const double replaced_s = times_->secondsOver(own);
         if (replaced_s <= leastGainS()) return std::nullopt;
         const double floor_z_mm = std::max(floorOf(reach, tool), planned_.sequence.floor_z_mm + kLeastPartMm);
         const double part_mm = feature().top_z_mm - floor_z_mm;
@@ -133,7 +134,9 @@ class DepthSearch {
     const std::size_t next_;
     const Tolerances& tol_;
     double all_s_ = 0;
-    std::optional<FeatureGround> grown_;  ///< made when first asked for
+    // Made when first asked for.
+    std::optional<FeatureGround> grown_;
+    std::optional<LevelTimes> times_;
 };
 
 }  // namespace

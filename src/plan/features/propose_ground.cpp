@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostGrounds = 4;
 /// Gains below this are within the error of the estimate [s], [share of what the levels take].
 constexpr double kLeastGainS = 1;
-constexpr double kLeastGainShare = 0.02;
+constexpr double kLeastGainShare = 0.05;
 
 /// What one tool could cut through levels `from` to `to`.
 struct Proposal {
@@ -36,7 +36,10 @@ class GroundSearch {
                  const std::string& material, const Tolerances& tol)
         : library_(library), material_(material), tol_(tol) {
         for (const PlannedFeature& planned : nest) {
-            if (planned.feature.ground_of.empty()) levels_.push_back(&planned);
+            if (planned.feature.ground_of.empty()) {
+                levels_.push_back(&planned);
+                times_.emplace_back(planned, tol);
+            }
             for (const SequenceStep& step : planned.sequence.steps)
                 all_s_ += step.path.totals.motion_time_s;
         }
@@ -71,10 +74,10 @@ class GroundSearch {
         const Region region = own != nullptr ? notTaken(*own, to) : Region{};
         if (region.empty()) return;
         const double layer_s = area(region) * secondsPerMm2(*levels_[to], tool, cutting, *own);
-        double replaced_s = secondsOver(*levels_[to], region, tol_);
+        double replaced_s = times_[to].secondsOver(region);
         double lower_s = 0;  ///< the gain from where it begins lower
         for (std::size_t from = to; from-- > highestBegin(to) && goesOn(from);) {
-            replaced_s += secondsOver(*levels_[from], region, tol_);
+            replaced_s += times_[from].secondsOver(region);
             const double height_mm = level(from).top_z_mm - level(to).floor_z_mm;
             if (height_mm > access::freeReachMm(tool)) return;
             const double gain_s = replaced_s - layer_s * depthsOf(height_mm, cutting);
@@ -117,6 +120,7 @@ class GroundSearch {
     }
 
     std::vector<const PlannedFeature*> levels_;  ///< from above
+    std::vector<LevelTimes> times_;              ///< of each
     const ToolLibrary& library_;
     const std::string& material_;
     const Tolerances& tol_;
