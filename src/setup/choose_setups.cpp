@@ -113,8 +113,12 @@ class SetupMaker {
         std::transform(taken.begin(), taken.end(), std::back_inserter(order),
                        [&](const Setup& setup) { return indexOf(setup.axis, axes); });
         std::vector<std::vector<int>> found = withoutOneOf(order, reach);
-        for (std::vector<int>& other : setup::otherOrders(order, reach.traits))
-            found.push_back(std::move(other));
+        std::vector<std::vector<int>> orders = setup::otherOrders(order, reach.traits);
+        orders.insert(orders.begin(),
+                      setup::machiningOrder(reach.groups, order, reach.traits, setup::OrderBy::LeastSteps));
+        for (std::vector<int>& other : orders)
+            if (other != order && std::find(found.begin(), found.end(), other) == found.end())
+                found.push_back(std::move(other));
         // Stock over the part is told for the first axis.
         std::erase_if(found, [&](const std::vector<int>& other) {
             return !stockFor(axes[other.front()]).bbox_mm.isApprox(stock.bbox_mm);

@@ -8,6 +8,8 @@ namespace {
 
 /// Setups within this share of the best one's volume are as good as it.
 constexpr double kSameVolume = 0.1;
+/// A setup that leaves steps on less than this share of the volume spoils nothing.
+constexpr double kSpoilsShare = 0.02;
 /// Depths within this share are alike.
 constexpr double kSameDepth = 0.05;
 /// Seats must differ by more than this share to decide.
@@ -50,10 +52,11 @@ class Orderer {
         }
     }
 
-    int next(const std::vector<int>& open) const {
+    int next(const std::vector<int>& open, OrderBy by) const {
         std::vector<int> among = open;
         prefer(among, [&](int axis) { return !traits_[axis].indexed; });
         if (!order_.empty()) prefer(among, [&](int axis) { return isSeatReady(axis); });
+        if (by == OrderBy::LeastSteps) preferLeastSteps(among, open);
         double most = 0;
         for (const int axis : among)
             most = std::max(most, left(axis));
@@ -92,6 +95,26 @@ class Orderer {
         return share;
     }
 
+    void preferLeastSteps(std::vector<int>& among, const std::vector<int>& open) const {
+        double least = 1;
+        for (const int axis : among)
+            least = std::min(least, stepsBefore(axis, open));
+        prefer(among, [&](int axis) { return stepsBefore(axis, open) <= least + kSpoilsShare; });
+    }
+
+    /// What of the volume the axis would leave steps on where a later one finishes it.
+    double stepsBefore(int axis, const std::vector<int>& open) const {
+        double share = 0;
+        for (std::size_t g = 0; g < groups_.size(); ++g) {
+            const int owner = owner_[g];
+            const bool later = owner != axis && std::find(open.begin(), open.end(), owner) != open.end();
+            if (!done_[g] && later && groups_[g].reach[axis] == Reach::Steps &&
+                groups_[g].reach[owner] == Reach::Finished)
+                share += groups_[g].volume_share;
+        }
+        return share;
+    }
+
     bool isSeatReady(int axis) const { return setup::isSeatReady(traits_[axis], order_, traits_); }
 
     const std::vector<SampleGroup>& groups_;
@@ -125,10 +148,10 @@ SetupTraits traitsOf(const Facets& part_facets, const Stock& stock, const Vec3& 
 }
 
 std::vector<int> machiningOrder(const std::vector<SampleGroup>& groups, std::vector<int> chosen,
-                                const std::vector<SetupTraits>& traits) {
+                                const std::vector<SetupTraits>& traits, OrderBy by) {
     Orderer orderer(groups, chosen, traits);
     while (!chosen.empty()) {
-        const int axis = orderer.next(chosen);
+        const int axis = orderer.next(chosen, by);
         orderer.take(axis);
         std::erase(chosen, axis);
     }

@@ -20,6 +20,17 @@ SetupTraits axisAlong(const Vec3& axis) {
 
 using Orders = std::vector<std::vector<int>>;
 
+TEST(MachiningOrder, ByLeastStepsPutsAxesThatSpoilOthersWallsLast) {
+    using setup::Reach;
+    const std::vector<SetupTraits> traits{axisAlong(Vec3::UnitZ()), axisAlong(Vec3::UnitX())};
+    // A journal that x finishes and z leaves steps on, and more that only z gets to.
+    const std::vector<setup::SampleGroup> groups{{{Reach::Steps, Reach::Finished}, {5, 20}, 0.3, 1, 0.3},
+                                                 {{Reach::Finished, Reach::None}, {5, 0}, 0.7, 1, 0.7}};
+    EXPECT_EQ(setup::machiningOrder(groups, {0, 1}, traits), (std::vector<int>{0, 1}));
+    EXPECT_EQ(setup::machiningOrder(groups, {0, 1}, traits, setup::OrderBy::LeastSteps),
+              (std::vector<int>{1, 0}));
+}
+
 TEST(OtherOrders, TurnOppositeAxesRoundAndBeginWithTheSecond) {
     const std::vector<SetupTraits> traits{axisAlong(Vec3::UnitZ()), axisAlong(Vec3::UnitX()),
                                           axisAlong(-Vec3::UnitZ()), axisAlong(-Vec3::UnitX())};
