@@ -83,15 +83,12 @@ Vec3 areaVector(const Facet& facet) {
     return (facet[1] - facet[0]).cross(facet[2] - facet[0]) / 2;
 }
 
-/// The k-th point of a sequence that fills a triangle evenly from its middle on (additive recurrence,
-/// folded). Points on an edge would lie in the plane of the next face, and rays along that would meet it by
-/// chance.
+/// The k-th point of a sequence that fills a triangle evenly (additive recurrence, folded).
 Vec3 pointIn(const Facet& facet, int k) {
-    constexpr double kMiddle = 1.0 / 3;
     constexpr double kFirst = 0.7548776662466927;
     constexpr double kSecond = 0.5698402909980532;
-    double s = std::fmod(kMiddle + kFirst * k, 1.0);
-    double t = std::fmod(kMiddle + kSecond * k, 1.0);
+    double s = std::fmod(0.5 + kFirst * k, 1.0);
+    double t = std::fmod(0.5 + kSecond * k, 1.0);
     if (s + t > 1) {
         s = 1 - s;
         t = 1 - t;

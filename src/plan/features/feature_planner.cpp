@@ -25,8 +25,6 @@ bool isMoreThanAPattern(const FeatureCaution& caution) {
 constexpr double kGroundPays = 0.995;
 /// So often ground is sought anew beside the ground that was found.
 constexpr int kMostGroundRounds = 2;
-/// So many ways to cut a level in parts are tried, those of most promise.
-constexpr std::size_t kMostDepthTrials = 1;
 
 /// "S1.G2.1" of the ground that begins in S1.F2.1.
 std::string groundIds(const Feature& first) {
@@ -157,13 +155,10 @@ class FeaturePlanner {
 
     /// Parts one deep level of the nest where stiff mills that do not get down to its floor pay above it.
     bool cutInParts(const std::string& ids, PlannedNest& best) const {
-        const std::vector<DepthProposal> proposals = proposeDepths(
-            best.features,
-            {shop_.library, shop_.request.sequence.material, growth_, shop_.machine.tool_change_s}, ids,
-            shop_.tol);
-        for (std::size_t i = 0; i < std::min(proposals.size(), kMostDepthTrials); ++i)
-            if (takeGrounds(proposals[i].grounds, best)) return true;
-        return false;
+        const DepthPlanning from{shop_.library, shop_.request.sequence.material, growth_,
+                                 shop_.machine.tool_change_s};
+        const std::vector<CommonGround> grounds = proposeDepths(best.features, from, ids, shop_.tol);
+        return !grounds.empty() && takeGrounds(grounds, best);
     }
 
     /// Is a hole table asked how to make some of it? Such holes stay whole.

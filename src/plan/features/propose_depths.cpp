@@ -21,24 +21,28 @@ constexpr double kLeastPartingShare = 0.05;
 /// A part less deep than this is not worth its changes of tools [mm].
 constexpr double kLeastPartMm = 1;
 
-/// The proposals of one feature.
+struct DepthProposal {
+    Region bulk;  ///< what of the target other mills clear all the way down before; may be empty
+    Region rest;
+    double floor_z_mm = 0;  ///< of the rest's upper part
+    double gain_s = 0;
+};
+
+/// The best way to part one feature.
 class DepthSearch {
   public:
-    /// \param ids   of its grounds, but for a number
-    /// \param next  the first of these numbers
-    DepthSearch(const PlannedFeature& planned, const DepthPlanning& from, const std::string& ids,
-                std::size_t next, const Tolerances& tol)
-        : planned_(planned), from_(from), ids_(ids), next_(next), tol_(tol) {
+    DepthSearch(const PlannedFeature& planned, const DepthPlanning& from, const Tolerances& tol)
+        : planned_(planned), from_(from), tol_(tol) {
         for (const SequenceStep& step : planned.sequence.steps)
             all_s_ += step.path.totals.motion_time_s;
     }
 
-    std::vector<DepthProposal> run() {
-        std::vector<DepthProposal> found;
-        if (!mayBeParted()) return found;
+    std::optional<DepthProposal> best() {
+        std::optional<DepthProposal> best;
+        if (!mayBeParted()) return best;
         for (const ToolReach& reach : planned_.sequence.tools)
-            propose(reach, found);
-        return found;
+            consider(reach, best);
+        return best;
     }
 
   private:
@@ -58,17 +62,18 @@ class DepthSearch {
     /// How deep its steps go: less than the feature where no tool gets down to its floor.
     double cutMm() const { return feature().top_z_mm - planned_.sequence.floor_z_mm; }
 
-    /// With what wider mills clear cut by itself, or by this mill as well.
-    void propose(const ToolReach& reach, std::vector<DepthProposal>& found) {
+    /// What wider mills clear may be cut by itself before, or by this mill as well.
+    void consider(const ToolReach& reach, std::optional<DepthProposal>& best) {
         const ToolAssembly& tool = from_.library.tool(reach.tool_id);
         if (tool.cuttingFor(from_.material) == nullptr || tool.isForHoles() || !isTooShort(reach)) return;
-        if (auto proposal = proposalBeside({}, reach)) found.push_back(std::move(*proposal));
-        const Region bulk = coveredByWider(tool);
-        if (bulk.empty()) return;
-        if (auto proposal = proposalBeside(bulk, reach)) found.push_back(std::move(*proposal));
+        const Region by_wider = coveredByWider(tool);
+        for (const Region& bulk : {Region{}, by_wider}) {
+            std::optional<DepthProposal> proposal = proposalBeside(bulk, reach);
+            if (proposal && (!best || proposal->gain_s > best->gain_s)) best = std::move(proposal);
+            if (by_wider.empty()) return;
+        }
     }
 
-    /// \param bulk  what of the target other mills clear all the way down before
     std::optional<DepthProposal> proposalBeside(const Region& bulk, const ToolReach& reach) {
         const ToolAssembly& tool = from_.library.tool(reach.tool_id);
         const CuttingData& cutting = *tool.cuttingFor(from_.material);
@@ -81,18 +86,11 @@ class DepthSearch {
         if (part_mm < kLeastPartMm) return std::nullopt;
         const double takes_s =
             area(own) * secondsPerMm2(planned_, tool, cutting, reach.cutter) * depthsOf(part_mm, cutting);
-        DepthProposal proposal;
-        proposal.gain_s = replaced_s * part_mm / cutMm() - takes_s - from_.change_s;
-        if (proposal.gain_s <= leastGainS()) return std::nullopt;
-        const Region rest = without(feature().target, bulk);
+        const double gain_s = replaced_s * part_mm / cutMm() - takes_s - from_.change_s;
+        if (gain_s <= leastGainS()) return std::nullopt;
+        Region rest = without(feature().target, bulk);
         if (feature::isSliver(rest, tol_)) return std::nullopt;
-        const auto add = [&](const Region& region, double to_z_mm) {
-            const std::string id = fmt::format("{}.{}", ids_, next_ + proposal.grounds.size());
-            proposal.grounds.push_back({id, {feature().id}, region, to_z_mm});
-        };
-        if (!bulk.empty()) add(bulk, feature().floor_z_mm);
-        add(rest, floor_z_mm);
-        return proposal;
+        return DepthProposal{bulk, std::move(rest), floor_z_mm, gain_s};
     }
 
     Region without(const Region& region, const Region& bulk) const {
@@ -130,8 +128,6 @@ class DepthSearch {
 
     const PlannedFeature& planned_;
     const DepthPlanning& from_;
-    const std::string& ids_;
-    const std::size_t next_;
     const Tolerances& tol_;
     double all_s_ = 0;
     // Made when first asked for.
@@ -141,19 +137,26 @@ class DepthSearch {
 
 }  // namespace
 
-std::vector<DepthProposal> proposeDepths(const std::vector<PlannedFeature>& nest, const DepthPlanning& from,
-                                         const std::string& ids, const Tolerances& tol) {
-    const auto known = std::count_if(nest.begin(), nest.end(), [](const PlannedFeature& planned) {
-        return !planned.feature.ground_of.empty();
-    });
-    const std::size_t next = static_cast<std::size_t>(known) + 1;
-    std::vector<DepthProposal> all;
-    for (const PlannedFeature& planned : nest)
-        for (DepthProposal& proposal : DepthSearch(planned, from, ids, next, tol).run())
-            all.push_back(std::move(proposal));
-    std::stable_sort(all.begin(), all.end(),
-                     [](const DepthProposal& a, const DepthProposal& b) { return a.gain_s > b.gain_s; });
-    return all;
+std::vector<CommonGround> proposeDepths(const std::vector<PlannedFeature>& nest, const DepthPlanning& from,
+                                        const std::string& ids, const Tolerances& tol) {
+    std::optional<DepthProposal> best;
+    const Feature* feature = nullptr;
+    std::size_t known = 0;
+    for (const PlannedFeature& planned : nest) {
+        if (!planned.feature.ground_of.empty()) ++known;
+        std::optional<DepthProposal> proposal = DepthSearch(planned, from, tol).best();
+        if (!proposal || (best && proposal->gain_s <= best->gain_s)) continue;
+        best = std::move(proposal);
+        feature = &planned.feature;
+    }
+    std::vector<CommonGround> grounds;
+    if (!best) return grounds;
+    const auto add = [&](Region region, double floor_z_mm) {
+        grounds.push_back({fmt::format("{}.{}", ids, ++known), {feature->id}, std::move(region), floor_z_mm});
+    };
+    if (!best->bulk.empty()) add(std::move(best->bulk), feature->floor_z_mm);
+    add(std::move(best->rest), best->floor_z_mm);
+    return grounds;
 }
 
 }  // namespace stepmill

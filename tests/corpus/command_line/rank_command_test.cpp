@@ -218,7 +218,8 @@ TEST_F(RankCommand, TheSequenceAtTheMachinesValueIsThePlans) {
     const std::string short_tools = write("short.json", shortTools(8).dump());
     const std::vector<std::pair<std::string, bool>> cases{
         {"bossed_pocket", false},         {"shoulder_block", false}, {"rounded_pocket", false},
-        {"pocket_without_bosses", false}, {"nested_pockets", true},  {"rounded_pocket", true}};
+        {"pocket_without_bosses", false}, {"nested_pockets", true},  {"rounded_pocket", true},
+        {"pocket_without_bosses", true}};
     int compared = 0;
     int bands = 0;
     for (const auto& [part, with_short_tools] : cases) {
