@@ -27,7 +27,7 @@ constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 /// So many times what its tools need at least is far from the best: other sides and orders are weighed, ...
 constexpr double kFarFromBound = 4.5;
 /// ... where there is so much to gain [s] ...
-constexpr double kGainWorthWeighingS = 4 * kSecondsPerMinute;
+constexpr double kGainWorthWeighingS = 2 * kSecondsPerMinute;
 /// ... and a plan of no more operations is soon made.
 constexpr std::size_t kFewOperations = 100;
 
