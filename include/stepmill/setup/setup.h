@@ -109,7 +109,8 @@ std::size_t axesNotWeighed(const Part& part);
 /// Sets of setups that sight does not tell from the chosen one, for whole plans to be weighed: those chosen
 /// where one of the axes is not to be had, as far as they take no longer to set up and see about as much of
 /// the part, the quickest to set up first; then the chosen ones in other orders: with the least steps left on
-/// what later ones finish, opposite axes the other way round, the second axis first. None begins on another stock.
+/// what later ones finish, opposite axes the other way round, the second axis first. None begins on another
+/// stock.
 ///
 /// \param chosen  what chooseSetups() gave for the request, which asks for no axes
 /// \return  empty where there is no such set
