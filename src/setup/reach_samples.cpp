@@ -1,5 +1,5 @@
 // What each tool axis reaches, asked in front of every face: small features count as well as large ones,
-// which no grid over the whole stock would give.
+// which no grid over the whole stock would give. And in sharp corners, which stay round to a tool along them.
 
 #include "setup/reach_samples.h"
 
@@ -11,6 +11,7 @@
 
 #include "setup/ray_tree.h"
 #include "stepmill/core/parallel.h"
+#include "stepmill/part/face_graph.h"
 #include "stepmill/part/part_shape.h"
 
 namespace stepmill::setup {
@@ -20,6 +21,12 @@ namespace {
 /// Places on every face, and further ones shared out by area.
 constexpr double kLeastOfFace = 12;
 constexpr double kSharedOut = 3000;
+
+/// All sharp corners of the part together count as so much of a face: half a setup, which alone pays for
+/// none, and more than the side that is best held.
+constexpr double kCornersCount = 0.25;
+/// Places in a corner, as shares of its length.
+constexpr std::array kAlongCorner{0.25, 0.5, 0.75};
 
 /// Thinner layers over a face are the stock's own skin, nothing to remove [mm].
 constexpr double kSkinMm = 0.02;
@@ -71,24 +78,29 @@ std::vector<RoundGap> roundGapsOf(const Part& part) {
 struct Place {
     Vec3 at;
     Vec3 normal;
-    double volume_mm3 = 0;
+    double area_mm2 = 0;  ///< of the face, that it stands for; 0 in a corner
     double of_face = 0;
     bool ruled = false;
-    RoundGap round_gap;  ///< of its face
-    std::vector<Reach> reach;
-    std::vector<double> depth_mm;
+    RoundGap round_gap = {};        ///< of its face
+    Vec3 corner = Vec3::Zero();     ///< the way along the sharp corner it lies in; zero on a face
+    double volume_mm3 = 0;          ///< to be removed in front of it
+    std::vector<Reach> reach = {};  ///< by axis; empty where there is nothing to remove
+    std::vector<double> depth_mm = {};
 };
 
 Vec3 areaVector(const Facet& facet) {
     return (facet[1] - facet[0]).cross(facet[2] - facet[0]) / 2;
 }
 
-/// The k-th point of a sequence that fills a triangle evenly (additive recurrence, folded).
+/// The k-th point of a sequence that fills a triangle evenly from its middle on (additive recurrence,
+/// folded). Points on an edge would lie in the plane of the next face, and rays along that would meet it by
+/// chance.
 Vec3 pointIn(const Facet& facet, int k) {
+    constexpr double kMiddle = 1.0 / 3;
     constexpr double kFirst = 0.7548776662466927;
     constexpr double kSecond = 0.5698402909980532;
-    double s = std::fmod(0.5 + kFirst * k, 1.0);
-    double t = std::fmod(0.5 + kSecond * k, 1.0);
+    double s = std::fmod(kMiddle + kFirst * k, 1.0);
+    double t = std::fmod(kMiddle + kSecond * k, 1.0);
     if (s + t > 1) {
         s = 1 - s;
         t = 1 - t;
@@ -124,15 +136,45 @@ std::vector<Place> placesOn(const Part& part, const FaceFacets& mesh) {
         if (across.norm() <= 0) continue;
         due_mm2 += across.norm();
         for (int k = 0; due_mm2 >= step_mm2; ++k, due_mm2 -= step_mm2)
-            places.push_back({pointIn(mesh.facets[i], k),
-                              across.normalized(),
-                              step_mm2,
-                              step_mm2 / face_mm2[face],
-                              isRuled(part.faces[face]),
-                              round_gaps[face],
-                              {},
-                              {}});
+            places.push_back({.at = pointIn(mesh.facets[i], k),
+                              .normal = across.normalized(),
+                              .area_mm2 = step_mm2,
+                              .of_face = step_mm2 / face_mm2[face],
+                              .ruled = isRuled(part.faces[face]),
+                              .round_gap = round_gaps[face]});
     }
+    return places;
+}
+
+/// Outward, by face; zero where a face is not a plane.
+std::vector<Vec3> planeNormals(const Part& part, const FaceFacets& mesh) {
+    std::vector<Vec3> normals(part.faces.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < mesh.facets.size(); ++i)
+        if (part.faces[mesh.face[i]].surface == "plane") normals[mesh.face[i]] += areaVector(mesh.facets[i]);
+    for (Vec3& normal : normals)
+        normal.normalize();
+    return normals;
+}
+
+/// Places in the sharp corners between two planes, away from both of them.
+std::vector<Place> placesInCorners(const Part& part, const FaceFacets& mesh) {
+    const std::vector<Vec3> normals = planeNormals(part, mesh);
+    std::vector<Place> places;
+    double length_mm = 0;
+    for (const FaceEdge& edge : faceEdges(part, Tolerances{})) {
+        const Vec3 out = normals[edge.first] + normals[edge.second];
+        if (!edge.straight || edge.bend != Bend::Concave || normals[edge.first].isZero() ||
+            normals[edge.second].isZero())
+            continue;
+        length_mm += edge.length_mm;
+        for (const double share : kAlongCorner)
+            places.push_back({.at = edge.from + share * (edge.to - edge.from),
+                              .normal = out.normalized(),
+                              .of_face = kCornersCount * edge.length_mm / kAlongCorner.size(),
+                              .corner = (edge.to - edge.from).normalized()});
+    }
+    for (Place& place : places)
+        place.of_face /= length_mm;
     return places;
 }
 
@@ -154,19 +196,17 @@ class Sampler {
         size_mm_ = stock.bbox_mm.diagonal().norm();
     }
 
-    /// Moves the place off the face and finds what reaches it; no volume where there is nothing to remove.
+    /// Moves the place off the face and finds what reaches it, if there is something to remove.
     void ask(Place& place) const {
-        const double area_mm2 = place.volume_mm3;
         const double to_skin = wayToSkin(place.at, place.normal);
-        place.volume_mm3 = 0;
         if (!(to_skin > kSkinMm) || std::isinf(to_skin)) return;
         const double to_part = part_.distance(place.at + 1e-6 * size_mm_ * place.normal, place.normal);
-        place.volume_mm3 = area_mm2 * (to_part < to_skin ? to_part / 2 : to_skin);
+        place.volume_mm3 = place.area_mm2 * (to_part < to_skin ? to_part / 2 : to_skin);
         const double gap = std::min(kGapShare * std::min(to_part, to_skin), kSizeShare * size_mm_);
         const Vec3 from = place.at + gap * place.normal;
         const double gap_mm = to_part < to_skin ? to_part : std::numeric_limits<double>::infinity();
         for (const Vec3& axis : axes_) {
-            const bool blocked = part_.blocked(from, axis);
+            const bool blocked = isAlong(place.corner, axis) || part_.blocked(from, axis);
             place.depth_mm.push_back(blocked ? 0 : wayToSkin(from, axis));
             const double width_mm = std::min(gap_mm, place.round_gap.along(axis));
             const bool deep = place.depth_mm.back() > std::min(kDeepMm, kDeepRatio * width_mm);
@@ -178,6 +218,10 @@ class Sampler {
     }
 
   private:
+    static bool isAlong(const Vec3& corner, const Vec3& axis) {
+        return !corner.isZero() && corner.cross(axis).norm() < kUprightSine;
+    }
+
     static bool isUprightOrLevel(const Vec3& normal, const Vec3& axis) {
         const double up = normal.dot(axis);
         return std::abs(up) < kUprightSine || (up > 0 && normal.cross(axis).norm() < kUprightSine);
@@ -200,6 +244,8 @@ class Sampler {
 std::vector<SampleGroup> sampleReach(const Part& part, const FaceFacets& part_facets, const Stock& stock,
                                      const Facets& stock_facets, const std::vector<Vec3>& axes) {
     std::vector<Place> places = placesOn(part, part_facets);
+    const std::vector<Place> corners = placesInCorners(part, part_facets);
+    places.insert(places.end(), corners.begin(), corners.end());
     const Sampler sampler(part_facets.facets, stock, stock_facets, axes);
     parallelFor(places.size(), [&](std::size_t i) { sampler.ask(places[i]); });
     double total_mm3 = 0;
@@ -207,7 +253,7 @@ std::vector<SampleGroup> sampleReach(const Part& part, const FaceFacets& part_fa
         total_mm3 += place.volume_mm3;
     std::map<std::vector<Reach>, SampleGroup> groups;
     for (const Place& place : places) {
-        if (place.volume_mm3 <= 0) continue;
+        if (place.reach.empty()) continue;
         SampleGroup& group = groups[place.reach];
         group.volume_share += place.volume_mm3 / total_mm3;
         group.depth_mm.resize(axes.size(), 0.0);
@@ -221,7 +267,7 @@ std::vector<SampleGroup> sampleReach(const Part& part, const FaceFacets& part_fa
     for (auto& [reach, group] : groups) {
         group.reach = reach;
         for (double& depth_mm : group.depth_mm)
-            depth_mm /= group.volume_share;
+            depth_mm /= group.volume_share > 0 ? group.volume_share : 1;
         found.push_back(std::move(group));
     }
     return found;

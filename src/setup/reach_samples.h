@@ -20,14 +20,16 @@ struct SampleGroup {
     std::vector<Reach> reach;      ///< by axis
     std::vector<double> depth_mm;  ///< by axis: mean way a tool has through the stock; 0 where in the way
     double volume_share = 0;       ///< of all volume to be removed
-    double faces = 0;              ///< sum over the part's faces of the share of the face's places
+    /// Sum over the part's faces of the share of the face's places, and a little for sharp corners.
+    double faces = 0;
     /// Of `volume_share`, what lies in front of planes, cylinders and cones: worth a setup that finishes it.
     double ruled_share = 0;
 };
 
 /// Places a little in front of the part's faces, wherever there is material to be removed there, and which
 /// axes reach them. A place stands for its share of the face times the free height above it to the stock's
-/// skin, or half the gap to the part opposite.
+/// skin, or half the gap to the part opposite. Sharp corners between planes have places as well, that no axis
+/// along them reaches and that are worth less than a setup: a tool along a corner leaves it round.
 ///
 /// \param stock  its facets are asked unless it is a box
 std::vector<SampleGroup> sampleReach(const Part& part, const FaceFacets& part_facets, const Stock& stock,

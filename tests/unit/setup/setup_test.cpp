@@ -128,6 +128,34 @@ TEST(ChooseSetups, TakesFourSetupsMostVolumeFirst) {
     EXPECT_EQ(sorted, (Names{"+x", "+y", "+z", "-z"}));
 }
 
+TEST(ChooseSetups, TurnsAShaftWithRoundEndsFromBothOfThem) {
+    // Its shoulders end where the journals' facets begin: what is asked there must not lie on the edge.
+    for (const double radius_mm : {10.0, 14.0, 15.0, 16.0}) {
+        TopoDS_Shape shaft = box(0, 0, 0, 100, 40, 40);
+        for (const double from_mm : {-1.0, 70.0}) {
+            const gp_Ax2 axis(gp_Pnt(from_mm, 20, 20), gp::DX());
+            shaft = cut(shaft, cut(box(from_mm, -1, -1, 31, 42, 42),
+                                   BRepPrimAPI_MakeCylinder(axis, radius_mm, 31).Shape()));
+        }
+        Names axes = axesOf(chooseSetups(part(shaft), {}));
+        std::sort(axes.begin(), axes.end());
+        EXPECT_EQ(axes, (Names{"+x", "-x"})) << radius_mm;
+    }
+}
+
+TEST(ChooseSetups, CutsAnOpenSlotAcrossItsSharpCorners) {
+    // Along y its walls and floor are upright as well, and the side is larger; but its corners would stay
+    // round.
+    struct Slot {
+        double wide_mm, deep_mm;
+    };
+    for (const auto& [wide_mm, deep_mm] : {Slot{26, 63}, Slot{12, 30}, Slot{20, 18}}) {
+        const Part slotted = part(
+            cut(box(0, 0, 0, 80, 60, 70), box(40 - wide_mm / 2, -1, 70 - deep_mm, wide_mm, 62, deep_mm + 1)));
+        EXPECT_EQ(axesOf(chooseSetups(slotted, {})), Names{"+z"}) << wide_mm;
+    }
+}
+
 TEST(OtherSetups, AreOtherSidesAndOrdersThatTakeNoLongerToSetUp) {
     const Part block = samplePart("four_setups.step");
     const std::vector<stepmill::Setup> chosen = chooseSetups(block, {});
