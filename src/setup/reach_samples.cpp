@@ -44,14 +44,18 @@ constexpr double kDeepMm = 100;
 /// A hollow cylinder that goes round by this much is a gap between its own sides [rad].
 constexpr double kGapTurnRad = 2.5;
 
+/// Is an axis parallel to a direction, either way? To a zero vector none is.
+bool isAlong(const Vec3& direction, const Vec3& axis) {
+    return !direction.isZero() && direction.cross(axis).norm() < kUprightSine;
+}
+
 /// How wide a hollow round face is to a tool along its axis.
 struct RoundGap {
     Vec3 axis = Vec3::Zero();
     double width_mm = std::numeric_limits<double>::infinity();
 
     double along(const Vec3& tool_axis) const {
-        const bool parallel = axis.cross(tool_axis).norm() < kUprightSine && !axis.isZero();
-        return parallel ? width_mm : std::numeric_limits<double>::infinity();
+        return isAlong(axis, tool_axis) ? width_mm : std::numeric_limits<double>::infinity();
     }
 };
 
@@ -218,13 +222,9 @@ class Sampler {
     }
 
   private:
-    static bool isAlong(const Vec3& corner, const Vec3& axis) {
-        return !corner.isZero() && corner.cross(axis).norm() < kUprightSine;
-    }
-
     static bool isUprightOrLevel(const Vec3& normal, const Vec3& axis) {
         const double up = normal.dot(axis);
-        return std::abs(up) < kUprightSine || (up > 0 && normal.cross(axis).norm() < kUprightSine);
+        return std::abs(up) < kUprightSine || (up > 0 && isAlong(normal, axis));
     }
 
     double wayToSkin(const Vec3& from, const Vec3& direction) const {
