@@ -105,27 +105,29 @@ class SetupMaker {
     }
 
     /// \pre `taken` is what chosen() gave
-    std::vector<std::vector<Setup>> others(const std::vector<Setup>& taken) const {
+    OtherSetups others(const std::vector<Setup>& taken) const {
         const std::vector<Vec3> axes = setup::candidateAxes(part_, request_.forbidden);
         const Stock& stock = taken.front().stock;
         const AxesReach reach = reachOf(axes, stock, taken.front().axis);
         std::vector<int> order;
         std::transform(taken.begin(), taken.end(), std::back_inserter(order),
                        [&](const Setup& setup) { return indexOf(setup.axis, axes); });
+        const std::vector<int> least_steps =
+            setup::machiningOrder(reach.groups, order, reach.traits, setup::OrderBy::LeastSteps);
         std::vector<std::vector<int>> found = withoutOneOf(order, reach);
-        std::vector<std::vector<int>> orders = setup::otherOrders(order, reach.traits);
-        orders.insert(orders.begin(),
-                      setup::machiningOrder(reach.groups, order, reach.traits, setup::OrderBy::LeastSteps));
-        for (std::vector<int>& other : orders)
-            if (other != order && std::find(found.begin(), found.end(), other) == found.end())
+        for (std::vector<int>& other : setup::otherOrders(order, reach.traits))
+            if (std::find(found.begin(), found.end(), other) == found.end())
                 found.push_back(std::move(other));
         // Stock over the part is told for the first axis.
-        std::erase_if(found, [&](const std::vector<int>& other) {
-            return !stockFor(axes[other.front()]).bbox_mm.isApprox(stock.bbox_mm);
-        });
-        std::vector<std::vector<Setup>> sets;
-        std::transform(found.begin(), found.end(), std::back_inserter(sets),
-                       [&](const std::vector<int>& other) { return along(other, axes, stock); });
+        const auto is_on_stock = [&](const std::vector<int>& other) {
+            return stockFor(axes[other.front()]).bbox_mm.isApprox(stock.bbox_mm);
+        };
+        OtherSetups sets;
+        if (least_steps != order && is_on_stock(least_steps))
+            sets.least_steps = along(least_steps, axes, stock);
+        for (const std::vector<int>& other : found)
+            if (other != order && other != least_steps && is_on_stock(other))
+                sets.further.push_back(along(other, axes, stock));
         return sets;
     }
 
@@ -282,10 +284,10 @@ std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request) {
     return numbered(request.axes.empty() ? maker.chosen() : maker.asked());
 }
 
-std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest& request,
-                                            const std::vector<Setup>& chosen) {
-    std::vector<std::vector<Setup>> sets = SetupMaker(part, request).others(chosen);
-    for (std::vector<Setup>& setups : sets)
+OtherSetups otherSetups(const Part& part, const SetupRequest& request, const std::vector<Setup>& chosen) {
+    OtherSetups sets = SetupMaker(part, request).others(chosen);
+    sets.least_steps = numbered(std::move(sets.least_steps));
+    for (std::vector<Setup>& setups : sets.further)
         setups = numbered(std::move(setups));
     return sets;
 }

@@ -106,17 +106,22 @@ std::vector<Setup> chooseSetups(const Part& part, const SetupRequest& request);
 /// the largest faces.
 std::size_t axesNotWeighed(const Part& part);
 
-/// Sets of setups that sight does not tell from the chosen one, for whole plans to be weighed: those chosen
-/// where one of the axes is not to be had, as far as they take no longer to set up and see about as much of
-/// the part, the quickest to set up first; then the chosen ones in other orders: with the least steps left on
-/// what later ones finish, opposite axes the other way round, the second axis first. None begins on another
-/// stock.
+/// Sets of setups that sight does not tell from the chosen one, none on another stock.
+struct OtherSetups {
+    /// The chosen ones in the order that leaves the least steps on what later ones finish; empty where that
+    /// is theirs.
+    std::vector<Setup> least_steps;
+    /// Those chosen where one of the axes is not to be had, as far as they take no longer to set up and see
+    /// about as much of the part, the quickest to set up first; then the chosen ones in further orders:
+    /// opposite axes the other way round, the second axis first.
+    std::vector<std::vector<Setup>> further;
+};
+
+/// The sets beside the chosen one, for whole plans to be weighed.
 ///
 /// \param chosen  what chooseSetups() gave for the request, which asks for no axes
-/// \return  empty where there is no such set
 /// \note  As long as chooseSetups().
-std::vector<std::vector<Setup>> otherSetups(const Part& part, const SetupRequest& request,
-                                            const std::vector<Setup>& chosen);
+OtherSetups otherSetups(const Part& part, const SetupRequest& request, const std::vector<Setup>& chosen);
 
 /// Where something stays that no tool of a setup got to.
 struct UnreachedPlace {

@@ -24,12 +24,12 @@ constexpr double kOthersTimeShareAtLast = 0.6;
 /// [s].
 constexpr double kLotWorthWeighingS = 8 * kSecondsPerHour;
 
-/// So many times what its tools need at least is far from the best: other sides and orders are weighed, ...
-constexpr double kFarFromBound = 4.5;
-/// ... where there is so much to gain [s] ...
-constexpr double kGainWorthWeighingS = 2 * kSecondsPerMinute;
-/// ... and a plan of no more operations is soon made.
+/// A plan of no more operations is soon made: the order that leaves the least steps is tried beside it, ...
 constexpr std::size_t kFewOperations = 100;
+/// ... and where it takes so many times what its tools need at least, other sides and further orders, ...
+constexpr double kFarFromBound = 4.5;
+/// ... if there is so much to gain [s].
+constexpr double kGainWorthWeighingS = 2 * kSecondsPerMinute;
 
 /// Of the sides that are free to what stays so many are tried, those to most of it: each is a plan more.
 constexpr std::size_t kSidesTried = 2;
@@ -43,7 +43,7 @@ constexpr Alike kSidesAlike{SliceOptions{}.least_gain_share, 0};
 class SetupSearch {
   public:
     SetupSearch(const PlanRequest& request, const Machine& machine, const PlanOfSetups& plan_of)
-        : request_(request), machine_(machine), weigher_(request, machine), plan_of_(plan_of) {}
+        : request_(request), weigher_(request, machine), plan_of_(plan_of) {}
 
     Plan best(const SetupSets& sets) {
         choose(sets);
@@ -54,11 +54,12 @@ class SetupSearch {
   private:
     /// The best of the sets there are.
     void choose(const SetupSets& sets) {
-        auto other = sets.others.begin();
+        auto other = sets.others.further.begin();
         const Alike ridges{kFormsLeaveShare, sets.forms_leave_mm3};
         if (sets.with_forms.size() == 1)
             tryOut(sets.with_forms, ridges);
-        else if (sets.with_forms.empty() && other != sets.others.end() && isSetUpQuicker(*other, sets.chosen))
+        else if (sets.with_forms.empty() && other != sets.others.further.end() &&
+                 isSetUpQuicker(*other, sets.chosen))
             tryOut(*other++, kSidesAlike);
         if (best_ && weigher_.cannotBeat(*best_, sets.chosen, alike_)) {
             turned_down_.push_back(SetupWeigher::unplanned(sets.chosen, SetupVerdict::CannotTakeLess));
@@ -66,10 +67,15 @@ class SetupSearch {
         }
         offer(plan_of_(sets.chosen, {}), sets.chosen, alike_);
         if (sets.with_forms.size() > 1 && mayBeBetter(sets.with_forms)) tryOut(sets.with_forms, ridges);
-        const bool all = isWorthWeighing() || isFarFromBest();
-        const bool leaves_walls = leavesWalls(ridges);
-        for (; other != sets.others.end(); ++other)
-            if (all || (leaves_walls && isTurnedRound(*other, sets.chosen))) tryOut(*other, kSidesAlike);
+        const auto weigh = [&](const std::vector<Setup>& setups, bool worth_it) {
+            const bool finishes_walls = leavesWalls(ridges) && isTurnedRound(setups, sets.chosen);
+            if ((worth_it && mayPay(setups)) || finishes_walls) tryOut(setups, kSidesAlike);
+        };
+        const std::vector<Setup>& least_steps = sets.others.least_steps;
+        if (!least_steps.empty()) weigh(least_steps, isWorthWeighing() || isSoonPlanned());
+        const bool worth_it = isWorthWeighing() || isFarFromBest();
+        for (; other != sets.others.further.end(); ++other)
+            weigh(*other, worth_it);
     }
 
     /// Adds setups while plans with them are better: each is to take half of what its side is free to.
@@ -87,7 +93,7 @@ class SetupSearch {
     }
 
     bool isSetUpQuicker(const std::vector<Setup>& setups, const std::vector<Setup>& than) const {
-        return settingUpS(setups, machine_, 1) < settingUpS(than, machine_, 1);
+        return weigher_.settingUpS(setups) < weigher_.settingUpS(than);
     }
     /// Setups of the best plan in which nothing was left to cut need not be set up.
     bool mayBeBetter(const std::vector<Setup>& with_forms) const {
@@ -96,14 +102,22 @@ class SetupSearch {
                books.leftMm3() > kFormsLeaveShare * books.stock_minus_part_mm3;
     }
     bool isWorthWeighing() const { return best_->totals.motion_s * request_.quantity >= kLotWorthWeighingS; }
-    bool isFarFromBest() const {
+    bool isSoonPlanned() const {
         std::size_t operations = 0;
         for (const PlannedSetup& setup : best_->setups)
             operations += setup.operations.size();
+        return operations <= kFewOperations;
+    }
+    bool isFarFromBest() const {
         const double bound_s = best_->totals.lower_bound_s;
-        const double motion_s = best_->totals.motion_s;
-        return operations <= kFewOperations && bound_s > 0 && motion_s > kFarFromBound * bound_s &&
-               (motion_s - bound_s) * request_.quantity > kGainWorthWeighingS;
+        return isSoonPlanned() && bound_s > 0 && best_->totals.motion_s > kFarFromBound * bound_s &&
+               mayGainS() * request_.quantity > kGainWorthWeighingS;
+    }
+    /// About, a piece: other setups have other features.
+    double mayGainS() const { return best_->totals.motion_s - best_->totals.lower_bound_s; }
+    /// May their cutting give back what they take longer to set up?
+    bool mayPay(const std::vector<Setup>& setups) const {
+        return weigher_.settingUpS(setups) < weigher_.settingUpS(*best_) + mayGainS();
     }
     /// More than form cutters leave; without any of them that is so of every wall.
     bool leavesWalls(const Alike& ridges) const {
@@ -158,7 +172,6 @@ class SetupSearch {
     }
 
     const PlanRequest& request_;
-    const Machine& machine_;
     const SetupWeigher weigher_;
     const PlanOfSetups& plan_of_;
     std::optional<Plan> best_;

@@ -50,11 +50,16 @@ std::optional<SetupVerdict> setupVerdictFrom(std::string_view word) {
     return valueOf(kSetupVerdicts, word);
 }
 
-double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity) {
+double SetupWeigher::settingUpS(const std::vector<Setup>& setups) const {
     double once_min = 0;
     for (const Setup& setup : setups)
-        once_min += machine.settingUpMin(setup.indexed);
-    return once_min * kSecondsPerMinute / quantity + static_cast<double>(setups.size()) * machine.load_time_s;
+        once_min += machine_.settingUpMin(setup.indexed);
+    return once_min * kSecondsPerMinute / request_.quantity +
+           static_cast<double>(setups.size()) * machine_.load_time_s;
+}
+
+double SetupWeigher::settingUpS(const Plan& plan) const {
+    return settingUpS(setupsOf(plan));
 }
 
 double SetupWeigher::weightOfS(double setting_up_s) const {
@@ -66,12 +71,12 @@ double SetupWeigher::weightOfS(double setting_up_s) const {
 double SetupWeigher::weight(const Plan& plan) const {
     const double run =
         request_.sequence.objective == Objective::Time ? plan.totals.motion_s : plan.totals.cost;
-    return run + weightOfS(settingUpS(setupsOf(plan), machine_, request_.quantity));
+    return run + weightOfS(settingUpS(plan));
 }
 
 bool SetupWeigher::cannotBeat(const Plan& plan, const std::vector<Setup>& others, const Alike& alike) const {
     return plan.balance.leftMm3() <= alikeMm3(plan, alike) && unheld(plan) == 0 &&
-           weight(plan) <= weightOfS(settingUpS(others, machine_, request_.quantity));
+           weight(plan) <= weightOfS(settingUpS(others));
 }
 
 std::optional<SetupVerdict> SetupWeigher::against(const Plan& plan, const Plan& other,
@@ -91,9 +96,7 @@ SetupVerdict SetupWeigher::whyNot(const Plan& plan, const Plan& better, const Al
 SetupChoice SetupWeigher::choiceOf(const Plan& plan, const std::vector<Setup>& setups,
                                    SetupVerdict verdict) const {
     SetupChoice choice = unplanned(setups, verdict);
-    choice.planned =
-        SetupChoice::Planned{plan.totals.motion_s, settingUpS(setupsOf(plan), machine_, request_.quantity),
-                             plan.balance.leftMm3()};
+    choice.planned = SetupChoice::Planned{plan.totals.motion_s, settingUpS(plan), plan.balance.leftMm3()};
     return choice;
 }
 

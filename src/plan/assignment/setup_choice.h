@@ -7,10 +7,6 @@
 
 namespace stepmill {
 
-/// What the machine's file gives to set a part up along these axes, shared among the pieces of the lot, and
-/// to load each piece in each of the setups [s].
-double settingUpS(const std::vector<Setup>& setups, const Machine& machine, int quantity);
-
 /// Plans leave as much that differ by no more than the larger of these.
 struct Alike {
     double share = 0;  ///< of all there is to remove
@@ -26,6 +22,11 @@ class SetupWeigher {
     /// Keeps `request` and `machine`.
     SetupWeigher(const PlanRequest& request, const Machine& machine) : request_(request), machine_(machine) {}
 
+    /// What the machine's file gives to set a part up along these axes, shared among the pieces of the lot,
+    /// and to load each piece in each of the setups [s].
+    double settingUpS(const std::vector<Setup>& setups) const;
+    /// In the setups of a plan in which something is cut.
+    double settingUpS(const Plan& plan) const;
     /// Can no plan of those setups be better: would setting up alone take as long as this plan does, which
     /// leaves next to nothing?
     bool cannotBeat(const Plan& plan, const std::vector<Setup>& others, const Alike& alike) const;

@@ -32,6 +32,7 @@ class SetupSearchOf : public testing::Test {
         double minutes = 10;
         double stays_mm3 = 0;
         double bound_minutes = 0;
+        std::size_t operations = 1;  ///< in each setup
         std::optional<ErrorCode> fails = std::nullopt;
     };
 
@@ -55,7 +56,7 @@ class SetupSearchOf : public testing::Test {
                 PlannedSetup& cut = plan.setups.emplace_back();
                 cut.setup = setup;
                 cut.clamping.kind = HoldKind::Vise;
-                cut.operations.resize(1);
+                cut.operations.resize(outcome.operations);
             }
             return plan;
         });
@@ -95,12 +96,12 @@ TEST_F(SetupSearchOf, RidgesOfFormCuttersAreAllowedAndNoneOfSides) {
     sets_.with_forms = along({kZ});
     EXPECT_EQ(best().setups.size(), 1U);
     sets_.with_forms.clear();
-    sets_.others = {along({kZ})};
+    sets_.others.further = {along({kZ})};
     EXPECT_EQ(best().setups.size(), 2U);
 }
 
 TEST_F(SetupSearchOf, OtherOrdersArePlannedForLotsOfAShiftAlone) {
-    sets_.others = {along({kX, kZ})};
+    sets_.others.further = {along({kX, kZ})};
     from_x_ = {8, 0};
     EXPECT_EQ(best().setups.front().setup.axis, kZ);
     EXPECT_EQ(planned_, 1);
@@ -114,7 +115,7 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedForLotsOfAShiftAlone) {
 }
 
 TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereTwoSetupsLeaveWalls) {
-    sets_.others = {along({kX, kZ})};
+    sets_.others.further = {along({kX, kZ})};
     request_.scallop_mm = 0.02;
     from_x_ = {12, 0};
     chosen_ = {10, 0.001 * kRemovedMm3};
@@ -124,7 +125,7 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereTwoSetupsLeaveWalls) {
 }
 
 TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereAPlanIsFarFromItsBound) {
-    sets_.others = {along({kX, kZ})};
+    sets_.others.further = {along({kX, kZ})};
     from_x_ = {8, 0};
     chosen_ = {10, 0, 3};
     EXPECT_EQ(best().setups.front().setup.axis, kZ);
@@ -132,8 +133,30 @@ TEST_F(SetupSearchOf, OtherOrdersArePlannedWhereAPlanIsFarFromItsBound) {
     EXPECT_EQ(best().setups.front().setup.axis, kX);
 }
 
+TEST_F(SetupSearchOf, NoneIsPlannedThatTakesLongerToSetUpThanThereIsToWin) {
+    sets_.others.further = {along({kX, kZ, kY})};
+    machine_.setup_time_min = 18;
+    from_x_ = {1, 0};
+    chosen_ = {20, 0, 2};
+    EXPECT_EQ(best().setups.front().setup.axis, kZ);
+    EXPECT_EQ(planned_, 1);
+    machine_.setup_time_min = 17;
+    EXPECT_EQ(best().setups.front().setup.axis, kX);
+}
+
+TEST_F(SetupSearchOf, TheOrderOfLeastStepsIsPlannedBesideEverySmallPlan) {
+    sets_.others.least_steps = along({kX, kZ});
+    chosen_.bound_minutes = 5;
+    from_x_ = {8, 0};
+    EXPECT_EQ(best().setups.front().setup.axis, kX);
+    chosen_.operations = 60;
+    EXPECT_EQ(best().setups.front().setup.axis, kZ);
+    request_.quantity = 48;  // ten minutes each
+    EXPECT_EQ(best().setups.front().setup.axis, kX);
+}
+
 TEST_F(SetupSearchOf, ATrialThatCannotBePlannedLosesNothing) {
-    sets_.others = {along({kX, kZ}), along({kZ, kY})};
+    sets_.others.further = {along({kX, kZ}), along({kZ, kY})};
     from_x_.fails = ErrorCode::TimedOut;
     request_.quantity = 1000;
     const Plan plan = best();
@@ -147,7 +170,7 @@ TEST_F(SetupSearchOf, ATrialThatCannotBePlannedLosesNothing) {
 }
 
 TEST_F(SetupSearchOf, NoOtherIsPlannedWhenTheTimeIsOver) {
-    sets_.others = {along({kX, kZ})};
+    sets_.others.further = {along({kX, kZ})};
     request_.quantity = 1000;
     request_.patience.all_tools = Deadline::in(-1);
     const Plan plan = best();

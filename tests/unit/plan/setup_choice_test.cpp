@@ -54,12 +54,13 @@ TEST_F(SetupChoiceOf, OneSetupNeedsNoOtherPlanWhereSettingUpTakesLonger) {
 
 TEST_F(SetupChoiceOf, AnIndexedSetupTakesItsOwnTime) {
     std::vector<stepmill::Setup> setups = someSetups(2);
-    EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 1), 20 * 60);
+    EXPECT_DOUBLE_EQ(weigher_.settingUpS(setups), 20 * 60);
     setups.back().indexed = true;
-    EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 1), 40 * 60);
-    EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 8), 5 * 60);
+    EXPECT_DOUBLE_EQ(weigher_.settingUpS(setups), 40 * 60);
+    request_.quantity = 8;
+    EXPECT_DOUBLE_EQ(weigher_.settingUpS(setups), 5 * 60);
     machine_.load_time_s = 30;
-    EXPECT_DOUBLE_EQ(settingUpS(setups, machine_, 8), 5 * 60 + 2 * 30) << "each piece is loaded twice";
+    EXPECT_DOUBLE_EQ(weigher_.settingUpS(setups), 5 * 60 + 2 * 30) << "each piece is loaded twice";
 }
 
 TEST_F(SetupChoiceOf, RidgesAsHighAsAllowedCountAsNothing) {

@@ -159,7 +159,7 @@ TEST(ChooseSetups, CutsAnOpenSlotAcrossItsSharpCorners) {
 TEST(OtherSetups, AreOtherSidesAndOrdersThatTakeNoLongerToSetUp) {
     const Part block = samplePart("four_setups.step");
     const std::vector<stepmill::Setup> chosen = chooseSetups(block, {});
-    const std::vector<std::vector<stepmill::Setup>> others = otherSetups(block, {}, chosen);
+    const std::vector<std::vector<stepmill::Setup>> others = otherSetups(block, {}, chosen).further;
     Names turned = axesOf(chosen);
     std::iter_swap(std::find(turned.begin(), turned.end(), "+z"),
                    std::find(turned.begin(), turned.end(), "-z"));
@@ -179,7 +179,7 @@ TEST(OtherSetups, TakeTheOtherSideOfAWindowAndNoneThatMissesAPocket) {
     const auto others = [](const Part& window) {
         const std::vector<stepmill::Setup> chosen = chooseSetups(window, {});
         std::vector<Names> names;
-        for (const std::vector<stepmill::Setup>& other : otherSetups(window, {}, chosen))
+        for (const std::vector<stepmill::Setup>& other : otherSetups(window, {}, chosen).further)
             names.push_back(axesOf(other));
         return names;
     };
@@ -193,7 +193,7 @@ TEST(OtherSetups, BeginOnTheSameStock) {
     request.margin = {2, 1, 10};
     const Part block = part(box(0, 0, 0, 60, 50, 30));
     const std::vector<stepmill::Setup> chosen = chooseSetups(block, request);
-    for (const std::vector<stepmill::Setup>& other : otherSetups(block, request, chosen))
+    for (const std::vector<stepmill::Setup>& other : otherSetups(block, request, chosen).further)
         EXPECT_EQ(other.front().axis, chosen.front().axis);
 }
 
