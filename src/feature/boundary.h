@@ -12,8 +12,8 @@ namespace stepmill::feature {
 std::vector<BoundaryPiece> boundaryPieces(const Region& target, const Region& obstruction,
                                           const Tolerances& tol);
 
-/// Smallest radius of the concave wall arcs; nothing when two closed pieces meet in a sharp inner corner
-/// or no wall is a concave arc.
+/// Smallest radius of the concave wall arcs; nothing where a closed piece has a sharp inner corner or no wall
+/// is a concave arc.
 std::optional<double> minCornerRadiusMm(const std::vector<BoundaryPiece>& boundary);
 
 /// Do two closed edges anywhere meet in an inner corner without a radius?

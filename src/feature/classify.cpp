@@ -8,6 +8,9 @@
 namespace stepmill::feature {
 namespace {
 
+/// Walls of a slot that lie no farther from parallel face each other [rad]: short ones on the grid do.
+constexpr double kFacingRad = 1.4e-3;
+
 struct StraightWall {
     Vec2 at;
     Vec2 direction;
@@ -36,7 +39,7 @@ bool faceEachOther(const StraightWall& a, const StraightWall& b, const Region& t
                    const Tolerances& tol) {
     const Vec2 inward(-a.direction.y(), a.direction.x());
     const double apart = inward.dot(b.at - a.at);
-    if (apart <= 0 || a.direction.dot(b.direction) > -1 + tol.angular_rad) return false;
+    if (apart <= 0 || a.direction.dot(b.direction) > -std::cos(kFacingRad)) return false;
     double least = 0;
     double most = 0;
     for (const Loop& loop : target.loops) {

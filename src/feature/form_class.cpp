@@ -214,8 +214,7 @@ class FormNamer {
 
 }  // namespace
 
-PartForm nameForm(const FaceGraph& graph, const std::vector<bool>& on_stock, std::vector<int> faces,
-                  const Tolerances& /*tol*/) {
+PartForm nameForm(const FaceGraph& graph, const std::vector<bool>& on_stock, std::vector<int> faces) {
     PartForm form;
     form.flat = std::all_of(faces.begin(), faces.end(),
                             [&](int face) { return graph.faces[face].surface == "plane"; });

@@ -7,7 +7,6 @@
 namespace stepmill::feature {
 
 /// Names a group of faces that inner edges or inner rounds join.
-PartForm nameForm(const FaceGraph& graph, const std::vector<bool>& on_stock, std::vector<int> faces,
-                  const Tolerances& tol);
+PartForm nameForm(const FaceGraph& graph, const std::vector<bool>& on_stock, std::vector<int> faces);
 
 }  // namespace stepmill::feature

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "stepmill/core/groups.h"
 #include "stepmill/feature/region_compare.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
@@ -104,7 +104,7 @@ class Judge {
 
     /// The upright face of the part that spans the layer's middle and stands here.
     const FaceTrace* uprightAt(const Vec2& p, const Layer& layer) const {
-        const double z_mm = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+        const double z_mm = layer.middle_z_mm();
         const auto found = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& wall) {
             if (z_mm > wall.trace->top_z_mm || z_mm < wall.trace->bottom_z_mm) return false;
             if (isDeepFillet(*wall.trace, layer.bottom_z_mm)) return false;
@@ -158,38 +158,19 @@ class Judge {
     std::vector<Wall> walls_;
 };
 
-/// Which lump each component belongs to, by its first component.
-class Lumps {
-  public:
-    explicit Lumps(std::size_t count) : first_(count) { std::iota(first_.begin(), first_.end(), 0); }
-
-    int of(int index) const {
-        while (first_[index] != index)
-            index = first_[index];
-        return index;
-    }
-    void join(int a, int b) {
-        a = of(a);
-        b = of(b);
-        first_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<int> first_;
-};
-
-/// Volumes of lumps of components of one kind, at their first component.
+/// Volumes of lumps of the components that are wanted, or of those that are not, at their first component.
+/// \param lumps  each component its own; joined as they lie over each other
 std::vector<double> lumpVolumes(const RemovalForest& forest, const LayerStack& layers,
-                                const std::vector<bool>& kind, bool wanted, Lumps& lumps) {
+                                const std::vector<bool>& is_wanted, bool which, Groups& lumps) {
     const int count = static_cast<int>(forest.components.size());
     for (int i = 0; i < count; ++i) {
         for (const int child : forest.components[i].children)
-            if (kind[i] == wanted && kind[child] == wanted) lumps.join(i, child);
+            if (is_wanted[i] == which && is_wanted[child] == which) lumps.join(i, child);
     }
     std::vector<double> volumes(forest.components.size(), 0);
     for (int i = 0; i < count; ++i) {
         const RemovalComponent& component = forest.components[i];
-        if (kind[i] == wanted && component.stock_share >= kSkinShare)
+        if (is_wanted[i] == which && component.stock_share >= kSkinShare)
             volumes[lumps.of(i)] += volumeMm3(component, layers);
     }
     return volumes;
@@ -228,16 +209,16 @@ void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolera
         wanted[i] = finished[i].any || std::any_of(component.children.begin(), component.children.end(),
                                                    [&](int child) { return wanted[child]; });
     }
-    for (const bool kind : {true, false}) {
-        Lumps lumps(forest.components.size());
-        const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, kind, lumps);
-        std::map<int, Finished> finished_by_lump;
-        for (int i = 0; kind && i < count; ++i)
+    for (const bool which : {true, false}) {
+        Groups lumps(forest.components.size());
+        const std::vector<double> volumes = lumpVolumes(forest, layers, wanted, which, lumps);
+        std::map<std::size_t, Finished> finished_by_lump;
+        for (int i = 0; which && i < count; ++i)
             if (wanted[i]) finished_by_lump[lumps.of(i)].add(finished[i]);
         for (int i = 0; i < count; ++i) {
-            if (wanted[i] != kind) continue;
-            const int lump = lumps.of(i);
-            const bool finishes = kind && judge.isWorth(finished_by_lump[lump]);
+            if (wanted[i] != which) continue;
+            const std::size_t lump = lumps.of(i);
+            const bool finishes = which && judge.isWorth(finished_by_lump[lump]);
             const double least_mm3 = finishes ? std::max(kCrumbMm3, kCrumbShare * layers.removable_mm3)
                                               : kLumpShare * layers.removable_mm3;
             if (volumes[lump] < least_mm3) forest.components[i].left = true;

@@ -8,9 +8,10 @@ namespace stepmill::feature {
 /// walls that lean to this axis too, cusps of corners, facets of the stock. Only on stock that was cut
 /// before.
 ///
-/// A component is worth cutting where it finishes a face of the part (most of its wall stands upright on one,
-/// or much of its floor lies on one), or where one that is lies below it. What does neither is worth it only
-/// in lumps, components that touch each other counted together, of `kLumpShare` of all there is to remove.
+/// Components that touch each other are a lump. Those that finish a face of the part (most of their wall
+/// stands upright on one, or much of their floor lies on one), or lie over such, are worth cutting where
+/// their lump finishes much of some face or plugs a hole and is no crumb. All others are in lumps of
+/// `kLumpShare` of all there is to remove.
 void markLeftovers(RemovalForest& forest, const LayerStack& layers, const Tolerances& tol);
 
 }  // namespace stepmill::feature

@@ -1,35 +1,13 @@
 #include <algorithm>
 #include <map>
-#include <numeric>
-#include <set>
 
 #include "feature/form_class.h"
+#include "stepmill/core/groups.h"
 #include "stepmill/feature/hole.h"
 #include "stepmill/feature/part_form.h"
 
 namespace stepmill {
 namespace {
-
-/// Disjoint sets of faces.
-class Groups {
-  public:
-    explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-    int find(int face) const {
-        while (parent_[face] != face)
-            face = parent_[face];
-        return face;
-    }
-    /// The least face stays the root, so that groups come in the order of their least faces.
-    void join(int a, int b) {
-        const int root_a = find(a);
-        const int root_b = find(b);
-        parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
-    }
-
-  private:
-    std::vector<int> parent_;
-};
 
 bool isRound(const FaceShape& face) {
     return face.surface == "cylinder" || face.surface == "cone" || face.surface == "sphere" ||
@@ -110,9 +88,9 @@ class FormFinder {
         joinAcrossRounds(groups);
         std::map<int, std::vector<int>> members;
         for (const FaceShape& face : graph_.faces)
-            if (free(face.index)) members[groups.find(face.index)].push_back(face.index);
+            if (free(face.index)) members[groups.of(face.index)].push_back(face.index);
         for (auto& [root, faces] : members)
-            forms_.push_back(feature::nameForm(graph_, on_stock_, std::move(faces), tol_));
+            forms_.push_back(feature::nameForm(graph_, on_stock_, std::move(faces)));
     }
 
     /// A round between two faces of a cut stands for the inner edge it breaks.

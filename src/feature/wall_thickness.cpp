@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "stepmill/planar/edge.h"
 
@@ -15,8 +14,10 @@ constexpr std::array<double, 3> kRayShares{0.1, 0.5, 0.9};
 constexpr double kAboutAsThin = 1.5;
 /// Sine of the angle between a ray and the other side of a wall, at least.
 constexpr double kFacing = 0.95;
-/// Walls thicker than this many depths are no walls but the body [1].
+/// Walls thicker than this many depths are no walls but the body.
 constexpr double kBody = 2;
+/// Arcs are measured as chords this near to them, no nearer [mm]: thickness is told to a hundredth.
+constexpr double kChordMm = 1e-2;
 
 struct Ray {
     Vec2 from;
@@ -91,11 +92,10 @@ std::optional<WallThickness> thinnestWall(const Feature& feature, const LayerSta
     const std::vector<Ray> rays = raysOf(feature);
     const double most = kBody * feature.depth_mm();
     const Box2 near = grown(boundingBox(feature.target), most);
-    const double chord_mm = std::max(tol.chord_mm, 1e-2);
+    const double chord_mm = std::max(tol.chord_mm, kChordMm);
     std::vector<Found> found;
     for (const Layer& layer : layers.layers) {
-        const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-        if (middle > feature.top_z_mm || middle < feature.floor_z_mm) continue;
+        if (!layer.isWithin(feature.top_z_mm, feature.floor_z_mm)) continue;
         const std::vector<Chord> chords = chordsOf(layer.part, near, chord_mm);
         Found thinnest{most, layer.height_mm(), Vec2::Zero()};
         for (const Ray& ray : rays) {

@@ -89,7 +89,7 @@ void cutStock(const Solids& solids, const SliceOptions& options, const Tolerance
 /// The stock half-way up a slab, less what earlier setups cut.
 Region stockHalfWay(const Solids& solids, const Tolerances& tol, const CutLayer& cut) {
     const Layer& layer = cut.layer;
-    const double half_way = (layer.top_z_mm + layer.bottom_z_mm) / 2;
+    const double half_way = layer.middle_z_mm();
     Region raw = solids.raw.box();
     if (solids.raw.mesh()) {
         raw = layer.stock;
@@ -122,9 +122,8 @@ using StockSlabs = std::vector<CutLayer>;
 
 /// Takes the stock from the slab that holds this one's heights; false if there is none.
 bool takeStock(const StockSlabs& slabs, CutLayer& cut) {
-    const double middle = (cut.layer.top_z_mm + cut.layer.bottom_z_mm) / 2;
     const auto holds = std::find_if(slabs.begin(), slabs.end(), [&](const CutLayer& slab) {
-        return slab.layer.bottom_z_mm < middle && middle < slab.layer.top_z_mm;
+        return cut.layer.isWithin(slab.layer.top_z_mm, slab.layer.bottom_z_mm);
     });
     if (holds == slabs.end()) return false;
     const double share = cut.layer.height_mm() / holds->layer.height_mm();
@@ -250,7 +249,7 @@ void cutStockSlab(const Solids& solids, std::span<const Level> levels, const Sli
         out.push_back(std::move(cut));
         return;
     }
-    const double middle = (cut.layer.top_z_mm + cut.layer.bottom_z_mm) / 2;
+    const double middle = cut.layer.middle_z_mm();
     std::size_t at = 1;
     for (std::size_t i = 1; i + 1 < levels.size(); ++i)
         if (std::abs(levels[i].z_mm - middle) < std::abs(levels[at].z_mm - middle)) at = i;
@@ -323,7 +322,8 @@ LayerStack slice(const Setup& setup, const Tolerances& tol, const SliceOptions& 
     const std::vector<Level> levels = layers::mergeLevels(std::move(marks), stack.stock_top_z_mm,
                                                           stack.stock_bottom_z_mm, options.level_merge_mm);
     if (solids.part.openSides() > 0)
-        stack.remarks.push_back(fmt::format("the part's facets leave {} gaps", solids.part.openSides()));
+        stack.remarks.push_back(fmt::format("the part's facets leave {} gap{}", solids.part.openSides(),
+                                            solids.part.openSides() == 1 ? "" : "s"));
     guardOcct(ErrorCode::GeometryKernel, "faces of the part",
               [&] { stack.traces = layers::traceFaces(solids.part, faceEdges(setup.part, tol), tol); });
     const StockSlabs stock_slabs = cutStockSlabs(solids, levels, options, tol);

@@ -54,21 +54,16 @@ void setLeft(VolumeBalance& books, const Account& residual, const Account& unrea
     books.unreachable_mm3 = unreachable.sum();
 }
 
-bool spans(double top_z_mm, double bottom_z_mm, double z_mm) {
-    return bottom_z_mm < z_mm && z_mm < top_z_mm;
-}
-
 /// Removal of a slab that its features and its unplanned volumes do not account for [mm3].
 double slabGap(const Layer& layer, const PlannedSetup& setup) {
-    const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
     double gap = (area(layer.stock) - area(layer.part)) * layer.height_mm() + layer.sloped_volume_mm3 -
                  layer.stock_air_mm3;
     for (const PlannedFeature& planned : setup.features) {
         const Feature& feature = planned.feature;
-        if (spans(feature.top_z_mm, feature.floor_z_mm, middle)) gap -= feature.area_mm2 * layer.height_mm();
+        if (layer.isWithin(feature.top_z_mm, feature.floor_z_mm)) gap -= feature.area_mm2 * layer.height_mm();
     }
     for (const Unplanned& unplanned : setup.unplanned) {
-        if (!spans(unplanned.top_z_mm, unplanned.bottom_z_mm, middle)) continue;
+        if (!layer.isWithin(unplanned.top_z_mm, unplanned.bottom_z_mm)) continue;
         const double height = unplanned.top_z_mm - unplanned.bottom_z_mm;
         gap -= unplanned.volume_mm3 * layer.height_mm() / height;
     }

@@ -27,9 +27,6 @@ namespace {
 
 using Warnings = std::vector<Warning>;
 
-/// Sine of the angle below which two axes are parallel.
-constexpr double kSameAxis = 1e-6;
-
 /// Of stock minus part so much more may stay with the setups of an earlier plan: what a revision's own
 /// corners keep.
 constexpr double kRevisionMayLeaveShare = 0.002;
@@ -78,7 +75,9 @@ std::vector<Setup> setupsFor(const Part& part, const PlanRequest& request) {
         setup.chosen = request.setup.axes.empty();
     if (!request.roughing || known || !request.setup.axes.empty() || setups.empty()) return setups;
     const Vec3 first = setups.front().axis;
-    std::erase_if(setups, [&](const Setup& setup) { return setup.axis.cross(first).norm() > kSameAxis; });
+    std::erase_if(setups, [&](const Setup& setup) {
+        return !isSameAxis(setup.axis, first) && !isSameAxis(setup.axis, -first);
+    });
     return setups;
 }
 
@@ -321,8 +320,7 @@ std::vector<Vec3> axesSeen(const PlanRequest& request, const std::vector<Setup>&
 }
 
 bool sameAxes(const std::vector<Vec3>& some, const std::vector<Vec3>& others) {
-    return std::equal(some.begin(), some.end(), others.begin(), others.end(),
-                      [](const Vec3& a, const Vec3& b) { return (a - b).norm() <= kSameAxis; });
+    return std::equal(some.begin(), some.end(), others.begin(), others.end(), isSameAxis);
 }
 
 /// The plan with the setups of an earlier one and what each leaves for later ones; nothing where sight asks

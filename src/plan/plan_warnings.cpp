@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,9 +16,6 @@ namespace stepmill {
 namespace {
 
 using Warnings = std::vector<Warning>;
-
-/// Residuals smaller than this are listed, but not worth a warning [mm3].
-constexpr double kWorthAWarningMm3 = 1;
 
 /// What stays on the part for one kind of reason, in all features together.
 struct StayingKind {

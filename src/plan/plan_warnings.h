@@ -20,9 +20,10 @@ std::vector<Warning> unusedFixtures(const FixtureFile& given, const std::vector<
 /// Steps that take much of a feature's time for little of its volume.
 std::vector<Warning> slowSteps(const PlannedSetup& setup);
 
-/// What a reader must know of a plan that is complete but for its warnings: what no setup plans, residuals,
-/// slow steps and travel by setup, what was planned with caution, the magazine, parts that ask for more than
-/// 2.5 axes, books that do not close.
+/// What a reader must know of a plan that is complete but for its warnings: what no setup plans, residuals
+/// and allowances, how setups are held, slow steps, bending and travel by setup, what was planned with
+/// caution, cycle times, the magazine, what of machine and material is assumed, parts that ask for more
+/// than 2.5 axes, books that do not close.
 /// \param largest_gap  PlanBooks::largest_gap
 std::vector<Warning> warningsOf(const Plan& plan, const std::string& largest_gap, const Tolerances& tol);
 

@@ -92,7 +92,7 @@ bool repeatsResiduals(const PlannedSetup& setup, const std::vector<PlannedStage>
 /// Is the part turned over for it, as for the lower edges of a block?
 bool turnsOverAny(const Setup& setup, const std::vector<PlannedStage>& earlier) {
     return std::any_of(earlier.begin(), earlier.end(), [&](const PlannedStage& stage) {
-        return stage.setup.setup.axis.isApprox(-setup.axis);
+        return isSameAxis(stage.setup.setup.axis, -setup.axis);
     });
 }
 

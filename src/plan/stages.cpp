@@ -41,8 +41,7 @@ class AirTaker {
   private:
     double takeOff(std::size_t i, double air_mm3, const Layer& layer) {
         Unplanned& entry = unplanned_[i];
-        const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-        if (entry.bottom_z_mm > middle || entry.top_z_mm < middle) return 0;
+        if (!layer.isWithin(entry.top_z_mm, entry.bottom_z_mm)) return 0;
         const double taken = std::min({air_mm3, entry.volume_mm3, inSlabMm3(i, layer)});
         entry.volume_mm3 -= taken;
         return taken;

@@ -44,7 +44,7 @@ void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& 
     totals.air_s += air_s;
     totals.tool_change_s += change_s;
     totals.time_s += setup.time_s;
-    totals.cost += setup.time_s / (60 * kSecondsPerMinute) * machine.hourly_rate;
+    totals.cost += machine.costOf(setup.time_s);
 }
 
 /// Of every setup, however tools are shared; the first tool of each may be in the spindle from the setup

@@ -15,9 +15,6 @@ namespace stepmill::setup {
 
 namespace {
 
-/// Directions closer than this are one (0.06 degrees): more than rounding in files, less than any draft.
-constexpr double kSameAxisRad = 1e-3;
-
 /// Sculpted parts have hundreds of normals; those of the largest faces are worth asking about.
 constexpr std::size_t kMostTiltedAxes = 26;
 
@@ -26,12 +23,8 @@ struct Direction {
     double area_mm2 = 0;
 };
 
-bool same(const Vec3& a, const Vec3& b) {
-    return (a - b).norm() < kSameAxisRad;
-}
-
 bool among(const Vec3& axis, const std::vector<Vec3>& axes) {
-    return std::any_of(axes.begin(), axes.end(), [&](const Vec3& other) { return same(axis, other); });
+    return std::any_of(axes.begin(), axes.end(), [&](const Vec3& other) { return isSameAxis(axis, other); });
 }
 
 /// Outward normal of a plane; both senses of the axis of a cylinder or cone.
@@ -62,8 +55,9 @@ std::vector<Direction> tiltedDirections(const TopoDS_Shape& solid) {
             const Vec3 axis = cleanAxis(direction);
             if (among(axis, box)) continue;
             if (!area_mm2) area_mm2 = areaOf(face);
-            const auto known = std::find_if(found.begin(), found.end(),
-                                            [&](const Direction& other) { return same(other.axis, axis); });
+            const auto known = std::find_if(found.begin(), found.end(), [&](const Direction& other) {
+                return isSameAxis(other.axis, axis);
+            });
             if (known == found.end())
                 found.push_back({axis, *area_mm2});
             else

@@ -137,7 +137,7 @@ class SetupMaker {
         const setup::RayTree tree(mesh_.facets);
         std::vector<AddedSetup> found;
         for (const Vec3& axis : setup::candidateAxes(part_, request_.forbidden)) {
-            const auto is_along = [&](const Setup& setup) { return setup.axis.isApprox(axis); };
+            const auto is_along = [&](const Setup& setup) { return isSameAxis(setup.axis, axis); };
             if (!isBoxDirection(axis) || std::any_of(setups.begin(), setups.end(), is_along)) continue;
             double free_mm3 = 0;
             for (const UnreachedPlace& place : places) {
@@ -211,7 +211,7 @@ class SetupMaker {
 
     static int indexOf(const Vec3& axis, const std::vector<Vec3>& axes) {
         const auto found =
-            std::find_if(axes.begin(), axes.end(), [&](const Vec3& one) { return one.isApprox(axis); });
+            std::find_if(axes.begin(), axes.end(), [&](const Vec3& one) { return isSameAxis(one, axis); });
         STEPMILL_CHECK(found != axes.end(), "an axis that was chosen is among those to choose from");
         return static_cast<int>(found - axes.begin());
     }
@@ -250,7 +250,7 @@ class SetupMaker {
 
     static void addTurnOver(const std::vector<Vec3>& axes, const Vec3& first, std::vector<double>& bonus) {
         for (std::size_t i = 0; i < axes.size(); ++i)
-            if (axes[i].isApprox(first) || axes[i].isApprox(-first)) bonus[i] += kTurnOverBonus;
+            if (isSameAxis(axes[i], first) || isSameAxis(axes[i], -first)) bonus[i] += kTurnOverBonus;
     }
 
     Setup make(const Vec3& axis, const Stock& stock) const {

@@ -8,12 +8,23 @@
 
 namespace stepmill {
 
+namespace {
+
+/// Directions closer than this are one (0.06 degrees): more than rounding in files, less than any draft.
+constexpr double kSameAxisRad = 1e-3;
+/// Of a unit vector and a box direction whose sections may be taken for each other's: rounding of doubles.
+constexpr double kBoxDirection = 1e-9;
+/// A direction that is asked for is none below this length.
+constexpr double kNoDirection = 1e-9;
+
+}  // namespace
+
 namespace setup {
 
 Vec3 cleanAxis(const Vec3& axis) {
     const Vec3 unit = axis.normalized();
     const Vec3 box = nearestBoxDirection(unit);
-    return (unit - box).norm() < 1e-9 ? box : unit;
+    return (unit - box).norm() < kBoxDirection ? box : unit;
 }
 
 Vec3 nearestBoxDirection(const Vec3& axis) {
@@ -69,8 +80,12 @@ std::optional<Vec3> parseAxis(const std::string& text) {
         if (error != std::errc() || !(std::abs(axis[i]) <= kLargestAxisPart)) return std::nullopt;
         at = next;
     }
-    if (at != end || axis.norm() < 1e-9) return std::nullopt;
+    if (at != end || axis.norm() < kNoDirection) return std::nullopt;
     return setup::cleanAxis(axis);
+}
+
+bool isSameAxis(const Vec3& a, const Vec3& b) {
+    return (a - b).norm() < kSameAxisRad;
 }
 
 std::string axisName(const Vec3& axis) {

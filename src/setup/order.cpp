@@ -18,7 +18,7 @@ constexpr double kSameSeat = 0.01;
 constexpr double kSeatMm = 1e-3;
 
 bool isOpposite(const SetupTraits& a, const SetupTraits& b) {
-    return a.axis.dot(b.axis) < -1 + kUprightSine * kUprightSine;
+    return isSameAxis(a.axis, -b.axis);
 }
 
 /// A setup from the other side machines the seat as a floor, one across it as a wall.

@@ -9,6 +9,8 @@ namespace {
 constexpr int kLeafFacets = 4;
 /// Hits nearer than that are the start itself [mm].
 constexpr double kStartMm = 1e-9;
+/// Sine of the angle between a ray and a facet below which it runs along it: rounding of doubles.
+constexpr double kAlong = 1e-12;
 
 Vec3 middleOf(const Facet& facet) {
     return (facet[0] + facet[1] + facet[2]) / 3;
@@ -21,7 +23,7 @@ double hitDistance(const Facet& facet, const Vec3& from, const Vec3& direction) 
     const Vec3 v = facet[2] - facet[0];
     const Vec3 across = direction.cross(v);
     const double det = u.dot(across);
-    if (std::abs(det) < 1e-12 * u.norm() * v.norm()) return kMiss;
+    if (std::abs(det) < kAlong * u.norm() * v.norm()) return kMiss;
     const Vec3 to = from - facet[0];
     const double s = to.dot(across) / det;
     if (s < 0 || s > 1) return kMiss;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stepmill/catalog/tool.h"
+#include "stepmill/core/units.h"
 
 namespace stepmill {
 
@@ -81,6 +82,8 @@ struct Machine {
     std::optional<std::array<double, 2>> part_change_mm;
 
     double settingUpMin(bool indexed) const { return indexed ? indexed_setup_time_min : setup_time_min; }
+    /// Of its time, at the hourly rate.
+    double costOf(double seconds) const { return seconds / kSecondsPerHour * hourly_rate; }
 };
 
 }  // namespace stepmill

@@ -8,6 +8,9 @@
 
 namespace stepmill {
 
+/// Smaller pieces that stay are listed, but not worth a warning [mm3].
+inline constexpr double kWorthAWarningMm3 = 1;
+
 /// Why material stays: of what no feature owns, and of what a feature's tools leave.
 enum class Reason {
     // Behind walls that are not vertical, one a SlopeCause.

@@ -39,6 +39,11 @@ struct Layer {
     double mended_by_mm = 0;
 
     double height_mm() const { return top_z_mm - bottom_z_mm; }
+    double middle_z_mm() const { return (top_z_mm + bottom_z_mm) / 2; }
+    /// Is its middle between these heights? So is all of it where layers end there.
+    bool isWithin(double high_z_mm, double low_z_mm) const {
+        return low_z_mm < middle_z_mm() && middle_z_mm() < high_z_mm;
+    }
 };
 
 /// A setup's solids as planar regions between levels, from the top down. After slicing no module asks

@@ -215,6 +215,8 @@ EdgeCost edgeCost(const PathTotals& totals, const ToolAssembly& tool, const Mach
 
 /// What a sequence makes least: seconds or money, with acceleration where the machine gives it.
 double weightOf(const EdgeCost& cost, Objective objective);
+/// Of a tool change.
+double changeWeight(const Machine& machine, Objective objective);
 
 /// The optimal tool sequence for a feature: areas of all tools, costs of all DAG edges on real paths
 /// (evaluated in parallel), the cheapest path [tool-dag.md]. The result does not depend on the

@@ -82,14 +82,18 @@ struct Setup {
     bool chosen = false;  ///< found by chooseSetups, not asked for: may fall away when nothing is left for it
 };
 
+/// Do two unit vectors point the same way, within rounding in files (0.06 degrees)?
+bool isSameAxis(const Vec3& a, const Vec3& b);
+
 /// The setups to machine a part in, in order: the axes asked for, or few that together reach all removable
 /// volume some axis reaches.
 ///
 /// Candidates are the six box directions, normals of planes and both senses of cylinder and cone axes,
 /// without the forbidden ones. Samples in front of the part's faces say what each reaches; branch and
-/// bound looks for the set whose volume reached, less what every further setup must pay, is greatest.
-/// Order: indexed axes last; else the one that takes most of what is left first; ties: the one that rests on
-/// the larger flat face first, then +z, -z, +x, -x, +y, -y. A part with nothing to remove gets one setup.
+/// bound looks for the set that reaches most volume and finishes most faces, less what every further setup
+/// must pay. Order: indexed axes last; after the first, those first whose seat is the stock's skin or
+/// machined by then; of these the one that takes most of what is left; within a tenth of that the one that
+/// rests on the larger flat face; then +z, -z, +x, -x, +y, -y. A part with nothing to remove gets one setup.
 ///
 /// Reach decides number and order only; no area or volume of the plan comes from it. Deterministic.
 /// \return  at least one setup

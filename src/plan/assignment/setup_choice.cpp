@@ -63,9 +63,7 @@ double SetupWeigher::settingUpS(const Plan& plan) const {
 }
 
 double SetupWeigher::weightOfS(double setting_up_s) const {
-    return request_.sequence.objective == Objective::Time
-               ? setting_up_s
-               : setting_up_s / kSecondsPerHour * machine_.hourly_rate;
+    return request_.sequence.objective == Objective::Time ? setting_up_s : machine_.costOf(setting_up_s);
 }
 
 double SetupWeigher::weight(const Plan& plan) const {

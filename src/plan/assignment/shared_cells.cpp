@@ -19,8 +19,7 @@ namespace {
 constexpr std::size_t kMostCorners = 40;
 
 bool holdsLayer(const Feature& feature, const Layer& layer) {
-    const double middle = (layer.top_z_mm + layer.bottom_z_mm) / 2;
-    return feature.floor_z_mm < middle && middle < feature.top_z_mm;
+    return layer.isWithin(feature.top_z_mm, feature.floor_z_mm);
 }
 
 double perVolume(const LateBand& band) {

@@ -14,8 +14,6 @@ namespace {
 constexpr double kPaysShare = 1e-3;
 /// ... or, of a hole, of its feature: half a small hole is worth its setup, ...
 constexpr double kPaysHoleShare = 0.5;
-/// ... if it is worth a warning [mm3].
-constexpr double kLeastMm3 = 1;
 
 bool mayBeReachedElsewhere(const StayReason& reason) {
     return reason == Reason::TooDeep || reason == Reason::HolderCollision || reason == Reason::NoWayIn ||
@@ -36,7 +34,7 @@ double paysFromMm3(const ResidualPrism& left, const Plan& plan) {
     double pays_mm3 = kPaysShare * plan.balance.stock_minus_part_mm3;
     const Feature& feature = left.feature->feature;
     if (isHole(feature.feature_class)) pays_mm3 = std::min(pays_mm3, kPaysHoleShare * feature.volume_mm3);
-    return std::max(kLeastMm3, pays_mm3);
+    return std::max(kWorthAWarningMm3, pays_mm3);
 }
 
 }  // namespace

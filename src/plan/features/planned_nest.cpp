@@ -9,14 +9,14 @@
 namespace stepmill {
 namespace {
 
-/// Seconds or money of a path with the change to its tool.
-double weightOf(const PathTotals& path, const std::string& tool, const PlanningShop& shop) {
-    return weightOf(edgeCost(path, shop.library.tool(tool), shop.machine), shop.request.sequence.objective);
+double changeWeight(const PlanningShop& shop) {
+    return changeWeight(shop.machine, shop.request.sequence.objective);
 }
 
-/// Seconds or money of a tool change.
-double changeWeight(const PlanningShop& shop) {
-    return weightOf({}, shop.library.tools.front().id, shop);
+/// Seconds or money of a path without the change to its tool.
+double weightOf(const SequenceStep& step, const PlanningShop& shop) {
+    const EdgeCost cost = edgeCost(step.path.totals, shop.library.tool(step.tool_id), shop.machine);
+    return weightOf(cost, shop.request.sequence.objective) - changeWeight(shop);
 }
 
 /// Do tools find the same in both?
@@ -68,7 +68,7 @@ double pathsWeight(const PlannedNest& nest, const PlanningShop& shop) {
     double weight = 0;
     for (const PlannedFeature& planned : nest.features)
         for (const SequenceStep& step : planned.sequence.steps)
-            weight += weightOf(step.path.totals, step.tool_id, shop) - changeWeight(shop);
+            weight += weightOf(step, shop);
     return weight;
 }
 

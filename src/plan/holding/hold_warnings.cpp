@@ -11,9 +11,6 @@
 namespace stepmill {
 namespace {
 
-/// Held stock smaller than this is listed, but not worth a warning [mm3].
-constexpr double kWorthNamingMm3 = 1;
-
 /// Room for cutters below the stock, and what fills what lies under it.
 struct RoomBelow {
     double height_mm = 0;
@@ -65,7 +62,7 @@ void warnOfPlate(const PlannedSetup& setup, const PlanRequest& request, std::vec
 /// Held stock that no later setup takes.
 void warnOfHeldStock(const Plan& plan, std::vector<Warning>& into) {
     for (const ReasonVolume& entry : plan.balance.residual_by_reason)
-        if (entry.reason == Reason::Holding && entry.volume_mm3 >= kWorthNamingMm3)
+        if (entry.reason == Reason::Holding && entry.volume_mm3 >= kWorthAWarningMm3)
             into.push_back({"held-stock", plan.part.file,
                             fmt::format("{:.4g} mm3 stay where the part is held: no later setup takes them",
                                         entry.volume_mm3)});

@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "stepmill/core/groups.h"
 #include "stepmill/feature/heights.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/clearance_diagram.h"
 
 namespace stepmill {
 namespace {
@@ -40,17 +41,16 @@ class Pieces {
         for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
             const std::size_t from = slices_.size();
             addSlab(heights[i], heights[i + 1]);
-            joined_.resize(slices_.size());
-            std::iota(joined_.begin() + static_cast<std::ptrdiff_t>(from), joined_.end(), from);
+            hanging_.grow(slices_.size());
             for (std::size_t below = from; below < slices_.size(); ++below)
                 for (std::size_t above = above_from; above < from; ++above)
-                    if (rootOf(above) != rootOf(below) && touch(slices_[above], slices_[below]))
-                        joined_[rootOf(below)] = rootOf(above);
+                    if (hanging_.of(above) != hanging_.of(below) && touch(slices_[above], slices_[below]))
+                        hanging_.join(above, below);
             above_from = from;
         }
         held_.assign(slices_.size(), 0);
         for (std::size_t i = 0; i < slices_.size(); ++i)
-            if (!held_[rootOf(i)] && isHeld(slices_[i])) held_[rootOf(i)] = 1;
+            if (!held_[hanging_.of(i)] && isHeld(slices_[i])) held_[hanging_.of(i)] = 1;
     }
 
     /// What hangs together with nothing that is held, the largest first.
@@ -60,16 +60,15 @@ class Pieces {
         std::vector<LoosePiece> pieces(slices_.size());
         for (std::size_t i = 0; i < slices_.size(); ++i) {
             const Slice& slice = slices_[i];
-            LoosePiece& piece = pieces[rootOf(i)];
-            piece.volume_mm3 += area(slice.section) * (slice.top_z_mm - slice.bottom_z_mm);
-            if (rootOf(i) == i)
-                piece.at = Vec3(slice.box.center().x(), slice.box.center().y(), slice.top_z_mm);
+            pieces[hanging_.of(i)].volume_mm3 += area(slice.section) * (slice.top_z_mm - slice.bottom_z_mm);
         }
         std::vector<LoosePiece> found;
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (rootOf(i) == i && !held_[i] && pieces[i].volume_mm3 > kCrumbMm3 &&
-                arrives().holds(slices_[i]))
-                found.push_back(pieces[i]);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            if (hanging_.of(i) != i || held_[i] || pieces[i].volume_mm3 <= kCrumbMm3) continue;
+            if (!arrives().holds(slices_[i])) continue;
+            found.push_back(pieces[i]);
+            found.back().at = placeOn(slices_[i]);
+        }
         std::stable_sort(found.begin(), found.end(), [](const LoosePiece& a, const LoosePiece& b) {
             return a.volume_mm3 > b.volume_mm3;
         });
@@ -118,20 +117,23 @@ class Pieces {
         return gone_;
     }
 
+    /// On top of it, in its middle where that is not open.
+    Vec3 placeOn(const Slice& slice) const {
+        Vec2 at = slice.box.center();
+        if (!contains(slice.section, at))
+            if (const auto disc = ClearanceDiagram(slice.section, tol_).largestInscribedDisc())
+                at = disc->centre;
+        return {at.x(), at.y(), slice.top_z_mm};
+    }
+
     /// Does a piece that is held have some of the slice?
     bool holds(const Slice& slice) const {
         const double middle_mm = (slice.top_z_mm + slice.bottom_z_mm) / 2;
         for (std::size_t i = 0; i < slices_.size(); ++i)
-            if (slices_[i].top_z_mm > middle_mm && slices_[i].bottom_z_mm < middle_mm && held_[rootOf(i)] &&
-                touch(slices_[i], slice))
+            if (slices_[i].top_z_mm > middle_mm && slices_[i].bottom_z_mm < middle_mm &&
+                held_[hanging_.of(i)] && touch(slices_[i], slice))
                 return true;
         return false;
-    }
-
-    std::size_t rootOf(std::size_t i) const {
-        while (joined_[i] != i)
-            i = joined_[i];
-        return i;
     }
 
     bool touch(const Slice& a, const Slice& b) const {
@@ -169,8 +171,8 @@ class Pieces {
     std::vector<std::size_t> gone_prisms_;  ///< those that gone_ unites
     Region gone_;
     std::vector<Slice> slices_;
-    std::vector<char> held_;           ///< by root: is its piece?
-    std::vector<std::size_t> joined_;  ///< by slice: one it hangs together with, itself at the root
+    std::vector<char> held_;  ///< by root: is its piece?
+    Groups hanging_;          ///< slices that hang together, named by an uppermost
 };
 
 }  // namespace

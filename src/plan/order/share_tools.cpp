@@ -9,7 +9,6 @@
 
 #include "plan/order/fewest_visits.h"
 #include "plan/order/visit_problem.h"
-#include "stepmill/core/units.h"
 #include "stepmill/feature/whole_feature.h"
 
 namespace stepmill {
@@ -205,7 +204,7 @@ class Sharing {
             return without.too_many < best.too_many ? kAnyNumberOfVisits : -1;
         if (change_ <= 0) return without.isBetterThan(best) ? kAnyNumberOfVisits : -1;
         const double most = std::floor((best.weight - without.weight) / change_);
-        return static_cast<int>(std::min<double>(most, kAnyNumberOfVisits));
+        return static_cast<int>(std::clamp<double>(most, -1, kAnyNumberOfVisits));
     }
 
     /// The visits of a choice in their order.
@@ -364,11 +363,8 @@ SharedSetups withSharedTools(std::vector<PlannedSetup> setups, const ToolLibrary
     for (const PlannedSetup& setup : setups)
         for (const PlannedFeature& planned : setup.features)
             choices.push_back(choicesOf(planned.sequence));
-    const double hours = machine.tool_change_s / (60 * kSecondsPerMinute);
-    const double change_weight =
-        objective == Objective::Time ? machine.tool_change_s : hours * machine.hourly_rate;
-    SharedChoice shared =
-        shareTools(inSetupOrder(setups), choices, change_weight, library, machine.magazine_size);
+    SharedChoice shared = shareTools(inSetupOrder(setups), choices, changeWeight(machine, objective), library,
+                                     machine.magazine_size);
     std::size_t feature = 0;
     std::set<std::string> changed;
     for (PlannedSetup& setup : setups) {

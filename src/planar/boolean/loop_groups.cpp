@@ -3,32 +3,16 @@
 #include "planar/boolean/loop_groups.h"
 
 #include <cmath>
-#include <numeric>
 
 #include "planar/boolean/curve_pairs.h"
 #include "planar/boolean/loop_builder.h"
 #include "planar/intersection.h"
 #include "planar/segment.h"
+#include "stepmill/core/groups.h"
 
 namespace stepmill::planar {
 
 namespace {
-
-/// Loops by the group they are in, which is named after its first loop.
-class Groups {
-  public:
-    explicit Groups(std::size_t loops) : first_(loops) { std::iota(first_.begin(), first_.end(), 0); }
-
-    int of(int loop) {
-        while (first_[at(loop)] != loop)
-            loop = first_[at(loop)] = first_[at(first_[at(loop)])];
-        return loop;
-    }
-    void join(int a, int b) { first_[at(std::max(of(a), of(b)))] = std::min(of(a), of(b)); }
-
-  private:
-    std::vector<int> first_;
-};
 
 std::vector<Curve> curvesOf(const OperandLoop& loop) {
     std::vector<Curve> curves;
@@ -101,7 +85,7 @@ std::vector<LoopGroup> loopGroups(const std::vector<OperandLoop>& loops, double 
     std::vector<LoopGroup> found;
     std::vector<int> place(loops.size(), -1);  // in `found`, of the group named after a loop
     for (std::size_t i = 0; i < loops.size(); ++i) {
-        int& group = place[at(groups.of(static_cast<int>(i)))];
+        int& group = place[groups.of(i)];
         if (group < 0) {
             group = static_cast<int>(found.size());
             found.emplace_back();
@@ -110,7 +94,7 @@ std::vector<LoopGroup> loopGroups(const std::vector<OperandLoop>& loops, double 
     }
     if (found.size() < 2) return found;
     for (std::size_t i = 0; i < loops.size(); ++i) {
-        const int own = place[at(groups.of(static_cast<int>(i)))];
+        const int own = place[groups.of(i)];
         const Box2 box = boundingBox(*loops[i].loop);
         for (std::size_t k = 0; k < found.size(); ++k) {
             const Vec2& p = found[k].loops.front().loop->start;

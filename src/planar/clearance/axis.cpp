@@ -3,6 +3,10 @@
 #include <map>
 #include <numeric>
 
+#include "stepmill/core/groups.h"
+
+#include "stepmill/core/groups.h"
+
 namespace stepmill::clearance {
 
 namespace {
@@ -16,27 +20,6 @@ constexpr double kJointShare = 0.05;
 constexpr std::size_t kNoNode = std::numeric_limits<std::size_t>::max();
 /// Clearances along an edge that differ by less are equal [mm].
 constexpr double kLevelMm = kTouchMm;
-
-/// Groups of numbers, each named by its smallest member.
-class Groups {
-  public:
-    explicit Groups(std::size_t count) : root_(count) {
-        std::iota(root_.begin(), root_.end(), std::size_t{0});
-    }
-
-    std::size_t find(std::size_t i) {
-        while (root_[i] != i)
-            i = root_[i] = root_[root_[i]];
-        return i;
-    }
-    void join(std::size_t i, std::size_t j) {
-        const std::size_t a = find(i), b = find(j);
-        root_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<std::size_t> root_;
-};
 
 /// Points, with equal ones among them.
 class Nodes {
@@ -73,11 +56,11 @@ class Nodes {
         // The widest disc of each group: nothing near is wider than a room.
         std::vector<std::size_t> widest(raw_.size(), kNoNode);
         for (std::size_t i = 0; i < raw_.size(); ++i) {
-            std::size_t& known = widest[same.find(i)];
+            std::size_t& known = widest[same.of(i)];
             if (known == kNoNode || raw_[i].clearance_mm > raw_[known].clearance_mm) known = i;
         }
         for (std::size_t i = 0; i < raw_.size(); ++i)
-            standing[i] = widest[same.find(i)];
+            standing[i] = widest[same.of(i)];
         return standing;
     }
 
@@ -180,16 +163,16 @@ std::vector<ClearanceEvent> eventsOf(const Profile& profile, const MedialAxis& a
     std::vector<Plateau> found(axis.nodes.size());
     const auto clearance = [&](std::size_t node) { return axis.nodes[node].clearance_mm; };
     for (std::size_t i = 0; i < axis.nodes.size(); ++i) {
-        Plateau& plateau = found[plateaus.find(i)];
+        Plateau& plateau = found[plateaus.of(i)];
         ++plateau.nodes;
         if (plateau.lowest == kNoNode || clearance(i) < clearance(plateau.lowest)) plateau.lowest = i;
         if (plateau.highest == kNoNode || clearance(i) > clearance(plateau.highest)) plateau.highest = i;
     }
     for (const MedialAxis::Edge& e : axis.edges) {
         if (std::abs(rise(e)) <= kLevelMm) continue;
-        ++found[plateaus.find(rise(e) > 0 ? e.from : e.to)].rising;
-        ++found[plateaus.find(e.from)].degree;
-        ++found[plateaus.find(e.to)].degree;
+        ++found[plateaus.of(rise(e) > 0 ? e.from : e.to)].rising;
+        ++found[plateaus.of(e.from)].degree;
+        ++found[plateaus.of(e.to)].degree;
     }
     std::vector<ClearanceEvent> events;
     const auto add = [&](ClearanceEvent::Kind kind, std::size_t node) {

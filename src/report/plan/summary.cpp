@@ -20,8 +20,11 @@ std::string sharingLine(const ToolSharing& sharing) {
     const auto counted = [](int count, const char* what) {
         return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
     };
-    return fmt::format("tools shared: {} instead of {}; {} {} other tools than their own cheapest\n",
-                       counted(sharing.tools, "tool"), sharing.tools_alone,
+    const std::string fewer =
+        sharing.tools < sharing.tools_alone
+            ? fmt::format("{} instead of {}; ", counted(sharing.tools, "tool"), sharing.tools_alone)
+            : "";
+    return fmt::format("tools shared: {}{} {} other tools than their own cheapest\n", fewer,
                        counted(sharing.features_changed, "feature"),
                        sharing.features_changed == 1 ? "takes" : "take");
 }

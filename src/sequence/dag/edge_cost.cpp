@@ -8,8 +8,12 @@ double weightOf(const EdgeCost& cost, Objective objective) {
     return objective == Objective::Time ? cost.motion_s : cost.motion_cost;
 }
 
+double changeWeight(const Machine& machine, Objective objective) {
+    return weightOf(machineCost(machine.tool_change_s, machine), objective);
+}
+
 EdgeCost machineCost(double seconds, const Machine& machine) {
-    const double cost = seconds / (kSecondsPerMinute * 60) * machine.hourly_rate;
+    const double cost = machine.costOf(seconds);
     return {seconds, cost, seconds, cost};
 }
 

@@ -15,8 +15,8 @@ double weigh(const EdgeCost& cost, const DagTask& task) {
     return weightOf(cost, task.options.objective);
 }
 
-double changeWeight(const Candidate& to, const DagTask& task) {
-    return weigh(edgeCost({}, *to.tool, task.machine), task);
+double changeWeight(const DagTask& task) {
+    return changeWeight(task.machine, task.options.objective);
 }
 
 void checkTime(const DagTask& task) {
@@ -30,7 +30,7 @@ double leastWithLumps(const Candidate& to, double new_mm2, double own_new_mm2, c
     const double depth_mm = task.ground.feature().depth_mm();
     const double least_s = own_mm2 * depth_mm / to.volume_rate_mm3_per_s +
                            (new_mm2 - own_mm2) * depth_mm / to.joint_rate_mm3_per_s;
-    return changeWeight(to, task) + weigh(machineCost(least_s, task.machine), task);
+    return changeWeight(task) + weigh(machineCost(least_s, task.machine), task);
 }
 
 /// May the mill go where the drill has made room? Its own rules are those of a larger tool before a smaller.
@@ -63,7 +63,7 @@ bool mayCome(const Candidate* from, const Candidate& to, const DagTask& task) {
 /// saves no more than its own change, which the bound leaves out.
 double lowerBound(const Candidate* from, const Candidate& to, const DagTask& task) {
     if (!mayCome(from, to, task)) return kNoEdge;
-    if (to.spots) return changeWeight(to, task);
+    if (to.spots) return changeWeight(task);
     if (from != nullptr && from->spots) from = nullptr;
     if (from != nullptr && from->drill()) return leastAfterDrill(*from, to, task);
     if (from != nullptr && from->tool == to.tool) return kNoEdge;
@@ -104,6 +104,11 @@ EdgeTable::EdgeTable(const DagTask& task) : task_(task), n_(static_cast<int>(tas
 
 int EdgeTable::evaluate(const EdgeList& edges, double known) {
     makeMissingRings(edges);
+    if (known < kNoEdge) {
+        onward_.clear();
+        for (int n = 0; n < n_; ++n)
+            onward_.push_back(leastOnward(n));
+    }
     std::vector<char> left_out(edges.size(), 0);
     parallelFor(edges.size(), [&](std::size_t i) {
         checkTime(task_);
@@ -145,7 +150,7 @@ bool EdgeTable::evaluate(int m, int n, double known, Slot& into) const {
     const double own_weight = weigh(cost, task_);
     if (to.hasSurrogates() && task_.surrogates != nullptr) {
         if (!mayBeatWithLumps(m, n, own_weight, work->new_area_mm2, known)) return false;
-        into.surrogates = surrogatesOfEdge(*task_.surrogates, task_.tools, from, n, changeWeight(to, task_));
+        into.surrogates = surrogatesOfEdge(*task_.surrogates, task_.tools, from, n, changeWeight(task_));
         if (!into.surrogates.possible()) return true;
     }
     into.edge.from = from != nullptr ? from->node() : DagNode{};
@@ -191,21 +196,23 @@ void EdgeTable::bound() {
             to_tool_[n] = std::min(to_tool_[n], to_tool_[m] + slot(m, n).bound());
     }
     to_sink_.assign(n_, kNoEdge);
-    for (int m = n_; m-- > 0;) {
-        if (task_.ends[m]) to_sink_[m] = 0;
-        for (int n = m + 1; n < n_; ++n)
-            to_sink_[m] = std::min(to_sink_[m], slot(m, n).bound() + to_sink_[n]);
-    }
+    for (int m = n_; m-- > 0;)
+        to_sink_[m] = task_.ends[m] ? std::min(0.0, leastOnward(m)) : leastOnward(m);
+}
+
+/// Lower bound of the ways from tool n by way of another to the sink.
+double EdgeTable::leastOnward(int n) const {
+    double least = kNoEdge;
+    for (int next = n + 1; next < n_; ++next)
+        least = std::min(least, slot(n, next).bound() + to_sink_[next]);
+    return least;
 }
 
 /// Least weight of all that follows tool n. Who clears its lumps is a tool that follows anyway, or one change
 /// more.
 double EdgeTable::leastAfter(int n, double lumps_mm2) const {
     if (lumps_mm2 <= sameArea(task_.ground.feature(), task_.ground.tolerances())) return to_sink_[n];
-    double least = task_.ends[n] ? changeWeight(task_.tools[n], task_) : kNoEdge;
-    for (int next = n + 1; next < n_; ++next)
-        least = std::min(least, slot(n, next).bound() + to_sink_[next]);
-    return least;
+    return task_.ends[n] ? std::min(changeWeight(task_), onward_[n]) : onward_[n];
 }
 
 bool EdgeTable::mayBeat(int m, int n, double known) const {

@@ -71,6 +71,7 @@ class EdgeTable {
     int sameWork(int n) const;
     void makeMissingRings(const EdgeList& edges);
     bool evaluate(int m, int n, double known, Slot& into) const;
+    double leastOnward(int n) const;
     double leastAfter(int n, double lumps_mm2) const;
     bool mayBeatWithLumps(int m, int n, double own_weight, double own_new_mm2, double known) const;
 
@@ -82,6 +83,9 @@ class EdgeTable {
     Shelf<std::pair<int, int>, std::optional<EdgeWork>> works_;
     std::vector<double> to_tool_;  ///< lower bounds of the ways from the source to each tool
     std::vector<double> to_sink_;  ///< lower bounds of the ways from each tool to the sink
+    /// leastOnward() of each tool before the edges of a round are evaluated, which must not read each other's
+    /// slots: they are, by several threads, in any order.
+    std::vector<double> onward_;
 };
 
 }  // namespace stepmill

@@ -73,8 +73,7 @@ class DagSearch {
     /// their change were not paid for are evaluated too: another feature may pay for it.
     void evaluateToolsAlone() {
         const auto does_all = [&](int n) { return task_.ends[n] && !hasSurrogates(n); };
-        const double change =
-            weightOf(machineCost(task_.machine.tool_change_s, task_.machine), task_.options.objective);
+        const double change = changeWeight(task_.machine, task_.options.objective);
         if (!aloneIsKnown()) return evaluateFromSource(does_all, change);
         for (int n = 0; n <= last_; ++n)
             if (does_all(n) && table_.exists(kSource, n)) table_.leaveOut(kSource, n);

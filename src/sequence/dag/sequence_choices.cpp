@@ -126,8 +126,7 @@ bool SequenceChoices::leavesTheSame(const std::vector<int>& path) const {
 
 const std::vector<Way>& SequenceChoices::ways() const {
     std::call_once(listed_, [&] {
-        const double change =
-            weightOf(machineCost(job_->machine.tool_change_s, job_->machine), job_->options.objective);
+        const double change = changeWeight(job_->machine, job_->options.objective);
         ways_ = listWays({dag_, tools_, ends_, *admission_.finder, change,
                           [&](const std::vector<int>& path) { return leavesTheSame(path); }});
     });

@@ -177,7 +177,7 @@ double LumpSolver::weight(const EdgeCost& cost) const {
 }
 
 double LumpSolver::changeWeight() const {
-    return weight(edgeCost({}, *tools_.nodes().front().tool, job().machine));
+    return stepmill::changeWeight(job().machine, job().options.objective);
 }
 
 void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> totals) {
@@ -185,8 +185,7 @@ void LumpSolver::addWay(const std::vector<int>& nodes, std::vector<PathTotals> t
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const ToolAssembly& tool = *tools_.nodes()[nodes[i]].tool;
         way.tools.push_back(tools_.surrogateOf(nodes[i]));
-        way.weight +=
-            weight(edgeCost(totals[i], tool, job().machine)) - weight(edgeCost({}, tool, job().machine));
+        way.weight += weight(edgeCost(totals[i], tool, job().machine)) - changeWeight();
     }
     ways_.push_back(std::move(way));
     totals_.push_back(std::move(totals));

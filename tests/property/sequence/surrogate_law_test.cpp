@@ -2,6 +2,7 @@
 #include <map>
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include "bossed_tasks.h"
 #include "sequence/dag/candidate.h"
@@ -176,6 +177,20 @@ TEST(SurrogateLaw, EvaluatesNoMoreEdgesThanPairsOfNodes) {
         const std::size_t n = planned.sequence.choices->tools().size();
         EXPECT_LE(evaluated + static_cast<std::size_t>(planned.sequence.pruned_edges), n * (n + 1) / 2)
             << "seed " << seed;
+    }
+}
+
+TEST(SurrogateLaw, DoesNotDependOnTheNumberOfThreads) {
+    const auto run = [](unsigned seed, int threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return planRandom(seed);
+    };
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        const Planned one = run(seed, 1);
+        const Planned four = run(seed, 4);
+        EXPECT_EQ(one.sequence.time_s, four.sequence.time_s) << "seed " << seed;
+        EXPECT_EQ(one.sequence.pruned_edges, four.sequence.pruned_edges) << "seed " << seed;
+        EXPECT_EQ(one.sequence.edges.size(), four.sequence.edges.size()) << "seed " << seed;
     }
 }
 

@@ -63,6 +63,9 @@ TEST(LoosePieces, AreUnderNoScrew) {
     const std::vector<LoosePiece> loose = loosePieces(stage, {{kRing, 0, -20}}, kTol);
     ASSERT_EQ(loose.size(), 1U);
     EXPECT_NEAR(loose.front().volume_mm3, (80 * 50 - 40 * 20) * 20, 1e-6);
+    // Its box' middle lies on the island that the screw holds.
+    const Region outside = subtract(kBlank, makeRectangle({20, 15}, {60, 35}), kTol);
+    EXPECT_TRUE(contains(outside, loose.front().at.head<2>()));
 }
 
 TEST(LoosePieces, AreNotWhatHungLooseBefore) {
