@@ -124,6 +124,11 @@ class Ground {
         return z_mm >= task_.top_z_mm || isSweptClear(z_mm, a, b, off_mm, near_);
     }
 
+    /// May stock that is larger than drawn lie there, beside what must stay?
+    bool mayBeStock(const Vec2& place) const {
+        return !isOff(skirt_, makeLine(place, place), radius_mm_);
+    }
+
     /// Over how high ground the tool may be fed down at a place from there on, ascending.
     std::vector<double> heightsOver(double z_mm) const {
         std::vector<double> heights{z_mm};
@@ -277,7 +282,7 @@ class ClearRapids {
     /// Where the cutter itself has room, but no rapid: faster than through material, as far as that goes.
     void feedDown(const Vec2& place, double z_mm) {
         for (const double height : ground_.heightsOver(z_mm)) {
-            if (height > at().z() - kLeastGlideMm) break;
+            if (height > at().z() - kLeastGlideMm || ground_.mayBeStock(place)) break;
             if (!ground_.isFreeInAir(place, place, height)) continue;
             const bool apart = ground_.isFreeInAir(place, place, height, kGlideOffMm);
             const double feed = apart ? glide_mm_per_min_ : path_.feed_mm_per_min;

@@ -42,7 +42,17 @@ struct AllowedLoss {
     double share = 0;  ///< of the area of each component of what is removed
     /// Stairs on walls may be so wide, what is wider stands there for itself; nothing: as wide as they are.
     std::optional<double> widest_mm;
+    bool holes_too = false;  ///< else none on the wall of a hole: a drill makes it round
 };
+
+bool isFullCircle(const Region& region) {
+    const auto is_of_first = [&](const Segment& segment) {
+        const std::optional<Arc>& first = region.loops.front().segments.front().arc;
+        return segment.arc && first && segment.arc->centre == first->centre;
+    };
+    return region.loops.size() == 1 && std::all_of(region.loops.front().segments.begin(),
+                                                   region.loops.front().segments.end(), is_of_first);
+}
 
 /// Does every component of what is removed above lose no more than that if the lower shadow is kept clear of
 /// above as well?
@@ -59,6 +69,7 @@ bool losesLittle(const Layer& upper, const Layer& lower, const AllowedLoss& allo
         while (at < removed.size() && !contains(removed[at], deepestVertex(piece, removed[at])))
             ++at;
         if (at == removed.size()) return false;
+        if (!allowed.holes_too && isFullCircle(removed[at])) return false;
         lost[at] += area(piece);
         if (lost[at] > allowed.share * area(removed[at])) return false;
     }
@@ -70,7 +81,7 @@ bool mayJoin(const Layer& upper, const CutLayer& lower, double thinnest_mm, cons
     if (!lower.soft_top || !sameStock(upper, lower.layer)) return false;
     if (sameShadow(upper, lower.layer, tol)) return true;
     const bool thin = upper.height_mm() < thinnest_mm;
-    const AllowedLoss allowed = thin ? AllowedLoss{options.largest_hidden_share, std::nullopt}
+    const AllowedLoss allowed = thin ? AllowedLoss{options.largest_hidden_share, std::nullopt, true}
                                      : AllowedLoss{options.largest_joined_share, options.widest_stair_mm};
     return losesLittle(upper, lower.layer, allowed, tol);
 }

@@ -98,27 +98,38 @@ class SlabCutter {
             cut_.region = section((top_ + bottom_) / 2).region;
             return;
         }
-        if (lean.up) addEnd(section(bottom_ + inset_), facets, lean);
-        if (lean.down) addEnd(section(top_ - inset_), facets, lean);
+        if (lean.up) addBottom(facets);
+        if (lean.down) addTop(facets);
         if (!lean.up || !lean.down) return;
         // Between the two sections, or facets would reach out by what walls lean over the inset.
         addFacets(facetsOverEnds(slopedFacets(mesh_, top_ - inset_, bottom_ + inset_)), top_ - inset_,
                   bottom_ + inset_);
     }
 
-    /// A section taken farther inside misses what ends between it and the slab's end: below it material
-    /// that ends under facets looking up, above it material that ends over facets looking down.
-    void addEnd(const MendedSection& end, const std::vector<SlabFacet>& facets, const Lean& lean) {
+    /// Material that reaches down to the bottom. A section taken farther inside misses what ends below it,
+    /// under facets looking up.
+    void addBottom(const std::vector<SlabFacet>& facets) {
+        const MendedSection end = section(bottom_ + inset_);
         cut_.region = uniteLocally(cut_.region, end.region, tol_);
         if (!end.moved) return;
-        std::vector<SlabFacet> missed_below;
-        std::vector<SlabFacet> missed_above;
-        for (const SlabFacet& facet : facets) {
-            if (lean.up && facet.normal_z >= 0 && facet.low_mm < end.z_mm) missed_below.push_back(facet);
-            if (lean.down && facet.normal_z <= 0 && facet.high_mm > end.z_mm) missed_above.push_back(facet);
-        }
-        addFacets(missed_below, end.z_mm, bottom_);
-        addFacets(missed_above, top_, end.z_mm);
+        std::vector<SlabFacet> missed;
+        std::copy_if(facets.begin(), facets.end(), std::back_inserter(missed), [&](const SlabFacet& facet) {
+            return facet.normal_z >= 0 && facet.low_mm < end.z_mm;
+        });
+        addFacets(missed, end.z_mm, bottom_);
+    }
+
+    /// Material that reaches up to the top. A section taken farther inside misses what ends above it, over
+    /// facets looking down.
+    void addTop(const std::vector<SlabFacet>& facets) {
+        const MendedSection end = section(top_ - inset_);
+        cut_.region = uniteLocally(cut_.region, end.region, tol_);
+        if (!end.moved) return;
+        std::vector<SlabFacet> missed;
+        std::copy_if(facets.begin(), facets.end(), std::back_inserter(missed), [&](const SlabFacet& facet) {
+            return facet.normal_z <= 0 && facet.high_mm > end.z_mm;
+        });
+        addFacets(missed, top_, end.z_mm);
     }
 
     void addFacets(const std::vector<SlabFacet>& facets, double top_mm, double bottom_mm) {
