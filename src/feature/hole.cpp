@@ -37,15 +37,16 @@ struct Stretch {
     double radiusAt(bool upper) const { return upper ? radius_to : radius_from; }
 };
 
-/// Everything hollow and round about one axis.
+/// Everything hollow and round about one axis, and the bosses that stand about it.
 struct AxisLine {
     Vec3 point;
     Vec3 axis;
     std::vector<Stretch> stretches;
+    std::vector<Stretch> bosses;
 };
 
-bool isHollowRound(const FaceShape& face) {
-    return face.hollow && (face.surface == "cylinder" || face.surface == "cone");
+bool isRoundWall(const FaceShape& face) {
+    return face.surface == "cylinder" || face.surface == "cone";
 }
 
 bool sameLine(const AxisLine& line, const FaceShape& face) {
@@ -99,21 +100,31 @@ void addStretch(std::vector<Stretch>& all, const Stretch& added) {
     all.push_back(added);
 }
 
+/// Does a boss stand in it? The outer wall of a ring groove is no bore.
+bool isRing(const Stretch& wall, const std::vector<Stretch>& bosses) {
+    return std::any_of(bosses.begin(), bosses.end(), [&](const Stretch& boss) {
+        const bool beside = boss.from < wall.to - kGapMm && boss.to > wall.from + kGapMm;
+        return beside && std::max(boss.radius_from, boss.radius_to) <
+                             std::min(wall.radius_from, wall.radius_to) + kSameAxisMm;
+    });
+}
+
 std::vector<AxisLine> axisLines(const FaceGraph& graph) {
     std::vector<AxisLine> lines;
     for (const FaceShape& face : graph.faces) {
-        if (!isHollowRound(face)) continue;
+        if (!isRoundWall(face)) continue;
         auto line = std::find_if(lines.begin(), lines.end(),
                                  [&](const AxisLine& known) { return sameLine(known, face); });
         if (line == lines.end()) {
-            lines.push_back({face.origin, canonical(face.axis), {}});
+            lines.push_back({face.origin, canonical(face.axis), {}, {}});
             line = lines.end() - 1;
         }
-        addStretch(line->stretches, stretchOf(*line, face));
+        addStretch(face.hollow ? line->stretches : line->bosses, stretchOf(*line, face));
     }
     for (AxisLine& line : lines) {
-        std::erase_if(line.stretches,
-                      [](const Stretch& stretch) { return stretch.angle_rad < 2 * kPi - kMissingRad; });
+        std::erase_if(line.stretches, [&](const Stretch& stretch) {
+            return stretch.angle_rad < 2 * kPi - kMissingRad || isRing(stretch, line.bosses);
+        });
         std::sort(line.stretches.begin(), line.stretches.end(),
                   [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
     }

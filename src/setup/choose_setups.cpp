@@ -22,9 +22,9 @@ namespace {
 /// Of axes that reach the same, the one over the stock's largest side is best held; less than any volume.
 constexpr double kFootprintBonus = 0.01;
 
-/// Stock below the part is there to be held and then faced off: the first setup's axis and the one it is
-/// turned over to are chosen unless others do that much more, in setups.
-constexpr double kTurnOverBonus = 0.5;
+/// Stock below the part is there to be held and then faced off, which pays for a setup whatever else reaches
+/// it: from the sides it is a deep profile. In setups.
+constexpr double kTurnOverBonus = 1;
 
 /// What an indexed axis costs over one along the box, in setups: it takes a sine vise and a datum more.
 constexpr int kIndexedCost = 1;

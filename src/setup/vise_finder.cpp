@@ -14,6 +14,8 @@ namespace {
 
 /// Less length than this holds nothing [mm].
 constexpr double kLeastLengthMm = 5;
+/// Stock that stands over the jaws by more than so many times the length they hold is a lever that tips it.
+constexpr double kMostLengthsOverJaws = 10;
 /// The tip of a form cutter goes so far below the ground it cuts, where the jaws can leave it room [mm].
 constexpr double kTipBelowMm = 5;
 /// ... which then still hold this share of the height that they could.
@@ -336,6 +338,13 @@ class ViseFinder {
         }
         if (holdsOneEndAlone(vise_, hold.beside_mm)) {
             why_ = endsStickOut(hold.beside_mm);
+            return;
+        }
+        const double over_jaws_mm = height_mm_ - top->over_bottom_mm;
+        if (over_jaws_mm > kMostLengthsOverJaws * hold.length_mm) {
+            why_ =
+                fmt::format("{:.3g} mm of the stock would stand over jaws that hold {:.2g} mm of its length",
+                            over_jaws_mm, hold.length_mm);
             return;
         }
         const double depth = top->over_bottom_mm - grip.from_mm;

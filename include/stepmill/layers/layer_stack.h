@@ -84,7 +84,7 @@ struct SliceOptions {
     /// Levels are one floor to a cutter as long as the stairs that joining their slabs leaves on walls that
     /// lean are no wider than this, about what roughing leaves on a wall, [mm] ...
     double widest_stair_mm = 0.5;
-    /// ... and no component loses more than this share of its area by it.
+    /// ... and no component loses more than this share of its area by it, none that is a hole anything.
     double largest_joined_share = 0.03;
     /// On stock that earlier setups cut, slabs are not parted either for less than this share of what all
     /// setups have to remove: steps and corners they left would make a slab at every height.

@@ -50,13 +50,14 @@ void warnOfPlate(const PlannedSetup& setup, const PlanRequest& request, std::vec
     const bool asked_for = request.hold && *request.hold != HoldKind::Tabs;
     if (setup.clamping.kind != HoldKind::Plate || asked_for || setup.operations.empty()) return;
     const Vec3 size_mm = setup.setup.stock_bbox_mm.sizes();
-    const bool fits_vise = std::min(size_mm.x(), size_mm.y()) < request.fixtures.vise.opening_mm;
+    const bool may_fit_vise = std::min(size_mm.x(), size_mm.y()) < request.fixtures.vise.opening_mm &&
+                              request.setup.margin.bottom_mm <= 0;
     into.push_back(
         {"taped", setup.setup.id,
          fmt::format("tape or glue alone holds it on a plate, which no force of cutting is weighed "
                      "against: take less at once, or {}",
-                     fits_vise ? "leave stock for the vise (--stock auto)"
-                               : "say which clamps hold it (--fixtures)")});
+                     may_fit_vise ? "leave stock for the vise (--stock auto)"
+                                  : "say which clamps hold it (--fixtures)")});
 }
 
 /// Held stock that no later setup takes.

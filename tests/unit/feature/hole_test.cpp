@@ -69,6 +69,20 @@ TEST(FindHoles, AWiderBoreAboveIsACounterbore) {
     EXPECT_NEAR(hole.diameter_mm(), 6, 1e-9);
 }
 
+TEST(FindHoles, ARingGrooveRoundABoreIsNoCounterbore) {
+    GraphMaker maker;
+    const int groove = maker.bore({0, 0}, 20, 18, 20);
+    const int land = maker.bore({0, 0}, 17, 18, 20);
+    maker.graph.faces[land].hollow = false;
+    const int bore = maker.bore({0, 0}, 6, 0, 20);
+    const Hole hole = onlyHole(maker);
+    EXPECT_EQ(holeName(hole), "through hole");
+    EXPECT_EQ(hole.faces, std::vector<int>{bore});
+    // Without the land it is one.
+    maker.graph.faces[land].hollow = true;
+    EXPECT_EQ(findHoles(maker.graph, kTol).front().faces.front(), groove);
+}
+
 TEST(FindHoles, AWideConeAboveIsACountersinkANarrowOneABrokenEdge) {
     GraphMaker wide;
     wide.bore({0, 0}, 3, 0, 18);

@@ -229,6 +229,36 @@ TEST(Slice, ABoreStaysRoundWhereALyingHoleOpensIt) {
         }
 }
 
+TEST(Slice, APortStaysRoundOverTheCrossBoresThatItEndsIn) {
+    const auto lying = [](const gp_Dir& axis, double radius) {
+        const gp_Pnt middle(30, 30, 22);
+        return BRepPrimAPI_MakeCylinder(gp_Ax2(middle.Translated(gp_Vec(axis) * -50), axis), radius, 100)
+            .Shape();
+    };
+    const TopoDS_Shape crossed = cut(cut(box(0, 0, 0, 60, 60, 50), lying(gp::DX(), 5)), lying(gp::DY(), 3.4));
+    const LayerStack stack = sliced(cut(crossed, cylinder(30, 30, 22, 4, 40)));
+    // The wall goes down to where the gallery of 10 mm cuts it; that narrows again below its axis.
+    for (const Layer& layer : stack.layers) {
+        if (layer.top_z_mm <= 25 - 50) break;
+        EXPECT_NEAR(area(layer.stock) - area(layer.shadow), kPi * 16, 1e-3) << layer.top_z_mm;
+    }
+}
+
+TEST(Slice, ARadialHoleIsRoundWhereTheHubIsTangent) {
+    const auto disc = [](double radius, double height) { return cylinder(0, 0, 0, radius, height); };
+    TopoDS_Shape hub = BRepAlgoAPI_Fuse(disc(55, 14), disc(28, 44)).Shape();
+    hub = cut(cut(hub, cylinder(0, 0, -1, 21, 9)), cylinder(0, 0, -1, 15, 60));
+    hub = cut(hub, cut(cylinder(0, 0, -1, 33, 3), cylinder(0, 0, -1, 30, 3)));
+    const gp_Ax2 radial(gp_Pnt(0, -60, 38), gp::DY());
+    const LayerStack stack =
+        sliced(cut(hub, BRepPrimAPI_MakeCylinder(radial, 2.5, 60).Shape()), -Vec3::UnitY());
+    const Layer& in_wall = *std::find_if(stack.layers.begin(), stack.layers.end(),
+                                         [](const Layer& layer) { return layer.isWithin(-30, -39); });
+    const std::vector<Region> open = components(subtract(in_wall.stock, in_wall.shadow, Tolerances{}));
+    EXPECT_TRUE(std::any_of(open.begin(), open.end(),
+                            [](const Region& region) { return std::abs(area(region) - kPi * 6.25) < 1e-3; }));
+}
+
 TEST(Slice, APinKeepsItsHolesEvenAtTheirRidges) {
     const gp_Ax2 along_y(gp_Pnt(20, -1, 20), gp::DY());
     const TopoDS_Shape pin = cylinder(20, 20, 0, 8, 40);

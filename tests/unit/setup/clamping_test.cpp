@@ -167,6 +167,18 @@ TEST(SuggestClamping, SaysHowLittleOfItsSidesFaceEachOther) {
     EXPECT_NE(clamping.text.find("mm of two sides face each other"), std::string::npos) << clamping.text;
 }
 
+TEST(SuggestClamping, HoldsNoTallStockByAShortLength) {
+    const auto heldUpright = [](double height_mm) {
+        return clampingOf({{makeRectangle(Vec2(0, 0), Vec2(72, 6)), 0, -height_mm}},
+                          {{makeRectangle(Vec2(1, 0), Vec2(71, 1)), 0, -height_mm}});
+    };
+    EXPECT_TRUE(heldUpright(40).isVise());
+    const Clamping tall = heldUpright(146);
+    EXPECT_FALSE(tall.isVise());
+    EXPECT_NE(tall.text.find("mm of the stock would stand over jaws that hold 6 mm"), std::string::npos)
+        << tall.text;
+}
+
 TEST(SuggestClamping, PutsTheJawsWhereTheyHoldMost) {
     // Pads of 60 and 30 mm at the ends of a bar that is narrower between them.
     const Region bar = unite(

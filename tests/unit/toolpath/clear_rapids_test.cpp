@@ -188,6 +188,13 @@ TEST(WithClearRapids, GoDownToANarrowFeatureInAWideOne) {
     EXPECT_NEAR(lowest(subtract(block, square(20), kTol)), kTopMm, 1e-9);
 }
 
+TEST(WithClearRapids, GlidesDownNowhereThatStockMayBeLarger) {
+    ClearingTask task = clearedPocket(0.3);
+    EXPECT_TRUE(glideTo(withClearRapids(pathFrom({0, 0}, {0.1, 0}), task, kRadiusMm, carefulMachine())));
+    task.skirt = makeRectangle(Vec2(kRadiusMm - 0.2, -1), Vec2(kRadiusMm + 0.3, 1));
+    EXPECT_FALSE(glideTo(withClearRapids(pathFrom({0, 0}, {0.1, 0}), task, kRadiusMm, carefulMachine())));
+}
+
 TEST(WithClearRapids, OfAMachineWithoutClearancesAreAsTheyWere) {
     ClearingTask task = slot();
     task.skirt = {};
