@@ -33,6 +33,8 @@ constexpr double kRevisionMayLeaveShare = 0.002;
 
 /// Form cutters have little to finish where less of a part's surface leans than this share: broken edges.
 constexpr double kLittleLeansShare = 0.1;
+/// As many other setups are planned beside those chosen where these are no more than so many.
+constexpr std::size_t kFewSetups = 3;
 
 void requireMaterial(const ToolLibrary& library, const std::string& material) {
     for (const ToolAssembly& tool : library.tools) {
@@ -285,14 +287,14 @@ std::vector<Setup> setupsWithForms(const Part& part, const PlanRequest& request,
     return chooseSetups(part, finished_in_steps);
 }
 
-/// Fewer are quicker to set up. As many may be held better: of two, where little is left to form cutters,
-/// that is tried.
+/// Fewer are quicker to set up. As many may be held better, or need no tilted one: of few, where little is
+/// left to form cutters, that is tried.
 bool areWorthPlanning(const std::vector<Setup>& setups, const std::vector<Setup>& others,
                       const LeaningArea& area) {
     if (setups.size() < others.size()) return true;
     const bool same = std::is_permutation(setups.begin(), setups.end(), others.begin(), others.end(),
                                           [](const Setup& a, const Setup& b) { return a.axis == b.axis; });
-    return !same && setups.size() == others.size() && setups.size() <= 2 &&
+    return !same && setups.size() == others.size() && setups.size() <= kFewSetups &&
            area.leaning_mm2 < kLittleLeansShare * area.surface_mm2;
 }
 
