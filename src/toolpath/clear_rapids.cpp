@@ -125,9 +125,7 @@ class Ground {
     }
 
     /// May stock that is larger than drawn lie there, beside what must stay?
-    bool mayBeStock(const Vec2& place) const {
-        return !isOff(skirt_, makeLine(place, place), radius_mm_);
-    }
+    bool mayBeStock(const Vec2& place) const { return !isOff(skirt_, makeLine(place, place), radius_mm_); }
 
     /// Over how high ground the tool may be fed down at a place from there on, ascending.
     std::vector<double> heightsOver(double z_mm) const {

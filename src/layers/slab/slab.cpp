@@ -113,9 +113,8 @@ class SlabCutter {
         cut_.region = uniteLocally(cut_.region, end.region, tol_);
         if (!end.moved) return;
         std::vector<SlabFacet> missed;
-        std::copy_if(facets.begin(), facets.end(), std::back_inserter(missed), [&](const SlabFacet& facet) {
-            return facet.normal_z >= 0 && facet.low_mm < end.z_mm;
-        });
+        std::copy_if(facets.begin(), facets.end(), std::back_inserter(missed),
+                     [&](const SlabFacet& facet) { return facet.normal_z >= 0 && facet.low_mm < end.z_mm; });
         addFacets(missed, end.z_mm, bottom_);
     }
 
@@ -126,9 +125,8 @@ class SlabCutter {
         cut_.region = uniteLocally(cut_.region, end.region, tol_);
         if (!end.moved) return;
         std::vector<SlabFacet> missed;
-        std::copy_if(facets.begin(), facets.end(), std::back_inserter(missed), [&](const SlabFacet& facet) {
-            return facet.normal_z <= 0 && facet.high_mm > end.z_mm;
-        });
+        std::copy_if(facets.begin(), facets.end(), std::back_inserter(missed),
+                     [&](const SlabFacet& facet) { return facet.normal_z <= 0 && facet.high_mm > end.z_mm; });
         addFacets(missed, top_, end.z_mm);
     }
 
