@@ -9,19 +9,13 @@
 #include "feature/group_holes.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/region_compare.h"
+#include "stepmill/planar/path_parts.h"
 
 namespace stepmill {
 namespace {
 
 /// Circles whose radii differ by less are equal [mm].
 constexpr double kEqualRadiusMm = 1e-4;
-
-bool isFullCircle(const Loop& loop) {
-    const std::vector<Segment>& edges = loop.segments;
-    return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](const Segment& edge) {
-        return edge.arc && edge.arc->ccw && edge.arc == edges.front().arc;
-    });
-}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "stepmill/planar/path_parts.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "stepmill/planar/edge.h"
@@ -16,6 +17,13 @@ NearestPoint nearestOn(const Path& path, const Vec2& p) {
         best = {distance_mm, i, shareOf(edges[i], on), snapToGrid(on)};
     }
     return best;
+}
+
+bool isFullCircle(const Path& closed) {
+    const std::vector<Segment>& edges = closed.segments;
+    return !edges.empty() && std::all_of(edges.begin(), edges.end(), [&](const Segment& edge) {
+        return edge.arc && edge.arc->ccw && edge.arc == edges.front().arc;
+    });
 }
 
 Path startingAt(const Path& closed, std::size_t edge, double share) {

@@ -279,8 +279,10 @@ class ClearRapids {
 
     /// Where the cutter itself has room, but no rapid: faster than through material, as far as that goes.
     void feedDown(const Vec2& place, double z_mm) {
-        for (const double height : ground_.heightsOver(z_mm)) {
-            if (height > at().z() - kLeastGlideMm || ground_.mayBeStock(place)) break;
+        const std::vector<double> heights =
+            ground_.mayBeStock(place) ? std::vector<double>() : ground_.heightsOver(z_mm);
+        for (const double height : heights) {
+            if (height > at().z() - kLeastGlideMm) break;
             if (!ground_.isFreeInAir(place, place, height)) continue;
             const bool apart = ground_.isFreeInAir(place, place, height, kGlideOffMm);
             const double feed = apart ? glide_mm_per_min_ : path_.feed_mm_per_min;

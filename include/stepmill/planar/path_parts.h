@@ -14,6 +14,10 @@ struct NearestPoint {
 /// The first one of several. O(edges). A path without edges is its start.
 NearestPoint nearestOn(const Path& path, const Vec2& p);
 
+/// Is a closed path nothing but arcs of one circle, counter-clockwise? So is the outline of a disc, and none
+/// of a hole in a region.
+bool isFullCircle(const Path& closed);
+
 /// A closed path run through from another of its points, given by edge and share of that edge's length.
 /// \pre closed.closed()
 Path startingAt(const Path& closed, std::size_t edge, double share);

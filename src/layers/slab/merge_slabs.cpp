@@ -6,6 +6,7 @@
 #include "layers/slab/cut_layer.h"
 #include "layers/slab/local_boolean.h"
 #include "stepmill/planar/boolean.h"
+#include "stepmill/planar/path_parts.h"
 #include "stepmill/planar/wider_than.h"
 
 namespace stepmill::layers {
@@ -45,15 +46,6 @@ struct AllowedLoss {
     bool holes_too = false;  ///< else none on the wall of a hole: a drill makes it round
 };
 
-bool isFullCircle(const Region& region) {
-    const auto is_of_first = [&](const Segment& segment) {
-        const std::optional<Arc>& first = region.loops.front().segments.front().arc;
-        return segment.arc && first && segment.arc->centre == first->centre;
-    };
-    return region.loops.size() == 1 && std::all_of(region.loops.front().segments.begin(),
-                                                   region.loops.front().segments.end(), is_of_first);
-}
-
 /// Does every component of what is removed above lose no more than that if the lower shadow is kept clear of
 /// above as well?
 bool losesLittle(const Layer& upper, const Layer& lower, const AllowedLoss& allowed, const Tolerances& tol) {
@@ -69,7 +61,8 @@ bool losesLittle(const Layer& upper, const Layer& lower, const AllowedLoss& allo
         while (at < removed.size() && !contains(removed[at], deepestVertex(piece, removed[at])))
             ++at;
         if (at == removed.size()) return false;
-        if (!allowed.holes_too && isFullCircle(removed[at])) return false;
+        const bool hole = removed[at].loops.size() == 1 && isFullCircle(removed[at].loops.front());
+        if (hole && !allowed.holes_too) return false;
         lost[at] += area(piece);
         if (lost[at] > allowed.share * area(removed[at])) return false;
     }

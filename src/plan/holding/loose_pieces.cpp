@@ -57,18 +57,14 @@ class Pieces {
     /// \param arrives  the pieces before the cut: what hung loose already is a slice wider than the stock, for
     ///                 none fell from the setups before
     std::vector<LoosePiece> loose(const std::function<const Pieces&()>& arrives) const {
-        std::vector<LoosePiece> pieces(slices_.size());
-        for (std::size_t i = 0; i < slices_.size(); ++i) {
-            const Slice& slice = slices_[i];
-            pieces[hanging_.of(i)].volume_mm3 += area(slice.section) * (slice.top_z_mm - slice.bottom_z_mm);
-        }
+        std::vector<double> volumes_mm3(slices_.size(), 0);  // by the name of the piece
+        for (std::size_t i = 0; i < slices_.size(); ++i)
+            volumes_mm3[hanging_.of(i)] +=
+                area(slices_[i].section) * (slices_[i].top_z_mm - slices_[i].bottom_z_mm);
         std::vector<LoosePiece> found;
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            if (hanging_.of(i) != i || held_[i] || pieces[i].volume_mm3 <= kCrumbMm3) continue;
-            if (!arrives().holds(slices_[i])) continue;
-            found.push_back(pieces[i]);
-            found.back().at = placeOn(slices_[i]);
-        }
+        for (std::size_t i = 0; i < slices_.size(); ++i)
+            if (!held_[i] && volumes_mm3[i] > kCrumbMm3 && arrives().holds(slices_[i]))
+                found.push_back({volumes_mm3[i], placeOn(slices_[i])});
         std::stable_sort(found.begin(), found.end(), [](const LoosePiece& a, const LoosePiece& b) {
             return a.volume_mm3 > b.volume_mm3;
         });
@@ -171,8 +167,8 @@ class Pieces {
     std::vector<std::size_t> gone_prisms_;  ///< those that gone_ unites
     Region gone_;
     std::vector<Slice> slices_;
-    std::vector<char> held_;  ///< by root: is its piece?
-    Groups hanging_;          ///< slices that hang together, named by an uppermost
+    std::vector<char> held_;  ///< by the name of a piece: is it?
+    Groups hanging_;          ///< slices that are one piece, named by an uppermost
 };
 
 }  // namespace

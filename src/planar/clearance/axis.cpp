@@ -5,8 +5,6 @@
 
 #include "stepmill/core/groups.h"
 
-#include "stepmill/core/groups.h"
-
 namespace stepmill::clearance {
 
 namespace {

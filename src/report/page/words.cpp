@@ -99,6 +99,10 @@ std::string clockTime(double seconds) {
     return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
+std::string counted(int count, const std::string& what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 std::string subjectWords(const Warning& warning) {
     if (warning.count == 1) return warning.subject;
     return fmt::format("{} and {} more", warning.subject, warning.count - 1);

@@ -37,6 +37,9 @@ Element breakable(const std::string& name);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
+/// "1 tool", "3 tools".
+std::string counted(int count, const std::string& what);
+
 /// "S1.F2 and 3 more".
 std::string subjectWords(const Warning& warning);
 

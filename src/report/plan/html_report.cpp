@@ -92,9 +92,11 @@ std::optional<Element> sharingWords(const Plan& plan) {
     const std::string saved = plan.objective == Objective::Time
                                   ? clockTime(std::abs(sharing.saved))
                                   : fixed(std::abs(sharing.saved), 2) + " " + plan.machine.currency;
-    return Element("p", fmt::format("Tools shared: {} features take other tools than their own cheapest; {} "
-                                    "tools instead of {}, {} {}.",
-                                    sharing.features_changed, sharing.tools, sharing.tools_alone, saved,
+    return Element("p", fmt::format("Tools shared: {} {} other tools than their own cheapest; {} instead of "
+                                    "{}, {} {}.",
+                                    counted(sharing.features_changed, "feature"),
+                                    sharing.features_changed == 1 ? "takes" : "take",
+                                    counted(sharing.tools, "tool"), sharing.tools_alone, saved,
                                     sharing.saved >= 0 ? "saved" : "more, for the magazine's places"));
 }
 

@@ -11,15 +11,13 @@ namespace stepmill {
 namespace {
 
 using report::clockTime;
+using report::counted;
 using report::timesBound;
 using report::toolWords;
 
 /// Where features took other tools than their own cheapest.
 std::string sharingLine(const ToolSharing& sharing) {
     if (sharing.features_changed == 0) return {};
-    const auto counted = [](int count, const char* what) {
-        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-    };
     const std::string fewer =
         sharing.tools < sharing.tools_alone
             ? fmt::format("{} instead of {}; ", counted(sharing.tools, "tool"), sharing.tools_alone)
