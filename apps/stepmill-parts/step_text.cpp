@@ -3,9 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <stdlib.h>
-#include <unistd.h>
-
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <Interface_Static.hxx>
@@ -28,6 +25,7 @@
 
 #include "sample_parts.h"
 #include "stepmill/core/file.h"
+#include "stepmill/core/scratch_folder.h"
 #include "stepmill/part/part_shape.h"
 
 namespace stepmill {
@@ -111,27 +109,6 @@ void fixHeader(const Handle(StepData_StepModel) & model, const std::string& name
     header.SetDescriptionValue(1, text("Stepmill sample part"));
 }
 
-/// A folder of its own for one file, gone afterwards.
-class ScratchFolder {
-  public:
-    ScratchFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "stepmill-parts-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr)
-            throw Error(ErrorCode::OutputUnwritable, pattern, "no temporary folder can be made");
-        path_ = pattern;
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    std::filesystem::path file() const { return path_ / "part.step"; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 }  // namespace
 
 std::string sampleStepText(const SamplePart& part) {
@@ -150,10 +127,11 @@ std::string sampleStepText(const SamplePart& part) {
         nameFaces(writer, part);
         nameProduct(writer.Model(), part.name);
         fixHeader(writer.Model(), part.name);
-        const ScratchFolder scratch;
-        if (writer.Write(scratch.file().c_str()) != IFSelect_RetDone)
+        const ScratchFolder scratch("parts");
+        const std::filesystem::path file = scratch.path() / "part.step";
+        if (writer.Write(file.c_str()) != IFSelect_RetDone)
             throw Error(ErrorCode::OutputUnwritable, part.name, "the STEP file cannot be written");
-        bytes = readFile(scratch.file());
+        bytes = readFile(file);
     });
     return bytes;
 }

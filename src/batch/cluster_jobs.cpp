@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <queue>
 
@@ -24,15 +23,6 @@ std::size_t countOf(std::string_view text, std::string_view word) {
          at = text.find(word, at + word.size()))
         ++count;
     return count;
-}
-
-/// A new folder on this machine's own disk.
-fs::path localFolder() {
-    std::string name = (fs::temp_directory_path() / "stepmill-ledger-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-        throw Error(ErrorCode::OutputUnwritable, fs::temp_directory_path().string(),
-                    "no folder can be made there for a copy of the ledger");
-    return name;
 }
 
 /// Jobs by what they take, longest first.
@@ -103,22 +93,18 @@ TaskRecord recordedJob(const fs::path& batch, const BatchJob& job) {
     return record;
 }
 
-SharedLedger::SharedLedger(fs::path file) : file_(std::move(file)) {
-    std::error_code ignored;
-    folder_ = localFolder();
-    const fs::path copy = folder_ / file_.filename();
-    if (fs::exists(file_, ignored)) {
+SharedLedger::SharedLedger(fs::path file) : file_(std::move(file)), folder_("ledger") {
+    std::error_code why;
+    const fs::path copy = folder_.path() / file_.filename();
+    if (fs::exists(file_, why)) {
         Ledger::settle(file_);  // a run on one machine may have left a log
-        fs::copy_file(file_, copy);
+        if (!fs::copy_file(file_, copy, why))
+            throw Error(ErrorCode::OutputUnwritable, copy.string(), why.message());
     }
     copy_ = std::make_unique<Ledger>(copy);
 }
 
-SharedLedger::~SharedLedger() {
-    copy_.reset();
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-}
+SharedLedger::~SharedLedger() = default;
 
 Ledger& SharedLedger::ledger() {
     return *copy_;
@@ -129,7 +115,7 @@ void SharedLedger::publish() {
     // Not read into memory: a million parts make a few gigabytes.
     const fs::path beside = fmt::format("{}.{}.part", file_.string(), ::getpid());
     std::error_code why;
-    fs::copy_file(folder_ / file_.filename(), beside, fs::copy_options::overwrite_existing, why);
+    fs::copy_file(folder_.path() / file_.filename(), beside, fs::copy_options::overwrite_existing, why);
     if (!why) fs::rename(beside, file_, why);
     if (!why) return;
     std::error_code ignored;

@@ -10,6 +10,7 @@
 #include "stepmill/batch/job_record.h"
 #include "stepmill/batch/ledger.h"
 #include "stepmill/batch/run_jobs.h"
+#include "stepmill/core/scratch_folder.h"
 
 namespace stepmill {
 
@@ -51,7 +52,7 @@ class SharedLedger {
   public:
     /// Copies the ledger, or begins one.
     /// \pre the batch's folder is locked
-    /// \throws what Ledger does
+    /// \throws what Ledger does; Error(OutputUnwritable)
     explicit SharedLedger(std::filesystem::path file);
     /// Removes the copy.
     ~SharedLedger();
@@ -65,7 +66,7 @@ class SharedLedger {
 
   private:
     std::filesystem::path file_;
-    std::filesystem::path folder_;  ///< of the copy
+    ScratchFolder folder_;  ///< of the copy
     std::unique_ptr<Ledger> copy_;
 };
 

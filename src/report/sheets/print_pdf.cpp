@@ -16,6 +16,7 @@
 #include "report/sheets/sheets_page.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/file.h"
+#include "stepmill/core/scratch_folder.h"
 
 namespace stepmill {
 namespace {
@@ -25,27 +26,6 @@ namespace fs = std::filesystem;
 /// A browser that has not printed a few sheets by then never will [s].
 constexpr double kPatienceS = 60;
 constexpr auto kLook = std::chrono::milliseconds(20);
-
-/// A folder of its own, gone with this object.
-class WorkFolder {
-  public:
-    WorkFolder() {
-        std::string name = (fs::temp_directory_path() / "stepmill-sheets-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-            throw Error(ErrorCode::OutputUnwritable, name, "no folder can be made there");
-        path_ = name;
-    }
-    ~WorkFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    WorkFolder(const WorkFolder&) = delete;
-    WorkFolder& operator=(const WorkFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 /// A program of that name on the PATH; empty for none.
 std::string onPath(const std::string& name) {
@@ -102,7 +82,8 @@ bool runsWell(const std::vector<std::string>& command) {
     if (!begun) return false;
     const auto start = std::chrono::steady_clock::now();
     int status = 0;
-    while (waitpid(child, &status, WNOHANG) == 0) {
+    for (pid_t ended = 0; ended != child; ended = waitpid(child, &status, WNOHANG)) {
+        if (ended < 0) return false;
         if (std::chrono::steady_clock::now() - start > std::chrono::duration<double>(kPatienceS)) {
             ::kill(child, SIGKILL);
             waitpid(child, &status, 0);
@@ -136,7 +117,7 @@ std::string printIn(const fs::path& folder, const std::vector<std::string>& comm
 Sheets printed(std::string html) {
     Sheets sheets{std::move(html), "", ""};
     try {
-        const WorkFolder folder;
+        const ScratchFolder folder("sheets");
         const std::vector<std::string> command = printCommand(folder.path());
         if (command.empty()) {
             sheets.why_no_pdf = "Chromium is not installed";
