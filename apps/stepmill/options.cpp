@@ -247,9 +247,8 @@ PlanRequest planRequest(const PlanOptions& options, const Shop& shop) {
     request.unit = options.unit;
     request.setup = setupRequest(options);
     request.sequence.material = shop.material;
-    request.sequence.objective = options.objective == "cost" ? Objective::Cost : Objective::Time;
-    request.sequence.surrogates =
-        options.surrogates == "single" ? SurrogateRule::Single : SurrogateRule::Sequence;
+    request.sequence.objective = objectiveFrom(options.objective).value();
+    request.sequence.surrogates = surrogateRuleFrom(options.surrogates).value();
     request.sequence.cost_model = costModelFrom(options.cost_model).value();
     request.sequence.patterns = patternsFrom(options.patterns);
     request.sequence.retract_mm = shop.machine.safe_height_mm;

@@ -68,8 +68,8 @@ void fillRequest(PlanOptions& plan, const RecordedRequest& request) {
     if (request.hold) plan.hold = toString(*request.hold);
     plan.setups = axisWords(request.axes);
     plan.no_setups = axisWords(request.forbidden);
-    plan.objective = request.objective == Objective::Cost ? "cost" : "time";
-    plan.surrogates = request.surrogates == SurrogateRule::Single ? "single" : "sequence";
+    plan.objective = toString(request.objective);
+    plan.surrogates = toString(request.surrogates);
     plan.finish_walls_mm = request.finish.walls_mm;
     plan.finish_floors_mm = request.finish.floors_mm;
     plan.quantity = request.quantity;

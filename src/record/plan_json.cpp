@@ -98,8 +98,11 @@ void addWishes(const PlanRequest& request, Json& json) {
     if (!request.setup.stock_sizes_mm.empty())
         json["stock_sizes_mm"] = numbersJson(request.setup.stock_sizes_mm);
     if (request.hold) json["hold"] = toString(*request.hold);
-    if (request.sequence.objective == Objective::Cost) json["objective"] = "cost";
-    if (request.sequence.surrogates == SurrogateRule::Single) json["surrogates"] = "single";
+    const SequenceOptions usual;
+    if (request.sequence.objective != usual.objective)
+        json["objective"] = toString(request.sequence.objective);
+    if (request.sequence.surrogates != usual.surrogates)
+        json["surrogates"] = toString(request.sequence.surrogates);
     if (request.quantity != 1) json["quantity"] = request.quantity;
     if (request.scallop_mm != kUsualScallopMm) json["scallop_mm"] = number(request.scallop_mm);
     if (!request.assign) json["reserve"] = false;

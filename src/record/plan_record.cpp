@@ -66,6 +66,14 @@ Enum known(const std::optional<Enum>& value, const std::string& word) {
     return *value;
 }
 
+/// The value of a word that need not be there.
+template <typename Enum>
+Enum knownOr(const Json& json, const char* key, std::optional<Enum> (*from)(std::string_view), Enum usual) {
+    if (!json.contains(key)) return usual;
+    const std::string word = json[key];
+    return known(from(word), word);
+}
+
 CutRating rating(const Json& json) {
     return {json["step_over_mm"], json["step_down_mm"], json["slot_step_down_mm"],
             json["removal_cm3_per_min"].get<double>() * kMm3PerCm3};
@@ -285,8 +293,8 @@ RecordedRequest request(const Json& json) {
                             {},
                             directions(json, "setups"),
                             directions(json, "no_setups"),
-                            json.contains("objective") ? Objective::Cost : Objective::Time,
-                            json.contains("surrogates") ? SurrogateRule::Single : SurrogateRule::Sequence,
+                            knownOr(json, "objective", objectiveFrom, SequenceOptions{}.objective),
+                            knownOr(json, "surrogates", surrogateRuleFrom, SequenceOptions{}.surrogates),
                             json.value("quantity", 1),
                             json.value("scallop_mm", kUsualScallopMm),
                             json.value("break_edges_mm", 0.0),

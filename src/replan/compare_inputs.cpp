@@ -33,10 +33,6 @@ class Inputs {
     std::vector<InputChange> changes;
 };
 
-std::string objectiveWord(Objective objective) {
-    return objective == Objective::Time ? "time" : "cost";
-}
-
 std::string reserveWord(bool reserve) {
     return reserve ? "where it pays" : "none";
 }
@@ -75,7 +71,7 @@ std::vector<InputChange> inputChanges(const RecordedPlan& before, const Recorded
     inputs.length("edges broken by", was.break_edges_mm, is.break_edges_mm);
     inputs.word("stock left for later setups", reserveWord(was.reserve), reserveWord(is.reserve));
     inputs.word("cycle times", cycleWords(was.cycle_times), cycleWords(is.cycle_times));
-    inputs.word("made least", objectiveWord(was.objective), objectiveWord(is.objective));
+    inputs.word("made least", toString(was.objective), toString(is.objective));
     return inputs.changes;
 }
 

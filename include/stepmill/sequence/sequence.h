@@ -19,7 +19,11 @@
 
 namespace stepmill {
 
+/// What a choice makes least.
 enum class Objective { Time, Cost };
+std::string toString(Objective objective);
+/// The reverse; nothing for another word.
+std::optional<Objective> objectiveFrom(std::string_view word);
 
 /// Who clears what a tool's holder keeps from it.
 enum class SurrogateRule {
@@ -27,6 +31,9 @@ enum class SurrogateRule {
     SingleOrLater,  ///< that, or tools that come later anyway
     Sequence        ///< one tool or several after another, at once or later, whichever is cheapest
 };
+std::string toString(SurrogateRule rule);
+/// The reverse; nothing for another word.
+std::optional<SurrogateRule> surrogateRuleFrom(std::string_view word);
 
 /// Material that roughing leaves for a finishing pass to take off. Nothing: there is no such pass.
 struct FinishAllowance {
