@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -67,11 +66,8 @@ WayKey keyOf(const Path& way) {
     return key;
 }
 
-/// What was cut down to one height, or below, so far.
-struct Level {
-    std::vector<Path> ways;
-    std::set<WayKey> keys;
-};
+/// What was cut down to a height, or below, so far.
+using Levels = std::map<double, std::vector<Path>>;
 
 /// Follows an operation down its levels. Where material stood when it began, a pass whose lowest point is at
 /// z may only go where the operation has cut down to the step-down above z, or lower, or where the feature's
@@ -180,8 +176,8 @@ class DepthProver {
     }
 
     bool isKnown(const WayKey& key, double low_mm) const {
-        return std::any_of(levels_.begin(), levels_.upper_bound(reachOver(low_mm)),
-                           [&](const auto& level) { return level.second.keys.count(key) > 0; });
+        const auto lowest = lowest_mm_.find(key);
+        return lowest != lowest_mm_.end() && lowest->second <= reachOver(low_mm);
     }
 
     /// Looks at the ways that were asked about, then counts what was cut meanwhile.
@@ -190,18 +186,19 @@ class DepthProver {
         asked_.clear();
         asked_reach_mm_ = std::numeric_limits<double>::infinity();
         for (auto& [z_mm, way] : fresh_) {
-            Level& level = levelAt(z_mm);
-            level.keys.insert(keyOf(way));
-            level.ways.push_back(std::move(way));
+            auto& [level_mm, ways] = levelAt(z_mm);
+            const auto [lowest, is_new] = lowest_mm_.try_emplace(keyOf(way), level_mm);
+            if (!is_new) lowest->second = std::min(lowest->second, level_mm);
+            ways.push_back(std::move(way));
         }
         fresh_.clear();
         highest_fresh_mm_ = -std::numeric_limits<double>::infinity();
     }
 
-    Level& levelAt(double z_mm) {
+    Levels::value_type& levelAt(double z_mm) {
         const auto near = levels_.lower_bound(z_mm - kSamePostedHeightMm);
-        if (near != levels_.end() && near->first <= z_mm + kSamePostedHeightMm) return near->second;
-        return levels_[z_mm];
+        if (near != levels_.end() && near->first <= z_mm + kSamePostedHeightMm) return *near;
+        return *levels_.try_emplace(near, z_mm);
     }
 
     void lookAtAsked() {
@@ -242,7 +239,7 @@ class DepthProver {
         // From above: what was cut first of a ramp comes first.
         auto level = counts_on_ ? levels_.upper_bound(*counts_on_) : levels_.begin();
         while (level != levels_.begin())
-            for (const Path& way : (--level)->second.ways)
+            for (const Path& way : (--level)->second)
                 if (boundingBox(way).intersects(around)) before.push_back(way);
         if (!before.empty()) left = notSwept(left, chained(before), radius_mm, tol_);
         return piecesBeyondSkins(left, tol_);
@@ -252,7 +249,8 @@ class DepthProver {
     const FeatureState& state_;
     const Tolerances& tol_;
     const Findings& findings_;
-    std::map<double, Level> levels_;  ///< by height
+    Levels levels_;
+    std::map<WayKey, double> lowest_mm_;  ///< of the levels that hold a way
     std::optional<double> counts_on_;
     bool ramping_ = false;
     double step_mm_ = planned_.step_down_mm;  ///< what the move in hand may cut below what was cut before
