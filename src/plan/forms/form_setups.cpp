@@ -47,7 +47,8 @@ class FormSetups {
         for (std::size_t i = 0; i < setups.size(); ++i) {
             PlannedSetup& setup = setups[i];
             if (progress) progress(kind_.stage + setup.setup.id, 1);
-            auto finishing = finish({setup.setup, stages[i].layers, stages[i].left, at_end});
+            auto finishing =
+                finish({setup.setup, stages[i].layers, stages[i].left, at_end, drilledPoints(setup)});
             if (!finishing) continue;
             at_end.cuts.push_back({setup.setup.part_to_setup, std::move(finishing->removed)});
             setup.*kind_.ground = std::move(finishing->ground);
@@ -56,6 +57,19 @@ class FormSetups {
     }
 
   private:
+    static std::vector<Prism> drilledPoints(const PlannedSetup& setup) {
+        std::vector<Prism> points;
+        for (const PlannedFeature& planned : setup.features) {
+            const Feature& hole = planned.feature;
+            const std::vector<SequenceStep>& steps = planned.sequence.steps;
+            const bool drilled = std::any_of(steps.begin(), steps.end(), [](const SequenceStep& step) {
+                return step.role == Role::Drill && !step.takes.empty();
+            });
+            if (drilled) points.push_back({hole.target, hole.floor_z_mm, hole.floor_z_mm - hole.point_mm});
+        }
+        return points;
+    }
+
     /// What keeps form cutters from a setup must not lose the plan.
     std::optional<FormFinishing> finish(const FormSources& sources) {
         const PlanRequest& request = shop_.request;

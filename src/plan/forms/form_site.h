@@ -7,6 +7,7 @@
 #include "stepmill/feature/form_ground.h"
 #include "stepmill/layers/hole_cone.h"
 #include "stepmill/layers/layer_stack.h"
+#include "stepmill/setup/prism.h"
 #include "stepmill/setup/setup.h"
 
 namespace stepmill {
@@ -15,8 +16,9 @@ namespace stepmill {
 struct FormSources {
     const Setup& setup;  ///< with its fixtures
     const LayerStack& layers;
-    const Stock& after;   ///< as the setup's flat operations leave it
-    const Stock& at_end;  ///< as those of all setups leave it
+    const Stock& after;               ///< as the setup's flat operations leave it
+    const Stock& at_end;              ///< as those of all setups leave it
+    std::vector<Prism> drilled = {};  ///< around the points of blind holes that drills make as they are
 };
 
 /// A form ground, and how its walls lean.

@@ -39,6 +39,7 @@ class StairMaker {
     StairMaker(const FormSources& from, const SectionCutter& part, const Tolerances& tol,
                const Deadline& deadline)
         : id_(formGroundId(from.setup.id)),
+          drilled_(from.drilled),
           part_(part),
           at_end_(from.setup, from.at_end, tol),
           tol_(tol),
@@ -48,8 +49,11 @@ class StairMaker {
         LayerStairs found{layer.bottom_z_mm, {}};
         if (seenFromAboveMm3(layer) < kLeastHiddenMm3) return found;
         const double thin_mm = std::min(kUnderTopMm, layer.height_mm() / 2);
-        const Region ground =
-            subtract(layer.part, part_.partBetween(layer.top_z_mm - thin_mm, layer.top_z_mm), tol_);
+        std::vector<Region> gone{part_.partBetween(layer.top_z_mm - thin_mm, layer.top_z_mm)};
+        for (const Prism& point : drilled_)
+            if (point.bottom_z_mm < layer.top_z_mm && point.top_z_mm > layer.bottom_z_mm)
+                gone.push_back(point.region);
+        const Region ground = subtract(layer.part, gone, tol_);
         if (!ground.empty()) add(ground, layer.bottom_z_mm, layer.top_z_mm, found.stairs);
         return found;
     }
@@ -121,6 +125,7 @@ class StairMaker {
     }
 
     std::string id_;  ///< of the form ground
+    const std::vector<Prism>& drilled_;
     const SectionCutter& part_;
     StockSections at_end_;
     const Tolerances& tol_;
