@@ -20,8 +20,8 @@ namespace {
 constexpr double kShortestSlotRadii = 0.25;
 /// Edges at the ends of a strip are no longer than so many of its widths.
 constexpr double kEndWidths = 4;
-/// A strip is drawn together by this share of the fit tolerance before its side is taken for its middle, ...
-constexpr double kToMiddleShare = 0.8;
+/// A strip is drawn together to this share of the fit tolerance before its side is taken for its middle, ...
+constexpr double kFromMiddleShare = 0.2;
 /// ... unless it loses length.
 constexpr double kSameLengthShare = 0.99;
 /// Where a boundary turns back on itself its directions are opposite: their product is less than this.
@@ -91,7 +91,10 @@ Region stripAround(const Edge& way, double half_mm) {
 
 /// The strip drawn together nearly to its middle, where it is as wide all along.
 Region nearMiddle(const Region& strip, const Tolerances& tol) {
-    Region near = offset(strip, -kToMiddleShare * tol.fit_mm, tol);
+    const ClearanceDiagram diagram(strip, tol);
+    const auto disc = diagram.largestInscribedDisc();
+    if (!disc || disc->radius_mm <= kFromMiddleShare * tol.fit_mm) return strip;
+    Region near = diagram.offset(kFromMiddleShare * tol.fit_mm - disc->radius_mm);
     const bool whole = components(near).size() == 1 && perimeter(near) > kSameLengthShare * perimeter(strip);
     return whole ? near : strip;
 }
@@ -149,6 +152,7 @@ class Middles {
         std::vector<SlotCentres> slots;
         for (Region& along : components(unite(strips_, tol)))
             slots.push_back({{}, std::move(along), {}});
+        if (slots.empty()) return slots;
         for (const Path& middle : middles_)
             // It may start on the strip's very end.
             std::min_element(slots.begin(), slots.end(), [&](const SlotCentres& a, const SlotCentres& b) {
@@ -306,7 +310,7 @@ Region besideSlots(const FeatureGround& ground, double radius_mm, const Region& 
     for (const Region& component : components(subtract(usual, unite(grown, tol), tol))) {
         const Region clears = intersect(left, offset(component, radius_mm, tol), tol);
         if (withoutSliverComponents(clears, tol).empty()) continue;
-        kept.loops.insert(kept.loops.end(), component.loops.begin(), component.loops.end());
+        append(kept, component);
     }
     return kept;
 }
