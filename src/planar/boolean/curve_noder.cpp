@@ -177,10 +177,7 @@ std::vector<Cut> CurveNoder::cutsOfCurves() {
         const double share = shareOf(result_.nodes[at(node)], c.from, c.segment);
         if (share > 0 && share < 1) cuts.add(curve, share, node);
     };
-    std::vector<std::pair<int, int>> pairs;
-    forOverlappingBoxes(result_.curves, snap_mm_, [&](int i, int j) { pairs.emplace_back(i, j); });
-    std::sort(pairs.begin(), pairs.end());
-    for (const auto& [i, j] : pairs) {
+    for (const auto& [i, j] : overlappingBoxes(result_.curves, snap_mm_)) {
         const Curve& a = result_.curves[at(i)];
         const Curve& b = result_.curves[at(j)];
         const bool neighbours = adjacent(a, b);

@@ -2,6 +2,7 @@
 
 #include "planar/boolean/loop_groups.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planar/boolean/curve_pairs.h"
@@ -9,6 +10,7 @@
 #include "planar/intersection.h"
 #include "planar/segment.h"
 #include "stepmill/core/groups.h"
+#include "stepmill/planar/box_tree.h"
 
 namespace stepmill::planar {
 
@@ -25,29 +27,26 @@ Groups groupsOf(const std::vector<OperandLoop>& loops, double apart_mm) {
     for (std::size_t i = 0; i < loops.size(); ++i)
         appendCurves(*loops[i].loop, loops[i].operand, static_cast<int>(i), curves);
     Groups groups(loops.size());
-    forOverlappingBoxes(curves, apart_mm, [&](int i, int j) {
+    for (const auto& [i, j] : overlappingBoxes(curves, apart_mm)) {
         const Curve& a = curves[at(i)];
         const Curve& b = curves[at(j)];
         if (groups.of(a.loop) != groups.of(b.loop) && separation(a, b) <= apart_mm)
             groups.join(a.loop, b.loop);
-    });
+    }
     return groups;
 }
 
 bool crossesItself(const std::vector<Curve>& curves, double apart_mm) {
-    bool crosses = false;
-    forOverlappingBoxes(curves, apart_mm, [&](int i, int j) {
-        if (crosses) return;
-        const Curve& a = curves[at(i)];
-        const Curve& b = curves[at(j)];
-        if (!adjacent(a, b)) {
-            crosses = separation(a, b) <= apart_mm;
-            return;
-        }
-        for (const Vec2& p : contacts(a, b, apart_mm))
-            crosses = crosses || crossesBesideCorner(a, b, p);
+    const auto cross = [&](const Curve& a, const Curve& b) {
+        if (!adjacent(a, b)) return separation(a, b) <= apart_mm;
+        const auto places = contacts(a, b, apart_mm);
+        return std::any_of(places.begin(), places.end(),
+                           [&](const Vec2& p) { return crossesBesideCorner(a, b, p); });
+    };
+    const std::vector<std::pair<int, int>> pairs = overlappingBoxes(curves, apart_mm);
+    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+        return cross(curves[at(pair.first)], curves[at(pair.second)]);
     });
-    return crosses;
 }
 
 /// Two half arcs from the rightmost and the leftmost point, as Booleans draw circles.
@@ -93,14 +92,17 @@ std::vector<LoopGroup> loopGroups(const std::vector<OperandLoop>& loops, double 
         found[at(group)].loops.push_back(loops[i]);
     }
     if (found.size() < 2) return found;
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-        const int own = place[groups.of(i)];
-        const Box2 box = boundingBox(*loops[i].loop);
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            const Vec2& p = found[k].loops.front().loop->start;
-            if (static_cast<int>(k) != own && box.contains(p))
+    std::vector<Box2> boxes;
+    boxes.reserve(loops.size());
+    for (const OperandLoop& one : loops)
+        boxes.push_back(boundingBox(*one.loop));
+    const BoxTree tree(std::move(boxes));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const Vec2& p = found[k].loops.front().loop->start;
+        tree.forEachNear(Box2(p, p), [&](std::size_t i) {
+            if (place[groups.of(i)] != static_cast<int>(k))
                 found[k].around[at(loops[i].operand)] += windingNumber(*loops[i].loop, p);
-        }
+        });
     }
     return found;
 }
