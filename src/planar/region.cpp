@@ -14,6 +14,10 @@
 
 namespace stepmill {
 
+void append(Region& region, const Region& apart) {
+    region.loops.insert(region.loops.end(), apart.loops.begin(), apart.loops.end());
+}
+
 // Construction -------------------------------------------------------------------------------------------
 
 Region makePolygon(const std::vector<Vec2>& corners) {

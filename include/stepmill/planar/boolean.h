@@ -30,6 +30,9 @@ Region subtract(const Region& a, const Region& b, const Tolerances& tol);
 /// Points of `a` in the interior of none of `many`: quicker than a difference with their union.
 Region subtract(const Region& a, std::span<const Region> many, const Tolerances& tol);
 
+/// What a closed path winds round counter-clockwise, once or more; it may cross and touch itself.
+Region encircled(const Loop& loop, const Tolerances& tol);
+
 /// A path cut at a region's boundary. Pieces keep the path's direction and order.
 struct SplitPath {
     std::vector<Path> inside;   ///< pieces in the region's interior

@@ -51,6 +51,9 @@ struct Region {
     bool empty() const { return loops.empty(); }
 };
 
+/// Adds a region that lies apart: no loops of the two cross or touch.
+void append(Region& region, const Region& apart);
+
 // Construction -------------------------------------------------------------------------------------------
 
 /// Counter-clockwise polygon through `corners`; corners snapped to the grid.

@@ -83,10 +83,6 @@ Region overlayGroup(const planar::LoopGroup& group, const Rule& inside, const To
     return overlayCurves(curves, inside_here, tol);
 }
 
-void append(Region& region, Region more) {
-    std::move(more.loops.begin(), more.loops.end(), std::back_inserter(region.loops));
-}
-
 /// Points `inside` the rule, group by group of loops that meet.
 Region overlay(const OperandLoops& loops, const Rule& inside, const Tolerances& tol) {
     Region result;
@@ -191,6 +187,11 @@ Region unite(const Region& a, const Region& b, const Tolerances& tol) {
 Region unite(std::span<const Region> regions, const Tolerances& tol) {
     std::vector<Placed> placed = placedAll(regions, tol);
     return planar::ordered(uniteNeighbours(placed, tol));
+}
+
+Region encircled(const Loop& loop, const Tolerances& tol) {
+    return overlay(
+        {{&loop, 0}}, [](int a, int) { return a > 0; }, tol);
 }
 
 Region intersect(const Region& a, const Region& b, const Tolerances& tol) {
