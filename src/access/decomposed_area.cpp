@@ -18,7 +18,7 @@ void sweepUseful(const FeatureGround& ground, const Region& centres, const Regio
         Region disc_reach = offset(component, radius_mm, tol);
         // Inside walls a centre outside B_mn always clears something.
         if (!ground.walledIn() && area(intersect(disc_reach, fresh, tol)) <= tol.area_mm2) continue;
-        found.centres.loops.insert(found.centres.loops.end(), component.loops.begin(), component.loops.end());
+        append(found.centres, component);
         swept.push_back(std::move(disc_reach));
     }
     if (!swept.empty()) found.area = unite(swept, tol);

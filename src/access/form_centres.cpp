@@ -98,7 +98,7 @@ Region FormCentres::from(double top_z_mm, double bottom_z_mm) const {
     for (std::size_t room = 0; room < within_.size(); ++room) {
         if (within_[room].empty() || !meetsStairs(room, top_z_mm, bottom_z_mm)) continue;
         const Region& in_room = inRoom(room, top_z_mm);
-        free.loops.insert(free.loops.end(), in_room.loops.begin(), in_room.loops.end());
+        append(free, in_room);
     }
     return free;
 }
@@ -106,7 +106,7 @@ Region FormCentres::from(double top_z_mm, double bottom_z_mm) const {
 Region FormCentres::withinWindow() const {
     Region all;
     for (const Region& within : within_)
-        all.loops.insert(all.loops.end(), within.loops.begin(), within.loops.end());
+        append(all, within);
     return all;
 }
 

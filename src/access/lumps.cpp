@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kHolderStepMm = 0.1;
 
-void append(Region& region, const Region& piece) {
-    region.loops.insert(region.loops.end(), piece.loops.begin(), piece.loops.end());
-}
-
 }  // namespace
 
 Region within(const Region& region, const Box2& box, const Tolerances& tol) {

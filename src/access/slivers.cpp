@@ -7,8 +7,7 @@ namespace stepmill::access {
 Region withoutSliverComponents(const Region& region, const Tolerances& tol) {
     Region kept;
     for (const Region& component : components(region))
-        if (isWiderThan(component, tol.sliver_mm, tol))
-            kept.loops.insert(kept.loops.end(), component.loops.begin(), component.loops.end());
+        if (isWiderThan(component, tol.sliver_mm, tol)) append(kept, component);
     return kept;
 }
 

@@ -85,7 +85,7 @@ std::vector<std::string> renamed(const std::vector<std::string>& names,
 }
 
 void add(Feature& group, const Feature& hole) {
-    group.target.loops.insert(group.target.loops.end(), hole.target.loops.begin(), hole.target.loops.end());
+    append(group.target, hole.target);
     group.boundary.insert(group.boundary.end(), hole.boundary.begin(), hole.boundary.end());
     group.open_length_mm += hole.open_length_mm;
     group.closed_length_mm += hole.closed_length_mm;

@@ -106,7 +106,7 @@ Box3 boxOf(const Toolpath& path) {
     if (path.moves.empty()) return box;
     Vec3 from = path.start;
     for (const Move& move : path.moves) {
-        const Box2 flat = makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}).box;
+        const Box2 flat = edgeOf(from, move).box;
         for (const Vec2& corner : {flat.min(), flat.max()})
             for (const double z_mm : {from.z(), move.to.z()})
                 box.extend(Vec3(corner.x(), corner.y(), z_mm));

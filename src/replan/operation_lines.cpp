@@ -11,7 +11,8 @@ std::string withoutNumber(const std::string& line) {
     if (line.empty() || line.front() != 'N') return line;
     const std::size_t end = line.find_first_not_of("0123456789", 1);
     if (end == std::string::npos) return {};
-    return line.substr(line.find_first_not_of(' ', end));
+    const std::size_t word = line.find_first_not_of(' ', end);
+    return word == std::string::npos ? "" : line.substr(word);
 }
 
 std::vector<std::string> linesOf(const std::string& text) {

@@ -8,7 +8,7 @@ namespace stepmill {
 namespace {
 
 /// A top closer to the raw one is raw: heights in plan.json have six decimals [mm].
-constexpr double kSameHeightMm = 1e-4;
+constexpr double kRawTopMm = 1e-4;
 /// Entries of a rotation closer to 0 or 1 are those.
 constexpr double kSquare = 1e-9;
 
@@ -30,7 +30,7 @@ StockGrowth growthOf(const Stock& stock, const Eigen::Isometry3d& part_to_setup)
     const Vec3 reach_mm = stock.tolerance_mm * rotation.cwiseAbs().rowwise().sum();
     growth.side_mm = upright ? stock.tolerance_mm : reach_mm.head<2>().maxCoeff();
     if (upright) growth.raw_sides_mm = Box2(Vec2(raw.min().head<2>()), Vec2(raw.max().head<2>()));
-    const bool raw_top = std::abs(raw.max().z()) < kSameHeightMm;
+    const bool raw_top = std::abs(raw.max().z()) < kRawTopMm;
     // Of leaning sides some are left, whatever was cut off the highest corner.
     growth.top_mm = !upright ? reach_mm.z() : raw_top ? stock.tolerance_mm : 0;
     return growth;

@@ -253,7 +253,7 @@ class ClearRapids {
 
     void feed(const Move& move) {
         const Vec3 from = at();
-        ground_.add(makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc}), from, move.to);
+        ground_.add(edgeOf(from, move), from, move.to);
         made_.moves.push_back(move);
     }
 

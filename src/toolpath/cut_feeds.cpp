@@ -38,7 +38,7 @@ std::vector<Move> withoutLongArcs(const Vec3& start, std::vector<Move> moves) {
     std::vector<Move> halved;
     Vec3 from = start;
     for (Move& move : moves) {
-        const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const Edge edge = edgeOf(from, move);
         if (move.arc && std::abs(sweepAngle(edge.from, edge.to(), *move.arc)) > kLongestArcRad) {
             Move half = move;
             half.to.head<2>() = snapToGrid(pointAt(edge, 0.5));
@@ -106,7 +106,7 @@ class PathFeeds {
     }
 
     void addParts(const Move& move, const MoveCut& cut, const Vec3& from, std::vector<Move>& parts) const {
-        const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const Edge edge = edgeOf(from, move);
         const std::vector<double>& widths = *cut.widths_mm;
         std::vector<double> feeds;
         for (std::size_t i = 1; i < widths.size(); ++i)
@@ -133,7 +133,7 @@ class PathFeeds {
     void feed(Move& move, const MoveCut& cut, const Vec3& from) {
         loads_.emplace_back();
         if (move.kind == MoveKind::Rapid) return;
-        const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const Edge edge = edgeOf(from, move);
         const double length_mm = std::hypot(length(edge), move.to.z() - from.z());
         if (move.kind != MoveKind::Plunge && !isGlide(move))
             move.feed_mm_per_min = feedOf(move, cut.widest_mm, cut.depth_mm);

@@ -35,10 +35,6 @@ constexpr double kInsideShare = 0.05;
 /// is deep.
 constexpr double kFreshShare = 5 * kGrazeShare;
 
-Edge edgeOf(const Vec3& from, const Move& move) {
-    return makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
-}
-
 bool isFlat(const Vec3& from, const Move& move) {
     return move.arc || from.head<2>() != move.to.head<2>();
 }

@@ -191,6 +191,7 @@ void MoveWriter::retract() {
 }
 
 void MoveWriter::along(const Path& path, MoveKind kind, double to_z_mm) {
+    if (path.segments.empty()) return;
     const double whole = length(path);
     const double from_z = at_.z();
     double gone = 0;

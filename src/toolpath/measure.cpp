@@ -26,6 +26,10 @@ double lengthOf(const Vec3& from, const Move& move) {
 
 }  // namespace
 
+Edge edgeOf(const Vec3& from, const Move& move) {
+    return makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+}
+
 std::string toString(Pattern pattern) {
     return wordOf(kPatterns, pattern);
 }

@@ -32,8 +32,7 @@ class Prover {
                 proof.rapids_clear = proof.rapids_clear && rapidIsClear(from, move);
                 outside_ = outside_ && from.head<2>() == move.to.head<2>();
             } else {
-                cut_.push_back({makeEdge(from.head<2>(), {move.to.head<2>(), move.arc}),
-                                std::max(from.z(), move.to.z())});
+                cut_.push_back({edgeOf(from, move), std::max(from.z(), move.to.z())});
             }
             const bool crosses = move.kind == MoveKind::Rapid && from.head<2>() != move.to.head<2>();
             if (std::min(from.z(), move.to.z()) < (crosses ? task_.retract_z_mm : task_.top_z_mm))
@@ -53,7 +52,7 @@ class Prover {
     double farMm() const { return 4 * radius_mm_; }
 
     double clearance(const Vec3& from, const Move& move) {
-        const Edge edge = makeEdge(from.head<2>(), {move.to.head<2>(), move.arc});
+        const Edge edge = edgeOf(from, move);
         const bool first_time =
             known_
                 .insert({edge.from.x(), edge.from.y(), edge.segment.to.x(), edge.segment.to.y(),

@@ -50,7 +50,9 @@ double apartMm(const ShallowGround::Cell& cell, const Vec2& along, const CutterF
     const Vec2 across(-along.y(), along.x());
     const double uphill = slope > 0 ? square(along.dot(cell.rise) / slope) : 1.0;
     const double bulge = square(across.x()) * cell.bulge_x + square(across.y()) * cell.bulge_y;
-    const double curvature = (1 - uphill) / corner_mm + uphill * sine / (flat_mm + corner_mm * sine) + bulge;
+    // Of the ring that the corner draws; a ball is round to its very tip, on level ground too.
+    const double round = flat_mm > 0 ? sine / (flat_mm + corner_mm * sine) : 1 / corner_mm;
+    const double curvature = (1 - uphill) / corner_mm + uphill * round + bulge;
     if (curvature <= 0) return spacing.step_over_mm;
     const double ridge_mm = std::min(spacing.scallop_mm, 1 / curvature);
     return std::min(spacing.step_over_mm, 2 * std::sqrt(2 * ridge_mm / curvature - square(ridge_mm)));

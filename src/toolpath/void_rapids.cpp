@@ -66,7 +66,7 @@ class VoidRapids {
   private:
     Edge edgeOf(std::size_t i) const {
         const Move& move = path_.moves[i];
-        return makeEdge(starts_[i].head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        return stepmill::edgeOf(starts_[i], move);
     }
 
     bool isLevelFeed(std::size_t i) const {

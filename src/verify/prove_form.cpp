@@ -77,7 +77,7 @@ class FormProver {
     void proveMove(const Vec3& from, const Move& move) {
         // Straight up it leaves the way it came.
         const bool leaves = from.head<2>() == move.to.head<2>() && move.to.z() >= from.z();
-        const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const Edge way = edgeOf(from, move);
         const double rise_mm = move.to.z() - from.z();
         const bool slopes = !move.arc && way.from != way.to();
         const int pieces =

@@ -95,7 +95,7 @@ class HoldingProver {
         for (const ReadMove& read : operation.moves) {
             const Move& move = read.fed.move;
             const double low_mm = std::min(from.z(), move.to.z());
-            const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            const Edge way = edgeOf(from, move);
             from = move.to;
             const std::string what = meets(way, low_mm, radius_mm);
             if (what.empty()) continue;

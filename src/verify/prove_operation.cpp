@@ -286,7 +286,7 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
         for (std::size_t i = 0; i < operation.moves.size(); ++i) {
             const Move& move = operation.moves[i].fed.move;
             const double z = lowOf(from, move) + cylinder.bottom_mm;
-            const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            const Edge way = edgeOf(from, move);
             from = move.to;
             if (z >= feature.top_z_mm - kSamePostedHeightMm) continue;
             const Region& standing = state.standingAt(z);

@@ -288,7 +288,7 @@ class SetupProver {
                           state.feature.top_z_mm - floor_z_mm,
                           area(state.feature.target)};
         for (const Region& piece : left)
-            leftover.region.loops.insert(leftover.region.loops.end(), piece.loops.begin(), piece.loops.end());
+            append(leftover.region, piece);
         into_.leftovers.push_back(std::move(leftover));
         const Box2 box = boundingBox(left.front());
         findings.add(

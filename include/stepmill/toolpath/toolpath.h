@@ -12,6 +12,7 @@
 #include "stepmill/catalog/machine.h"
 #include "stepmill/catalog/tool.h"
 #include "stepmill/core/tolerances.h"
+#include "stepmill/planar/edge.h"
 #include "stepmill/planar/region.h"
 
 namespace stepmill {
@@ -34,6 +35,8 @@ struct Move {
     /// By what it cuts (CuttingModel); 0: that of its kind.
     double feed_mm_per_min = 0;
 };
+/// A move as seen from above, for who places it: not for straight up and down.
+Edge edgeOf(const Vec3& from, const Move& move);
 
 /// How a region is gone over. See docs/algorithms/contour-parallel.md and docs/algorithms/parallel-lines.md.
 enum class Pattern {

@@ -52,8 +52,7 @@ StockSections withoutBand(const LateBand& band, const Setup& setup, const Tolera
 Region wideComponents(const Region& region, const Tolerances& tol) {
     Region wide;
     for (const Region& component : components(region))
-        if (isWiderThan(component, kThinnestReserveMm, tol))
-            wide.loops.insert(wide.loops.end(), component.loops.begin(), component.loops.end());
+        if (isWiderThan(component, kThinnestReserveMm, tol)) append(wide, component);
     return wide;
 }
 

@@ -17,7 +17,7 @@ Feature narrower(Feature holes, double diameter_mm, const Tolerances& tol) {
     Region discs;
     for (const Vec2& axis : holeCentres(holes)) {
         const Region disc = makeCircle(axis, diameter_mm / 2);
-        discs.loops.insert(discs.loops.end(), disc.loops.begin(), disc.loops.end());
+        append(discs, disc);
     }
     holes.obstruction = unite(holes.obstruction, subtract(holes.target, discs, tol), tol);
     holes.target = std::move(discs);

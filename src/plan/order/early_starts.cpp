@@ -37,7 +37,7 @@ class LowerOperation {
             widest_mm = std::max(widest_mm, cylinder.radius_mm);
         Vec3 from = path_.start;
         for (const Move& move : path_.moves) {
-            box_.extend(makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc}).box);
+            box_.extend(edgeOf(from, move).box);
             from = move.to;
         }
         if (!box_.isEmpty()) box_ = grown(box_, widest_mm);
@@ -57,7 +57,7 @@ class LowerOperation {
         Vec3 from = path_.start;
         for (const Move& move : path_.moves) {
             const double low_mm = std::min(from.z(), move.to.z()) + cylinder.bottom_mm;
-            const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            const Edge way = edgeOf(from, move);
             from = move.to;
             if (low_mm >= top_z_mm) continue;
             if (standing.edges.anyNearer(way, cylinder.radius_mm - tol.gouge_mm)) return false;

@@ -165,10 +165,6 @@ Region drawWalls(const Profile& profile, const Level& level, const std::vector<i
     return region;
 }
 
-void append(Region& region, const Region& ring) {
-    region.loops.insert(region.loops.end(), ring.loops.begin(), ring.loops.end());
-}
-
 }  // namespace
 
 Region ringsOf(const Profile& profile, const Level& level) {

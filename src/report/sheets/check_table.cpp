@@ -17,7 +17,8 @@ namespace {
 /// More floors than this are measured in the report's list, not at the machine.
 constexpr std::size_t kMostFloors = 10;
 constexpr std::size_t kMostPockets = 6;
-constexpr double kSameHeightMm = 1e-3;
+/// Floors that a depth gauge does not tell apart.
+constexpr double kSameFloorMm = 1e-3;
 
 /// Where of the setup's operations one stands; before all for none.
 int placeOf(const PlannedSetup& setup, const std::string& operation_id) {
@@ -50,7 +51,7 @@ std::vector<Floor> floorsOf(const PlannedSetup& setup) {
         if (last == nullptr || !hasFloor(feature.featureClass()) || isHole(feature.featureClass())) continue;
         const double z_mm = last->z_floor_mm;
         auto floor = std::find_if(floors.begin(), floors.end(), [&](const Floor& known) {
-            return std::abs(known.z_mm - z_mm) < kSameHeightMm;
+            return std::abs(known.z_mm - z_mm) < kSameFloorMm;
         });
         if (floor == floors.end()) floor = floors.insert(floors.end(), {z_mm, {}, -1});
         floor->features.push_back(shortId(feature.id()));

@@ -207,7 +207,7 @@ CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, con
     area.radius_mm = drill.radius_mm();
     for (const Vec2& centre : holeCentres(feature)) {
         const Region disc = makeCircle(centre, std::min(drill.radius_mm(), holeRadiusMm(feature)));
-        area.coverable.loops.insert(area.coverable.loops.end(), disc.loops.begin(), disc.loops.end());
+        append(area.coverable, disc);
     }
     area.accessible = area.coverable;
     area.coverable_area_mm2 = stepmill::area(area.coverable);

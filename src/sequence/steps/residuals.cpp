@@ -32,7 +32,7 @@ std::string cutterFor(const Feature& feature, double widest_mm) {
 }
 
 void add(Residual& into, const Region& piece, double depth_mm) {
-    into.region.loops.insert(into.region.loops.end(), piece.loops.begin(), piece.loops.end());
+    append(into.region, piece);
     into.area_mm2 += area(piece);
     into.volume_mm3 = into.area_mm2 * depth_mm;
 }

@@ -22,7 +22,6 @@ namespace {
 constexpr double kLeastOverVolume = 1.3;
 /// A helix narrower than this share of the radius leaves no room to begin in.
 constexpr double kLeastHelixShare = 0.1;
-constexpr double kWidestHelixShare = 0.98;
 /// Ways are clear for cusps of this share of the radius as well as for those of proofs.
 constexpr double kThinnerCuspShare = 0.9 * kCuspShare;
 
@@ -83,14 +82,12 @@ class AdaptiveCutter {
         return std::get<ComeDown>(step).at;
     }
 
-    /// Counter-clockwise, so that its inside is on the left as of a region; no wider than the cutter, which
-    /// would leave a core standing.
+    /// Counter-clockwise, so that its inside is on the left as of a region.
     std::optional<Path> helixCircle(const RingFamily::Component& component, const Entry& entry) const {
         if (entry.kind != EntryKind::Helix) return std::nullopt;
         const double room_mm = distanceToBoundary(component.region, entry.at);
         const double radius_mm =
-            snapToGrid(std::min({entry.helix_radius_mm, room_mm - task_.tol.guard_mm - kGridMm,
-                                 kWidestHelixShare * task_.radius_mm}));
+            snapToGrid(std::min(entry.helix_radius_mm, room_mm - task_.tol.guard_mm - kGridMm));
         if (radius_mm < kLeastHelixShare * task_.radius_mm) return std::nullopt;
         return makeCircle(snapToGrid(entry.at), radius_mm).loops.front();
     }

@@ -75,7 +75,7 @@ TEST_P(RandomPocketWidths, AreThoseOfARaster) {
     Vec3 from = path.start;
     for (const Move& move : path.moves) {
         const MoveCut cut = follower.next(from, move);
-        const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const Edge edge = edgeOf(from, move);
         const bool down = move.kind != MoveKind::Rapid && move.to.z() == task.floor_z_mm;
         const double slope_mm = std::abs(from.z() - move.to.z());
         from = move.to;

@@ -226,7 +226,7 @@ int rapidsInto(const Region& standing, double top_z_mm, const Toolpath& path, do
     Vec3 from = path.start;
     for (const Move& move : path.moves) {
         const bool down = move.to.z() <= from.z() && move.to.z() < top_z_mm;
-        const Edge way = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+        const Edge way = edgeOf(from, move);
         if (move.kind == MoveKind::Rapid && down && edges.anyNearer(way, radius_mm - kTol.guard_mm)) ++count;
         from = move.to;
     }

@@ -123,7 +123,7 @@ TEST(Adaptive, EngagesNoMoreByARaster) {
         entered = entered || isGlide(move);
         if (!level || isGlide(move)) meter.beginPass();
         if (level && move.kind != MoveKind::Rapid) {
-            const Edge edge = makeEdge(from.head<2>(), {Vec2(move.to.head<2>()), move.arc});
+            const Edge edge = edgeOf(from, move);
             greatest = std::max(greatest, meter.follow(edge, entered));
         }
         from = move.to;
