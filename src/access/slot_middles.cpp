@@ -6,6 +6,7 @@
 #include <array>
 
 #include "stepmill/access/slivers.h"
+#include "stepmill/access/swept.h"
 #include "stepmill/planar/boolean.h"
 #include "stepmill/planar/clearance_diagram.h"
 #include "stepmill/planar/edge.h"
@@ -91,12 +92,25 @@ Region stripAround(const Edge& way, double half_mm) {
 
 /// The strip drawn together nearly to its middle, where it is as wide all along.
 Region nearMiddle(const Region& strip, const Tolerances& tol) {
-    const ClearanceDiagram diagram(strip, tol);
-    const auto disc = diagram.largestInscribedDisc();
-    if (!disc || disc->radius_mm <= kFromMiddleShare * tol.fit_mm) return strip;
-    Region near = diagram.offset(kFromMiddleShare * tol.fit_mm - disc->radius_mm);
+    const double half_mm = area(strip) / perimeter(strip);
+    Region near = offset(strip, std::min(0.0, kFromMiddleShare * tol.fit_mm - half_mm), tol);
     const bool whole = components(near).size() == 1 && perimeter(near) > kSameLengthShare * perimeter(strip);
     return whole ? near : strip;
+}
+
+bool isLong(const Region& strip, double radius_mm) {
+    return boundingBox(strip).sizes().norm() >= kShortestSlotRadii * radius_mm;
+}
+
+/// A slot a micrometre wider than the cutter that leads into a room is a strip of the room's centres, too
+/// thin for passes: the centres without such strips.
+Region withoutStrips(const Region& centres, double radius_mm, const Tolerances& tol) {
+    if (centres.empty()) return centres;
+    const Region rooms = ClearanceDiagram(centres, tol).opening(halfSliverMm(tol));
+    std::vector<Region> strips;
+    for (const Region& lost : components(subtract(centres, offset(rooms, 2 * tol.fit_mm, tol), tol)))
+        if (isLong(lost, radius_mm)) strips.push_back(offset(lost, tol.fit_mm, tol));
+    return strips.empty() ? centres : subtract(centres, strips, tol);
 }
 
 /// The middles of slots, to be led on beyond where they end: across others' crossings, up to where they meet
@@ -285,10 +299,11 @@ class Middles {
 std::vector<SlotCentres> slotCentres(const FeatureGround& ground, double radius_mm, const Region& usual,
                                      const Region& narrow) {
     const Tolerances& tol = ground.tolerances();
-    const Region rest = usual.empty() ? narrow : subtract(narrow, offset(usual, 2 * tol.fit_mm, tol), tol);
+    const Region rooms = withoutStrips(usual, radius_mm, tol);
+    const Region rest = rooms.empty() ? narrow : subtract(narrow, offset(rooms, 2 * tol.fit_mm, tol), tol);
     Middles middles(ground, radius_mm);
     for (const Region& component : components(rest))
-        if (boundingBox(component).sizes().norm() >= kShortestSlotRadii * radius_mm) middles.add(component);
+        if (isLong(component, radius_mm)) middles.add(component);
     middles.leadAcross();
     middles.leadToOthers();
     middles.leadOut();

@@ -48,10 +48,8 @@ FreeCentres freeCentresOf(const FeatureGround& ground, double radius_mm) {
     FreeCentres found{components(wide), {}};
     if (!ground.hasSlotOf(radius_mm)) return found;
     const Region sure = access::withoutSliverComponents(wide, tol);
-    // A slot a micrometre wider than the cutter that leads into a room is a strip of the room's centres.
-    const Region rooms = ClearanceDiagram(sure, tol).opening(access::halfSliverMm(tol));
     found.slots =
-        access::slotCentres(ground, radius_mm, rooms, freeCentres(ground, radius_mm, radius_mm - tol.fit_mm));
+        access::slotCentres(ground, radius_mm, sure, freeCentres(ground, radius_mm, radius_mm - tol.fit_mm));
     if (found.slots.empty()) return found;
     Region together = access::besideSlots(ground, radius_mm, sure, found.slots);
     for (const access::SlotCentres& slot : found.slots)

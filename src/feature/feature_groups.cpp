@@ -16,6 +16,10 @@ namespace {
 /// A feature whose components change with the stock holds at most this share of air: feeding through it costs
 /// less than a feature, and its tools, for every slab.
 constexpr double kMostAirShare = 0.6;
+/// ... and it does not go on where next to nothing stands: over a layer of more air than this ...
+constexpr double kNextToAllShare = 0.9;
+/// ... that holds more of it than this share of all that stands in the feature.
+constexpr double kMuchForTheFeature = 0.5;
 /// A hole goes on behind air that is no longer than so many of its diameters: else a drill runs off.
 constexpr double kLongestGapDiameters = 2;
 /// Layers with less between them lie on each other [mm].
@@ -175,7 +179,8 @@ class Grouper {
         std::sort(group.components.begin(), group.components.end());
         group.target = unite(grounds, tol_);
         if (gapOver(floor, cluster.above) > longestGapMm(cluster)) return std::nullopt;
-        if (holdsMuchAir(group) || !comesAfterWhatItWaitsFor(group)) return std::nullopt;
+        if (holdsMuchAir(group) || endsInAir(group, cluster, floor)) return std::nullopt;
+        if (!comesAfterWhatItWaitsFor(group)) return std::nullopt;
         const Region kept = intersect(group.target, floor.shadow, tol_);
         if (!isSliver(kept, tol_)) return std::nullopt;
         if (!kept.empty()) group.target = subtract(group.target, floor.shadow, tol_);
@@ -201,12 +206,24 @@ class Grouper {
         return kLongestGapDiameters * narrowest_mm;
     }
 
-    bool holdsMuchAir(const FeatureGroup& group) const {
+    double volumeOf(const std::vector<int>& components) const {
         double volume_mm3 = 0;
-        for (const int member : group.components)
-            volume_mm3 += volumeMm3(forest_.components[member], layers_);
+        for (const int index : components)
+            volume_mm3 += volumeMm3(forest_.components[index], layers_);
+        return volume_mm3;
+    }
+
+    bool holdsMuchAir(const FeatureGroup& group) const {
         const double height_mm = topLayer(group).top_z_mm - bottomLayer(group).bottom_z_mm;
-        return volume_mm3 < (1 - kMostAirShare) * area(group.target) * height_mm;
+        return volumeOf(group.components) < (1 - kMostAirShare) * area(group.target) * height_mm;
+    }
+
+    /// Do crumbs that an earlier setup left lead the group down through what it has cut?
+    bool endsInAir(const FeatureGroup& group, const Cluster& cluster, const Layer& floor) const {
+        const double ground_mm3 = area(group.target) * floor.height_mm();
+        const double air_mm3 = ground_mm3 - volumeOf(cluster.components);
+        return air_mm3 > kNextToAllShare * ground_mm3 &&
+               air_mm3 > kMuchForTheFeature * volumeOf(group.components);
     }
 
     /// Groups have the order of their first components.
