@@ -152,7 +152,7 @@ std::vector<Path> FormPasses::piecesOf(const Loop& loop, Meeting& meeting, Next&
     const std::vector<Edge> edges = shortEdges(loop, kLongestEdgeRadii * radius_mm);
     std::vector<char> needed = meeting.along(edges);
     for (std::size_t i = 0; i < edges.size(); ++i)
-        if (!passes_shallow && shallow_.isUnder(pointAt(edges[i], 0.5))) needed[i] = 0;
+        if (!passes_shallow && shallow_.isUnderOrRollsOff(pointAt(edges[i], 0.5))) needed[i] = 0;
     if (next.z_mm) {
         const std::vector<char> passed =
             bridged(edges, cannotWait(edges, needed, next), kShortestWaitRadii * radius_mm);

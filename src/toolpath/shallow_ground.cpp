@@ -24,6 +24,8 @@ constexpr double kBulgeOverMm = 3.0;
 constexpr double kNarrowestRadii = 1.5;
 /// Patches of fewer cells than are in a square of so many radii are no work for lines.
 constexpr double kSmallestRadii = 1.0;
+/// The rim of the ground is so wide [mm].
+constexpr double kRimMm = 0.5;
 /// Tangent of the steepest slope that counts as shallow, 15 degrees.
 constexpr double kSteepest = 0.268;
 
@@ -47,8 +49,9 @@ ShallowGround::ShallowGround(const FormFloor& floor, const CutterForm& form, con
     columns_ = static_cast<int>(std::ceil(box_.sizes().x() / cell_mm_));
     rows_ = static_cast<int>(std::ceil(box_.sizes().y() / cell_mm_));
     findHeights(floor, tol);
-    findShallow(form, wide);
+    findShallow(form, wide, tol);
     dropNarrow();
+    findRollingOff(form.fullRadiusMm());
     findPatches();
     std::erase_if(patches_, [&](const Patch& patch) {
         const double side_mm = kSmallestRadii * form.fullRadiusMm();
@@ -57,11 +60,19 @@ ShallowGround::ShallowGround(const FormFloor& floor, const CutterForm& form, con
 }
 
 bool ShallowGround::isUnder(const Vec2& tip) const {
-    if (shallow_.empty() || !box_.contains(tip)) return false;
+    return isMarked(shallow_, tip);
+}
+
+bool ShallowGround::isUnderOrRollsOff(const Vec2& tip) const {
+    return isMarked(rolls_off_, tip);
+}
+
+bool ShallowGround::isMarked(const std::vector<char>& marks, const Vec2& tip) const {
+    if (marks.empty() || !box_.contains(tip)) return false;
     const Vec2 cells = (tip - box_.min()) / cell_mm_;
     const Place place{std::min(static_cast<int>(cells.x()), columns_ - 1),
                       std::min(static_cast<int>(cells.y()), rows_ - 1)};
-    return shallow_[indexOf(place)] != 0;
+    return marks[indexOf(place)] != 0;
 }
 
 Vec2 ShallowGround::middleOf(const Place& place) const {
@@ -123,22 +134,24 @@ double ShallowGround::bulgeAt(const Place& place, const Place& step) const {
 }
 
 /// Cells that are no steeper, where the cutter touches ground that stairs lie over.
-void ShallowGround::findShallow(const CutterForm& form, const Region& stairs) {
+void ShallowGround::findShallow(const CutterForm& form, const Region& stairs, const Tolerances& tol) {
     shallow_.assign(heights_.size(), 0);
+    on_rim_.assign(heights_.size(), 1);
     const double corner_mm = form.heightMm();
     const double flat_mm = form.fullRadiusMm() - corner_mm;
     const IndexedRegion under(stairs);
+    const IndexedRegion within_rim(offset(stairs, -kRimMm, tol));
     parallelFor(rows_, [&](int row) {
         for (int column = 0; column < columns_; ++column) {
             const Place place{column, row};
             const Vec2 rise = riseAt(place);
             const double slope = rise.norm();
-            // Also where it is not known.
-            if (!(slope <= kSteepest)) continue;
+            if (!std::isfinite(slope)) continue;
             Vec2 touched = middleOf(place);
             if (slope > 0)
                 touched += (flat_mm + corner_mm * slope / std::sqrt(1 + slope * slope)) * rise / slope;
-            shallow_[indexOf(place)] = static_cast<char>(under.contains(touched));
+            on_rim_[indexOf(place)] = static_cast<char>(!within_rim.contains(touched));
+            shallow_[indexOf(place)] = static_cast<char>(slope <= kSteepest && under.contains(touched));
         }
     });
 }
@@ -159,6 +172,23 @@ void ShallowGround::dropNarrow() {
     shallow_ = spread(spread(shallow_, 0), 1);
 }
 
+/// From shallow cells outward, as far as the cutter touches the rim.
+void ShallowGround::findRollingOff(double farthest_mm) {
+    rolls_off_ = shallow_;
+    for (int step = 0; step < static_cast<int>(farthest_mm / cell_mm_); ++step) {
+        const std::vector<char> before = rolls_off_;
+        for (int row = 0; row < rows_; ++row)
+            for (int column = 0; column < columns_; ++column) {
+                const std::size_t cell = indexOf({column, row});
+                if (before[cell] != 0 || on_rim_[cell] == 0) continue;
+                for (const Place& by : {Place{-1, 0}, Place{1, 0}, Place{0, -1}, Place{0, 1}}) {
+                    const Place next{column + by.column, row + by.row};
+                    if (isIn(next) && before[indexOf(next)] != 0) rolls_off_[cell] = 1;
+                }
+            }
+    }
+}
+
 void ShallowGround::findPatches() {
     std::vector<char> seen(shallow_.size(), 0);
     for (int row = 0; row < rows_; ++row)
@@ -173,7 +203,8 @@ void ShallowGround::findPatches() {
                 // Cells that only the spreading added have slopes of their own, if they are known.
                 const Vec2 rise = riseAt(place);
                 if (rise.allFinite())
-                    patch.push_back({middleOf(place), rise, bulgeAt(place, {1, 0}), bulgeAt(place, {0, 1})});
+                    patch.push_back({middleOf(place), rise, bulgeAt(place, {1, 0}), bulgeAt(place, {0, 1}),
+                                     on_rim_[indexOf(place)] != 0});
                 for (const Place& by : {Place{-1, 0}, Place{1, 0}, Place{0, -1}, Place{0, 1}}) {
                     const Place next{place.column + by.column, place.row + by.row};
                     if (!isIn(next) || shallow_[indexOf(next)] == 0 || seen[indexOf(next)] != 0) continue;

@@ -64,22 +64,32 @@ struct Hatch {
     double apart_mm = 0;
 };
 
+/// The cells that lines are spaced by.
+ShallowGround::Patch withinRim(const ShallowGround::Patch& patch) {
+    ShallowGround::Patch within;
+    std::copy_if(patch.begin(), patch.end(), std::back_inserter(within),
+                 [](const ShallowGround::Cell& cell) { return !cell.on_rim; });
+    return within.empty() ? patch : within;
+}
+
 Hatch bestHatch(const ShallowGround::Patch& patch, const CutterForm& form, const LineSpacing& spacing,
                 double cell_mm) {
     Hatch best;
     double least_mm = std::numeric_limits<double>::infinity();
-    std::vector<double> apart_mm(patch.size());
+    const ShallowGround::Patch within = withinRim(patch);
+    std::vector<double> apart_mm(within.size());
     for (int i = 0; i < kDirections; ++i) {
         const double angle = std::numbers::pi * i / kDirections;
         const Vec2 along(std::cos(angle), std::sin(angle));
         const Vec2 across(-along.y(), along.x());
         double first_mm = std::numeric_limits<double>::infinity();
         double last_mm = -first_mm;
-        for (std::size_t k = 0; k < patch.size(); ++k) {
-            apart_mm[k] = apartMm(patch[k], along, form, spacing);
-            first_mm = std::min(first_mm, across.dot(patch[k].at));
-            last_mm = std::max(last_mm, across.dot(patch[k].at));
+        for (const ShallowGround::Cell& cell : patch) {
+            first_mm = std::min(first_mm, across.dot(cell.at));
+            last_mm = std::max(last_mm, across.dot(cell.at));
         }
+        std::transform(within.begin(), within.end(), apart_mm.begin(),
+                       [&](const ShallowGround::Cell& cell) { return apartMm(cell, along, form, spacing); });
         const auto asked = apart_mm.begin() +
                            static_cast<std::ptrdiff_t>(kLeftOutShare * static_cast<double>(apart_mm.size()));
         std::nth_element(apart_mm.begin(), asked, apart_mm.end());

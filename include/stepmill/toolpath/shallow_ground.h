@@ -26,6 +26,8 @@ class ShallowGround {
         Vec2 rise = Vec2::Zero();  ///< of the ground, per length in x and y
         double bulge_x = 0;        ///< curvature along x and y where it bulges [1/mm]
         double bulge_y = 0;
+        /// The cutter touches the rim of the ground there and rolls over it: how it rises says nothing.
+        bool on_rim = false;
     };
     /// Cells that lie together, row by row.
     using Patch = std::vector<Cell>;
@@ -33,6 +35,8 @@ class ShallowGround {
     const std::vector<Patch>& patches() const { return patches_; }
     /// Is the tip over such ground there?
     bool isUnder(const Vec2& tip) const;
+    /// Is it, or does the cutter only roll over such ground's rim there? Lines take what it meets.
+    bool isUnderOrRollsOff(const Vec2& tip) const;
     /// Where the tip may be over the ground and beside it.
     const Region& centres() const { return centres_; }
     double cellMm() const { return cell_mm_; }
@@ -43,8 +47,10 @@ class ShallowGround {
         int row = 0;
     };
     void findHeights(const FormFloor& floor, const Tolerances& tol);
-    void findShallow(const CutterForm& form, const Region& stairs);
+    void findShallow(const CutterForm& form, const Region& stairs, const Tolerances& tol);
     void dropNarrow();
+    void findRollingOff(double farthest_mm);
+    bool isMarked(const std::vector<char>& marks, const Vec2& tip) const;
     void findPatches();
     Vec2 middleOf(const Place& place) const;
     std::size_t indexOf(const Place& place) const;
@@ -60,6 +66,8 @@ class ShallowGround {
     int rows_ = 0;
     std::vector<double> heights_;  ///< of the tip, by cell; NaN: not asked for
     std::vector<char> shallow_;
+    std::vector<char> on_rim_;
+    std::vector<char> rolls_off_;  ///< or shallow
     std::vector<Patch> patches_;
 };
 

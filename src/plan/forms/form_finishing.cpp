@@ -17,6 +17,8 @@ constexpr double kAsMuchShare = 0.99;
 /// ... or this one with as many cutters: by so much ridges of one may differ from those of another, all
 /// within the scallop. One cutter more takes what the others do not get at.
 constexpr double kAsMuchByOthersShare = 0.98;
+/// ... and so much is enough where the rest takes longer than this share of all the time.
+constexpr double kMostTimeForTheRest = 0.5;
 
 using FormSteps = std::vector<FormStep>;
 
@@ -149,7 +151,9 @@ class FormChooser {
                               [](const FormSteps& a, const FormSteps& b) { return takenOf(a) < takenOf(b); });
         const FormSteps* best = nullptr;
         for (const FormSteps& way : ways) {
-            const double share = way.size() >= most.size() ? kAsMuchByOthersShare : kAsMuchShare;
+            const bool much_quicker = timeOf(way) < (1 - kMostTimeForTheRest) * timeOf(most);
+            const bool by_others = way.size() >= most.size() || much_quicker;
+            const double share = by_others ? kAsMuchByOthersShare : kAsMuchShare;
             if (takenOf(way) >= share * takenOf(most) && (best == nullptr || timeOf(way) < timeOf(*best)))
                 best = &way;
         }

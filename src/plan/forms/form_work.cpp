@@ -23,6 +23,8 @@ constexpr double kPassSkinScallops = 3;
 constexpr double kLeftToLinesMm = 0.5;
 /// Sine of the lean from upright from which ground may be shallow.
 constexpr double kShallowLean = 0.96;
+/// Stairs of one slope begin this far apart where each ends in nothing, or less [mm].
+constexpr double kGapOfStairsMm = 0.5;
 
 bool hasShallowGround(const FormSite& site, const Obstacle& stair) {
     for (std::size_t i = 0; i < site.leans.size(); ++i) {
@@ -33,12 +35,12 @@ bool hasShallowGround(const FormSite& site, const Obstacle& stair) {
     return false;
 }
 
-/// Stairs of heights at which some ground is shallow.
+/// Stairs of heights at which some ground is shallow. Those of a slope are one: lines go over all of them.
 Region shallowStairs(const FormSite& site, const Tolerances& tol) {
     std::vector<Region> sections;
     for (const Obstacle& stair : site.ground.stairs)
-        if (hasShallowGround(site, stair)) sections.push_back(stair.section);
-    return sections.empty() ? Region{} : unite(sections, tol);
+        if (hasShallowGround(site, stair)) sections.push_back(offset(stair.section, kGapOfStairsMm / 2, tol));
+    return sections.empty() ? Region{} : offset(unite(sections, tol), -kGapOfStairsMm / 2, tol);
 }
 
 }  // namespace
