@@ -37,6 +37,7 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"magazine", Consequence::Cost},
                                              {"slow", Consequence::Cost},
                                              {"few-tools", Consequence::Cost},
+                                             {"few-setups", Consequence::Cost},
                                              {"deflection", Consequence::Cost},
                                              {"tool-unusable", Consequence::Cost}};
 

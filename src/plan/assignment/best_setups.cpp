@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "plan/assignment/setup_choice.h"
 #include "plan/assignment/unreached_places.h"
 #include "stepmill/core/error.h"
@@ -167,8 +169,21 @@ class SetupSearch {
             std::vector<SetupChoice>& choices = best_->assignment.choices;
             choices = {weigher_.choiceOf(*best_, setups_, SetupVerdict::Taken)};
             choices.insert(choices.end(), turned_down_.begin(), turned_down_.end());
+            warnOfHaste(best_->warnings);
         }
         return std::move(*best_);
+    }
+
+    /// On a faster machine, or with more time, the plan might be another.
+    void warnOfHaste(std::vector<Warning>& warnings) const {
+        const auto late =
+            std::count_if(turned_down_.begin(), turned_down_.end(),
+                          [](const SetupChoice& choice) { return choice.verdict == SetupVerdict::NoTime; });
+        if (late == 0) return;
+        warnings.push_back({"few-setups", "part",
+                            fmt::format("{} other {} of setups {} not weighed: that takes longer than "
+                                        "--timeout allows here",
+                                        late, late == 1 ? "choice" : "choices", late == 1 ? "was" : "were")});
     }
 
     const PlanRequest& request_;

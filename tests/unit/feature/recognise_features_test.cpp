@@ -303,6 +303,19 @@ TEST(RecogniseFeatures, StairsOverFloorsAreFeaturesOfTheirOwn) {
     expectBooksClose(stack, set);
 }
 
+TEST(RecogniseFeatures, CrumbsLeadNoFeatureDownThroughWhatWasCut) {
+    // A slot that the setup before has cut from below but for its corners.
+    const Region slot = rect(0, 36, 10, 44);
+    const Region crumbs = unite(rect(0, 36, 0.5, 36.5), rect(0, 43.5, 0.5, 44), kTol);
+    const Region part = subtract(kBlock, slot, kTol);
+    const LayerStack stack = stackLeftBefore({kBlock, unite(part, crumbs, kTol)}, {{-33, part}, {-80, part}});
+    const FeatureSet set = recogniseFeatures(stack, kTol);
+    ASSERT_FALSE(set.features.empty());
+    EXPECT_DOUBLE_EQ(set.features.front().floor_z_mm, -33);
+    EXPECT_NEAR(set.features.front().volume_mm3, 80 * 33, 1e-6);
+    expectBooksClose(stack, set);
+}
+
 TEST(RecogniseFeatures, AFeatureHoldsNoMoreAirThanMaterial) {
     // A thin rib high over a wide floor: feeding through the air beside it would take longer than a feature.
     const LayerStack stack =

@@ -177,6 +177,8 @@ TEST_F(SetupSearchOf, NoOtherIsPlannedWhenTheTimeIsOver) {
     EXPECT_EQ(planned_, 1);
     ASSERT_EQ(plan.assignment.choices.size(), 2U);
     EXPECT_EQ(plan.assignment.choices[1].verdict, SetupVerdict::NoTime);
+    ASSERT_FALSE(plan.warnings.empty());
+    EXPECT_EQ(plan.warnings.back().code, "few-setups");
 }
 
 TEST_F(SetupSearchOf, TheChosenSetFailsAsItDoes) {

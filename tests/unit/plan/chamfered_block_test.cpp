@@ -72,6 +72,25 @@ TEST(ChamferedBlock, IsTurnedOverForTheOtherEdges) {
     expectChamferMillIn(planned(chamferedBlock({0, kHeightMm})), {Vec3::UnitZ(), -Vec3::UnitZ()});
 }
 
+TEST(ChamferedBlock, FormCuttersLeaveThePointsOfDrilledHoles) {
+    constexpr double kRadiusMm = 3.4;
+    constexpr double kPointMm = kRadiusMm * 0.6008606190;  // of 118 degrees
+    TopoDS_Shape block = chamferedShape({kHeightMm});
+    for (const double x_mm : {10.0, 50.0}) {
+        const gp_Ax2 down(gp_Pnt(x_mm, 20, 8), -gp::DZ());
+        block = test::cut(block, BRepPrimAPI_MakeCylinder(gp_Ax2(down.Location(), gp::DZ()), kRadiusMm, 20));
+        block = test::cut(block, BRepPrimAPI_MakeCone(down, kRadiusMm, 0, kPointMm));
+    }
+    const Plan plan = planned(test::part(block));
+    for (const PlannedSetup& setup : plan.setups)
+        for (const Operation& operation : setup.operations)
+            EXPECT_NE(operation.tool_id, "BM6");
+    EXPECT_EQ(std::count_if(plan.warnings.begin(), plan.warnings.end(),
+                            [](const Warning& warning) { return warning.code == "planning-failed"; }),
+              0);
+    EXPECT_LT(plan.balance.gapShare(), kTol.volume_share);
+}
+
 TEST(ChamferedBlock, ItsBooksCloseWhereAnEarlierSetupDrilledAcross) {
     const TopoDS_Shape hole = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(30, -1, 10), gp::DY()), 3, 16).Shape();
     PlanRequest request;

@@ -26,6 +26,7 @@ TEST(OperationLines, LeavesBlockNumbersAsideAndPartsAtComments) {
                              "N3 G0 X1. Y1.\n"
                              "(S1.O2 feature S1.F1 T1 rough)\n"
                              "N30 G0 X2.\n"
+                             "N31 \n"
                              "M2\n",
                              {}}};
     RecordedSetup setup;
@@ -34,7 +35,7 @@ TEST(OperationLines, LeavesBlockNumbersAsideAndPartsAtComments) {
     const LinesById lines = operationLines(files, setup);
     EXPECT_EQ(lines.at("S1.O1"),
               (Lines{"(S1.O1 feature S1.F1 T1 rough)", "T1 M6", "G0 G43 H1 Z5.", "G0 X1. Y1."}));
-    EXPECT_EQ(lines.at("S1.O2"), (Lines{"(S1.O2 feature S1.F1 T1 rough)", "G0 X2.", "M2"}));
+    EXPECT_EQ(lines.at("S1.O2"), (Lines{"(S1.O2 feature S1.F1 T1 rough)", "G0 X2.", "", "M2"}));
 }
 
 TEST(OperationLines, LeaveOutWhereToolsAreChanged) {

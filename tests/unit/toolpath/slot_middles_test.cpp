@@ -94,6 +94,23 @@ TEST(SlotMiddles, ASlotOffAPocketIsCutBesideIt) {
     EXPECT_FALSE(pathIn(feature, ground, area).moves.empty());
 }
 
+TEST(SlotMiddles, ASlotAMicrometreWiderThatLeadsIntoAirIsCutDownItsMiddle) {
+    for (const double wider_mm : {0.0005, 0.001, 0.0015}) {
+        SCOPED_TRACE(wider_mm);
+        const double width_mm = 8 + wider_mm;
+        const Region slot = makeRectangle({0, -width_mm / 2}, {60, width_mm / 2});
+        const Region block = makeRectangle({0, -30}, {60, 30});
+        const Feature feature = makeFeature(slot, subtract(block, slot, kTol), width_mm, 3);
+        const FeatureGround ground(feature, kTol);
+        const CutterArea area = reached(ground, 8);
+        EXPECT_EQ(area.slot_middles.size(), 1U);
+        EXPECT_NEAR(area.coverable_area_mm2, 60 * width_mm, 0.02);
+        // What counts as swept, too.
+        EXPECT_LT(stepmill::area(subtract(slot, area.swept.region(), kTol)), 0.05);
+        EXPECT_FALSE(pathIn(feature, ground, area).moves.empty());
+    }
+}
+
 TEST(SlotMiddles, ARingSlotIsGoneRoundOnce) {
     const Region ring = subtract(makeCircle({0, 0}, 12), makeCircle({0, 0}, 8), kTol);
     const Feature feature = closedPocket(ring, 2);
