@@ -45,6 +45,7 @@ class Ribbon {
         drawSide();
         reverse();
         drawSide();
+        loop_.segments.back().to = loop_.start;  // but for rounding it is there
         return std::move(loop_);
     }
 

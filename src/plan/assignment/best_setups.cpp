@@ -83,8 +83,10 @@ class SetupSearch {
     /// Adds setups while plans with them are better: each is to take half of what its side is free to.
     void addSetups() {
         for (bool added = true; added;) {
+            const Unreached unreached = unreachedIn(*best_);
             std::vector<AddedSetup> sides =
-                withOneMore(best_->part, request_.setup, setups_, unreachedPlaces(*best_));
+                withOneMore(best_->part, request_.setup, setups_, unreached.places);
+            std::erase_if(sides, [&](const AddedSetup& side) { return side.free_mm3 < unreached.pays_mm3; });
             sides.resize(std::min(sides.size(), kSidesTried));
             added = false;
             for (auto side = sides.begin(); side != sides.end() && !added; ++side) {

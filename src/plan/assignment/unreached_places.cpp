@@ -3,6 +3,7 @@
 #include "plan/assignment/unreached_places.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "plan/residual_prisms.h"
 #include "stepmill/planar/clearance_diagram.h"
@@ -39,20 +40,24 @@ double paysFromMm3(const ResidualPrism& left, const Plan& plan) {
 
 }  // namespace
 
-std::vector<UnreachedPlace> unreachedPlaces(const Plan& plan) {
-    std::vector<UnreachedPlace> places;
+Unreached unreachedIn(const Plan& plan) {
+    Unreached unreached;
+    unreached.pays_mm3 = std::numeric_limits<double>::infinity();
     for (const PlannedSetup& planned : plan.setups)
         for (const ResidualPrism& left : residualPrisms(planned.features)) {
             const double stays_mm3 = left.of->stays_mm3.value_or(0);
-            if (!mayBeReachedElsewhere(left.reason) || stays_mm3 < paysFromMm3(left, plan)) continue;
+            const double pays_mm3 = paysFromMm3(left, plan);
+            if (!mayBeReachedElsewhere(left.reason) || stays_mm3 < pays_mm3) continue;
+            unreached.pays_mm3 = std::min(unreached.pays_mm3, pays_mm3);
             const double z_mm = (left.prism.top_z_mm + left.prism.bottom_z_mm) / 2;
             const std::vector<Vec2> middles = middlesOf(left.prism.region);
             for (const Vec2& middle : middles) {
                 const Vec3 at = planned.setup.part_to_setup.inverse() * Vec3(middle.x(), middle.y(), z_mm);
-                places.push_back({at, planned.setup.axis, stays_mm3 / static_cast<double>(middles.size())});
+                unreached.places.push_back(
+                    {at, planned.setup.axis, stays_mm3 / static_cast<double>(middles.size())});
             }
         }
-    return places;
+    return unreached;
 }
 
 }  // namespace stepmill

@@ -6,8 +6,14 @@
 
 namespace stepmill {
 
-/// A place in each residual that stays since tools were too short for it, or shank, holder or a fixture in
-/// the way: from another side some may get there. Not those that would not pay for a setup.
-std::vector<UnreachedPlace> unreachedPlaces(const Plan& plan);
+/// Where tools were too short, or shank, holder or a fixture in the way.
+struct Unreached {
+    /// In each piece of what stays for that, but for residuals that would not pay for a setup.
+    std::vector<UnreachedPlace> places;
+    double pays_mm3 = 0;  ///< so much of them does at least
+};
+
+/// From another side some may get there.
+Unreached unreachedIn(const Plan& plan);
 
 }  // namespace stepmill
