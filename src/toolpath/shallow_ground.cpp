@@ -39,7 +39,7 @@ Region opened(const Region& region, double by_mm, const Tolerances& tol) {
 }  // namespace
 
 ShallowGround::ShallowGround(const FormFloor& floor, const CutterForm& form, const Region& stairs,
-                             const Region& centres, const Tolerances& tol)
+                             const Region& slopes, const Region& centres, const Tolerances& tol)
     : cell_mm_(std::max(kLeastCellMm, kCellRadii * form.fullRadiusMm())) {
     const Region wide = opened(stairs, kNarrowestRadii / 2 * form.fullRadiusMm(), tol);
     if (wide.empty()) return;
@@ -49,7 +49,7 @@ ShallowGround::ShallowGround(const FormFloor& floor, const CutterForm& form, con
     columns_ = static_cast<int>(std::ceil(box_.sizes().x() / cell_mm_));
     rows_ = static_cast<int>(std::ceil(box_.sizes().y() / cell_mm_));
     findHeights(floor, tol);
-    findShallow(form, wide, tol);
+    findShallow(form, wide, offset(slopes, -kRimMm, tol));
     dropNarrow();
     findRollingOff(form.fullRadiusMm());
     findPatches();
@@ -73,6 +73,14 @@ bool ShallowGround::isMarked(const std::vector<char>& marks, const Vec2& tip) co
     const Place place{std::min(static_cast<int>(cells.x()), columns_ - 1),
                       std::min(static_cast<int>(cells.y()), rows_ - 1)};
     return marks[indexOf(place)] != 0;
+}
+
+double ShallowGround::levelsMm(double step_mm) const {
+    double sum = 0;
+    for (const Patch& patch : patches_)
+        for (const Cell& cell : patch)
+            sum += cell.rise.norm();
+    return sum * cell_mm_ * cell_mm_ / step_mm;
 }
 
 Vec2 ShallowGround::middleOf(const Place& place) const {
@@ -134,13 +142,13 @@ double ShallowGround::bulgeAt(const Place& place, const Place& step) const {
 }
 
 /// Cells that are no steeper, where the cutter touches ground that stairs lie over.
-void ShallowGround::findShallow(const CutterForm& form, const Region& stairs, const Tolerances& tol) {
+void ShallowGround::findShallow(const CutterForm& form, const Region& stairs, const Region& within_rim) {
     shallow_.assign(heights_.size(), 0);
-    on_rim_.assign(heights_.size(), 1);
+    on_rim_.assign(heights_.size(), 0);
     const double corner_mm = form.heightMm();
     const double flat_mm = form.fullRadiusMm() - corner_mm;
     const IndexedRegion under(stairs);
-    const IndexedRegion within_rim(offset(stairs, -kRimMm, tol));
+    const IndexedRegion within(within_rim);
     parallelFor(rows_, [&](int row) {
         for (int column = 0; column < columns_; ++column) {
             const Place place{column, row};
@@ -150,7 +158,7 @@ void ShallowGround::findShallow(const CutterForm& form, const Region& stairs, co
             Vec2 touched = middleOf(place);
             if (slope > 0)
                 touched += (flat_mm + corner_mm * slope / std::sqrt(1 + slope * slope)) * rise / slope;
-            on_rim_[indexOf(place)] = static_cast<char>(!within_rim.contains(touched));
+            on_rim_[indexOf(place)] = static_cast<char>(!within.contains(touched));
             shallow_[indexOf(place)] = static_cast<char>(slope <= kSteepest && under.contains(touched));
         }
     });

@@ -62,6 +62,7 @@ double apartMm(const ShallowGround::Cell& cell, const Vec2& along, const CutterF
 struct Hatch {
     Vec2 along = Vec2::UnitX();
     double apart_mm = 0;
+    double long_mm = 0;  ///< all of them, with what it takes to turn round
 };
 
 /// The cells that lines are spaced by.
@@ -97,7 +98,7 @@ Hatch bestHatch(const ShallowGround::Patch& patch, const CutterForm& form, const
         const double long_mm = cut_mm + kTurnMm * (last_mm - first_mm) / *asked;
         if (long_mm < least_mm) {
             least_mm = long_mm;
-            best = {along, *asked};
+            best = {along, *asked, long_mm};
         }
     }
     return best;
@@ -282,6 +283,13 @@ class LineMaker {
 };
 
 }  // namespace
+
+double surfacePassesMm(const ShallowGround& ground, const CutterForm& form, const LineSpacing& spacing) {
+    double sum = 0;
+    for (const ShallowGround::Patch& patch : ground.patches())
+        sum += bestHatch(patch, form, spacing, ground.cellMm()).long_mm;
+    return sum;
+}
 
 std::vector<SurfaceWay> surfacePasses(const ShallowGround& ground, const FormFloor& floor,
                                       const CutterForm& form, const LineSpacing& spacing,

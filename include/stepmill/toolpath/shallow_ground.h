@@ -17,9 +17,10 @@ class ShallowGround {
   public:
     ShallowGround() = default;  ///< none
     /// \param stairs   what flat layers left over ground that leans so much, seen from above
+    /// \param slopes   all stairs, those of one slope joined: their rim is the ground's
     /// \param centres  where the tip may be, as far as the ground is known
-    ShallowGround(const FormFloor& floor, const CutterForm& form, const Region& stairs, const Region& centres,
-                  const Tolerances& tol);
+    ShallowGround(const FormFloor& floor, const CutterForm& form, const Region& stairs, const Region& slopes,
+                  const Region& centres, const Tolerances& tol);
 
     struct Cell {
         Vec2 at = Vec2::Zero();    ///< its middle
@@ -40,6 +41,8 @@ class ShallowGround {
     /// Where the tip may be over the ground and beside it.
     const Region& centres() const { return centres_; }
     double cellMm() const { return cell_mm_; }
+    /// How long passes along levels are over the patches, `step_mm` apart in height [mm].
+    double levelsMm(double step_mm) const;
 
   private:
     struct Place {
@@ -47,7 +50,7 @@ class ShallowGround {
         int row = 0;
     };
     void findHeights(const FormFloor& floor, const Tolerances& tol);
-    void findShallow(const CutterForm& form, const Region& stairs, const Tolerances& tol);
+    void findShallow(const CutterForm& form, const Region& stairs, const Region& within_rim);
     void dropNarrow();
     void findRollingOff(double farthest_mm);
     bool isMarked(const std::vector<char>& marks, const Vec2& tip) const;

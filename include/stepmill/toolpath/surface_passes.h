@@ -24,4 +24,7 @@ std::vector<SurfaceWay> surfacePasses(const ShallowGround& ground, const FormFlo
                                       const CutterForm& form, const LineSpacing& spacing,
                                       const Tolerances& tol);
 
+/// How long they are, about, with what it takes to turn round [mm].
+double surfacePassesMm(const ShallowGround& ground, const CutterForm& form, const LineSpacing& spacing);
+
 }  // namespace stepmill::toolpath

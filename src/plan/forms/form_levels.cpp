@@ -13,8 +13,6 @@
 namespace stepmill {
 namespace {
 
-/// Levels are at least this far apart: flatter ground would take passes without end [mm].
-constexpr double kLeastStepMm = 0.1;
 /// The tip goes so far below the chamfer it makes, then, where that has no room, to its foot [mm].
 constexpr double kBelowChamferMm[] = {0.5, 0.0};
 
@@ -31,8 +29,9 @@ std::vector<Demand> demandsOf(const FormSite& site, double corner_mm, double sca
         const Obstacle& band = site.ground.must_stand[i];
         const double middle_mm = (band.bottom_z_mm + band.top_z_mm) / 2;
         for (const double lean : site.leans[i])
-            demands.push_back({middle_mm - corner_mm * (1 - lean),
-                               std::max(kLeastStepMm, along_mm * std::sqrt(std::max(0.0, 1 - lean * lean)))});
+            demands.push_back(
+                {middle_mm - corner_mm * (1 - lean),
+                 std::max(kLeastLevelStepMm, along_mm * std::sqrt(std::max(0.0, 1 - lean * lean)))});
     }
     return demands;
 }

@@ -7,6 +7,9 @@
 
 namespace stepmill {
 
+/// Levels are at least this far apart: flatter ground would take passes without end [mm].
+inline constexpr double kLeastLevelStepMm = 0.1;
+
 /// Heights of the tip at which a form cutter goes along the walls, the preferred ones first: where these take
 /// all, later ones have nothing to do. They are so far apart that the ridges between its passes are no higher
 /// than the scallop, and no more than its step-down.

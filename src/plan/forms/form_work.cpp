@@ -35,12 +35,18 @@ bool hasShallowGround(const FormSite& site, const Obstacle& stair) {
     return false;
 }
 
-/// Stairs of heights at which some ground is shallow. Those of a slope are one: lines go over all of them.
-Region shallowStairs(const FormSite& site, const Tolerances& tol) {
+/// All stairs, or those of heights at which some ground is shallow.
+Region stairsOf(const FormSite& site, bool shallow_alone, const Tolerances& tol) {
     std::vector<Region> sections;
     for (const Obstacle& stair : site.ground.stairs)
-        if (hasShallowGround(site, stair)) sections.push_back(offset(stair.section, kGapOfStairsMm / 2, tol));
-    return sections.empty() ? Region{} : offset(unite(sections, tol), -kGapOfStairsMm / 2, tol);
+        if (!shallow_alone || hasShallowGround(site, stair)) sections.push_back(stair.section);
+    return sections.empty() ? Region{} : unite(sections, tol);
+}
+
+/// Stairs that are no farther apart than those of one slope joined.
+Region joined(const Region& stairs, const Tolerances& tol) {
+    if (stairs.empty()) return {};
+    return offset(offset(stairs, kGapOfStairsMm / 2, tol), -kGapOfStairsMm / 2, tol);
 }
 
 }  // namespace
@@ -93,7 +99,9 @@ FormWork::FormWork(const FormSite& site, const FormShop& shop)
     : site_(site),
       shop_(shop),
       bands_(site.ground, shop.tol),
-      shallow_stairs_(shallowStairs(site, shop.tol)) {}
+      shallow_stairs_(stairsOf(site, true, shop.tol)),
+      shallow_slopes_(joined(shallow_stairs_, shop.tol)),
+      slopes_(shallow_stairs_.empty() ? Region{} : joined(stairsOf(site, false, shop.tol), shop.tol)) {}
 
 FormWork::~FormWork() = default;
 
@@ -163,9 +171,24 @@ const FormWork::Shallow& FormWork::shallowFor(const ToolAssembly& tool) {
     shallow = std::make_unique<Shallow>();
     if (shallow_stairs_.empty() || tool.hasFlanks()) return *shallow;
     shallow->floor.emplace(site_.ground, tool, shop_.tol, shop_.deadline);
-    shallow->ground = toolpath::ShallowGround(*shallow->floor, CutterForm(tool), shallow_stairs_,
-                                              centresOf(tool).withinWindow(), shop_.tol);
+    const CutterForm form(tool);
+    const toolpath::LineSpacing spacing = spacingOf(tool);
+    const auto groundOf = [&](const Region& stairs) {
+        return toolpath::ShallowGround(*shallow->floor, form, stairs, slopes_, centresOf(tool).withinWindow(),
+                                       shop_.tol);
+    };
+    // Lines over a whole slope where they are shorter than levels on what is too narrow for them by itself.
+    shallow->ground = groundOf(shallow_slopes_);
+    toolpath::ShallowGround apart = groundOf(shallow_stairs_);
+    const double levels_mm = shallow->ground.levelsMm(kLeastLevelStepMm) - apart.levelsMm(kLeastLevelStepMm);
+    if (surfacePassesMm(shallow->ground, form, spacing) > surfacePassesMm(apart, form, spacing) + levels_mm)
+        shallow->ground = std::move(apart);
     return *shallow;
+}
+
+toolpath::LineSpacing FormWork::spacingOf(const ToolAssembly& tool) const {
+    const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
+    return {shop_.scallop_mm, toolpath::usedStepOver(cutting, CutterForm(tool).fullRadiusMm())};
 }
 
 toolpath::FormPath FormWork::pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels,
@@ -212,8 +235,7 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
     std::vector<SurfaceWay> lines;
     if (shallow.floor)
-        lines = toolpath::surfacePasses(shallow.ground, *shallow.floor, form,
-                                        {shop_.scallop_mm, step_over_mm}, shop_.tol);
+        lines = toolpath::surfacePasses(shallow.ground, *shallow.floor, form, spacingOf(tool), shop_.tol);
     toolpath::FormPath written = pathOf(tool, levels, lines);
     for (const LevelWays& ways : written.between) {
         shop_.deadline.check(site_.ground.id);

@@ -44,6 +44,7 @@ class FormWork {
     const FormCentres& centresOf(const ToolAssembly& tool);
     /// Finished by lines over the surface; of cutters with flanks there is none.
     const Shallow& shallowFor(const ToolAssembly& tool);
+    toolpath::LineSpacing spacingOf(const ToolAssembly& tool) const;
     toolpath::FormPath pathOf(const ToolAssembly& tool, const std::vector<toolpath::FormLevel>& levels,
                               const std::vector<SurfaceWay>& lines) const;
     std::optional<toolpath::FormLevel> levelAt(toolpath::FormPasses& passes, const StandingStairs& stairs,
@@ -57,6 +58,8 @@ class FormWork {
     const FormShop& shop_;
     FormBands bands_;
     Region shallow_stairs_;  ///< over ground that leans so much that it is shallow
+    Region shallow_slopes_;  ///< the same, those of one slope joined
+    Region slopes_;          ///< all stairs so, where some are shallow
     std::map<std::string, std::unique_ptr<FormCentres>> centres_;
     std::map<std::string, std::unique_ptr<Shallow>> shallow_;
 };

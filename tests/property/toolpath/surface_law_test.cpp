@@ -146,7 +146,8 @@ TEST(SurfacePasses, KeepOffRoundGroundAndLeaveRidgesOfAScallop) {
         const CutterForm form(tool);
         const FormFloor floor(ground, tool, kTol);
         const Region centres = offset(ground.window, -form.fullRadiusMm() - 0.01, kTol);
-        const toolpath::ShallowGround shallow(floor, form, ground.stairs.front().section, centres, kTol);
+        const Region& stairs = ground.stairs.front().section;
+        const toolpath::ShallowGround shallow(floor, form, stairs, stairs, centres, kTol);
         const std::vector<SurfaceWay> ways =
             toolpath::surfacePasses(shallow, floor, form, {kScallopMm, form.fullRadiusMm()}, kTol);
         if (ways.empty()) continue;
