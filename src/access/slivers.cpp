@@ -5,10 +5,7 @@
 namespace stepmill::access {
 
 Region withoutSliverComponents(const Region& region, const Tolerances& tol) {
-    Region kept;
-    for (const Region& component : components(region))
-        if (isWiderThan(component, tol.sliver_mm, tol)) append(kept, component);
-    return kept;
+    return componentsWiderThan(region, tol.sliver_mm, tol);
 }
 
 }  // namespace stepmill::access

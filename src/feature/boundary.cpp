@@ -92,7 +92,7 @@ std::vector<BoundaryPiece> piecesOf(const Loop& loop, const EdgeSorter& sorter) 
 }
 
 bool turnsSharplyLeft(const Vec2& before, const Vec2& after) {
-    return std::atan2(cross(before, after), before.dot(after)) > kSharpCornerRad;
+    return turnRad(before, after) > kSharpCornerRad;
 }
 
 bool hasSharpCorner(const Path& wall) {

@@ -29,7 +29,7 @@ constexpr double kMostTurnRad = 2 * kPi;
 
 /// Counter-clockwise; back where it came from is to the left both ways, so that it winds round once more.
 double turn(const Vec2& before, const Vec2& after) {
-    const double rad = std::atan2(cross(before, after), before.dot(after));
+    const double rad = turnRad(before, after);
     return std::abs(rad) > kPi - kStraightRad ? kPi : rad;
 }
 

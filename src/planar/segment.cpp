@@ -88,7 +88,7 @@ double shareOf(const Vec2& p, const Vec2& from, const Segment& segment) {
     const double sweep = std::abs(sweepAngle(from, segment.to, arc));
     const Vec2 u = from - arc.centre;
     const Vec2 w = p - arc.centre;
-    double turn = std::atan2(cross(u, w), u.dot(w));
+    double turn = turnRad(u, w);
     if (!arc.ccw) turn = -turn;
     // Angles just before the start count as negative, all others as passed on the way.
     if (turn < (sweep - 2 * kPi) / 2) turn += 2 * kPi;
@@ -117,7 +117,7 @@ double sweepAngle(const Vec2& from, const Vec2& to, const Arc& arc) {
     if (from == to) return arc.ccw ? 2 * kPi : -2 * kPi;
     const Vec2 u = from - arc.centre;
     const Vec2 v = to - arc.centre;
-    const double turn = std::atan2(cross(u, v), u.dot(v));
+    const double turn = turnRad(u, v);
     if (arc.ccw) return turn > 0 ? turn : turn + 2 * kPi;
     return turn < 0 ? turn : turn - 2 * kPi;
 }

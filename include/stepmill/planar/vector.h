@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 namespace stepmill {
@@ -16,6 +18,11 @@ Vec2 snapToGrid(const Vec2& point);
 /// Twice the signed area of the triangle that two vectors span: positive where `b` points to the left of `a`.
 inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Angle from the direction of `a` to that of `b`, counter-clockwise, in (-pi, pi] [rad].
+inline double turnRad(const Vec2& a, const Vec2& b) {
+    return std::atan2(cross(a, b), a.dot(b));
 }
 
 /// The vector turned by a quarter turn counter-clockwise.

@@ -80,7 +80,7 @@ PlaneCurve circleOf(const FaceRun& run, double z_mm) {
     for (const Crossing& c : run.crossings) {
         const Vec2 a = c.from - run.face->axis;
         const Vec2 b = c.to - run.face->axis;
-        curve.turn += std::atan2(cross(a, b), a.dot(b));
+        curve.turn += turnRad(a, b);
         distances += (a.norm() + b.norm()) / 2;
     }
     const double mean = distances / static_cast<double>(run.crossings.size());

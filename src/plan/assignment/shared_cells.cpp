@@ -49,13 +49,6 @@ StockSections withoutBand(const LateBand& band, const Setup& setup, const Tolera
     return {setup, stock, tol};
 }
 
-Region wideComponents(const Region& region, const Tolerances& tol) {
-    Region wide;
-    for (const Region& component : components(region))
-        if (isWiderThan(component, kThinnestReserveMm, tol)) append(wide, component);
-    return wide;
-}
-
 class CellFinder {
   public:
     CellFinder(const Setup& setup, const LayerStack& layers, const std::vector<EarlyBand>& early,
@@ -112,7 +105,7 @@ class CellFinder {
                 if (known[l] == 0) late[l] = groundOf(l, layer);
                 known[l] = 1;
                 if (late[l].empty()) continue;
-                Region shared = wideComponents(intersect(open, late[l], tol_), tol_);
+                Region shared = componentsWiderThan(intersect(open, late[l], tol_), kThinnestReserveMm, tol_);
                 if (shared.empty()) continue;
                 open = subtract(open, shared, tol_);
                 cells.push_back(cellOf(

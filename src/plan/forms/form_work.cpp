@@ -35,17 +35,23 @@ bool hasShallowGround(const FormSite& site, const Obstacle& stair) {
     return false;
 }
 
-/// All stairs, or those of heights at which some ground is shallow.
-Region stairsOf(const FormSite& site, bool shallow_alone, const Tolerances& tol) {
+/// The ground of all stairs.
+Region groundOf(const std::vector<Obstacle>& stairs, const Tolerances& tol) {
     std::vector<Region> sections;
-    for (const Obstacle& stair : site.ground.stairs)
-        if (!shallow_alone || hasShallowGround(site, stair)) sections.push_back(stair.section);
-    return sections.empty() ? Region{} : unite(sections, tol);
+    for (const Obstacle& stair : stairs)
+        sections.push_back(stair.section);
+    return unite(sections, tol);
+}
+
+/// Those of heights at which some ground is shallow.
+std::vector<Obstacle> shallowStairs(const FormSite& site) {
+    std::vector<Obstacle> stairs = site.ground.stairs;
+    std::erase_if(stairs, [&](const Obstacle& stair) { return !hasShallowGround(site, stair); });
+    return stairs;
 }
 
 /// Stairs that are no farther apart than those of one slope joined.
 Region joined(const Region& stairs, const Tolerances& tol) {
-    if (stairs.empty()) return {};
     return offset(offset(stairs, kGapOfStairsMm / 2, tol), -kGapOfStairsMm / 2, tol);
 }
 
@@ -99,9 +105,11 @@ FormWork::FormWork(const FormSite& site, const FormShop& shop)
     : site_(site),
       shop_(shop),
       bands_(site.ground, shop.tol),
-      shallow_stairs_(stairsOf(site, true, shop.tol)),
-      shallow_slopes_(joined(shallow_stairs_, shop.tol)),
-      slopes_(shallow_stairs_.empty() ? Region{} : joined(stairsOf(site, false, shop.tol), shop.tol)) {}
+      shallow_stairs_(groundOf(shallowStairs(site), shop.tol)) {
+    if (shallow_stairs_.empty()) return;
+    shallow_slopes_ = joined(shallow_stairs_, shop.tol);
+    slopes_ = joined(groundOf(site.ground.stairs, shop.tol), shop.tol);
+}
 
 FormWork::~FormWork() = default;
 
@@ -173,13 +181,14 @@ const FormWork::Shallow& FormWork::shallowFor(const ToolAssembly& tool) {
     shallow->floor.emplace(site_.ground, tool, shop_.tol, shop_.deadline);
     const CutterForm form(tool);
     const toolpath::LineSpacing spacing = spacingOf(tool);
-    const auto groundOf = [&](const Region& stairs) {
+    const auto over = [&](const Region& stairs) {
         return toolpath::ShallowGround(*shallow->floor, form, stairs, slopes_, centresOf(tool).withinWindow(),
                                        shop_.tol);
     };
     // Lines over a whole slope where they are shorter than levels on what is too narrow for them by itself.
-    shallow->ground = groundOf(shallow_slopes_);
-    toolpath::ShallowGround apart = groundOf(shallow_stairs_);
+    shallow->ground = over(shallow_slopes_);
+    if (shallow->ground.patches().empty()) return *shallow;
+    toolpath::ShallowGround apart = over(shallow_stairs_);
     const double levels_mm = shallow->ground.levelsMm(kLeastLevelStepMm) - apart.levelsMm(kLeastLevelStepMm);
     if (surfacePassesMm(shallow->ground, form, spacing) > surfacePassesMm(apart, form, spacing) + levels_mm)
         shallow->ground = std::move(apart);
@@ -221,9 +230,9 @@ std::vector<FormStep> FormWork::sinks(const ToolAssembly& tool, const StandingSt
 FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) {
     const CuttingData cutting = limitedBy(shop_.machine, *tool.cuttingFor(shop_.material));
     const CutterForm form(tool);
-    const double step_over_mm = toolpath::usedStepOver(cutting, form.fullRadiusMm());
+    const toolpath::LineSpacing apart = spacingOf(tool);
     const toolpath::PassSpacing spacing{
-        step_over_mm, kPassSkinScallops * shop_.scallop_mm,
+        apart.step_over_mm, kPassSkinScallops * shop_.scallop_mm,
         tool.hasFlanks() ? 0 : alongWallMm(tool.corner_radius_mm, shop_.scallop_mm), kLeftToLinesMm};
     const Shallow& shallow = shallowFor(tool);
     toolpath::FormPasses passes(centresOf(tool), form, spacing, shallow.ground, shop_.tol);
@@ -235,7 +244,7 @@ FormStep FormWork::step(const ToolAssembly& tool, const StandingStairs& stairs) 
                      [](const auto& a, const auto& b) { return a.tip_z_mm > b.tip_z_mm; });
     std::vector<SurfaceWay> lines;
     if (shallow.floor)
-        lines = toolpath::surfacePasses(shallow.ground, *shallow.floor, form, spacingOf(tool), shop_.tol);
+        lines = toolpath::surfacePasses(shallow.ground, *shallow.floor, form, apart, shop_.tol);
     toolpath::FormPath written = pathOf(tool, levels, lines);
     for (const LevelWays& ways : written.between) {
         shop_.deadline.check(site_.ground.id);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "planar/boolean/grouped.h"
+#include "planar/boolean/strips.h"
 #include "planar/segment.h"
 #include "stepmill/core/units.h"
 
@@ -17,49 +17,13 @@ namespace {
 constexpr std::size_t kBoxesAStrip = 16;
 constexpr std::size_t kMostStrips = 512;
 
-/// The plane cut across y.
-class Strips {
-  public:
-    Strips(const std::vector<Box2>& boxes, std::size_t count) : count_(count) {
-        Box2 all;
-        for (const Box2& box : boxes)
-            all.extend(box);
-        low_mm_ = all.min().y();
-        per_mm_ = static_cast<double>(count) / std::max(all.sizes().y(), kGridMm);
-    }
-    std::size_t count() const { return count_; }
-    std::size_t of(double y_mm) const {
-        return std::min(count_ - 1, static_cast<std::size_t>(std::max(0.0, (y_mm - low_mm_) * per_mm_)));
-    }
-
-  private:
-    std::size_t count_;
-    double low_mm_ = 0;
-    double per_mm_ = 0;
-};
-
-/// The boxes in each strip, from left to right.
-struct Entries {
-    std::vector<int> boxes;
-    Grouped by_strip;
-};
-
-Entries entriesOf(const std::vector<Box2>& boxes, const Strips& strips) {
+/// The boxes' numbers, from left to right.
+std::vector<int> byLeft(const std::vector<Box2>& boxes) {
     std::vector<int> order(boxes.size());
     std::iota(order.begin(), order.end(), 0);
     const auto left = [&](int i) { return boxes[static_cast<std::size_t>(i)].min().x(); };
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return left(a) < left(b); });
-    Entries entries;
-    std::vector<int> entered;
-    for (const int i : order) {
-        const Box2& box = boxes[static_cast<std::size_t>(i)];
-        for (std::size_t strip = strips.of(box.min().y()); strip <= strips.of(box.max().y()); ++strip) {
-            entered.push_back(static_cast<int>(strip));
-            entries.boxes.push_back(i);
-        }
-    }
-    entries.by_strip = Grouped(entered, strips.count());
-    return entries;
+    return order;
 }
 
 }  // namespace
@@ -73,13 +37,12 @@ std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<Curve>& curv
     for (const Curve& curve : curves)
         boxes.push_back(grown(curve.box, slack_mm / 2));
     const auto boxOf = [&](int i) -> const Box2& { return boxes[static_cast<std::size_t>(i)]; };
-    const Strips strips(boxes, std::clamp<std::size_t>(boxes.size() / kBoxesAStrip, 1, kMostStrips));
-    const Entries entries = entriesOf(boxes, strips);
+    const std::size_t count = std::clamp<std::size_t>(boxes.size() / kBoxesAStrip, 1, kMostStrips);
+    const Strips strips(boxes, 1, count, byLeft(boxes));
     std::vector<int> active;
     for (std::size_t strip = 0; strip < strips.count(); ++strip) {
         active.clear();
-        for (const int entry : entries.by_strip[strip]) {
-            const int i = entries.boxes[static_cast<std::size_t>(entry)];
+        for (const int i : strips[strip]) {
             const Box2& box = boxOf(i);
             std::erase_if(active, [&](int j) { return boxOf(j).max().x() < box.min().x(); });
             for (const int j : active) {

@@ -7,7 +7,7 @@
 
 namespace stepmill::planar {
 
-/// Pairs of boxes, i < j, that come within `slack_mm` of each other, from left to right.
+/// Pairs of boxes, i < j, that come within `slack_mm` of each other, in rising order.
 std::vector<std::pair<int, int>> overlappingBoxes(const std::vector<Curve>& curves, double slack_mm);
 
 /// Does one of the two begin where the other ends, in the same loop?

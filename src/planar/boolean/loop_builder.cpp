@@ -196,7 +196,7 @@ std::vector<BuiltEdge> withoutSwitches(std::vector<BuiltEdge> edges, double slac
             const Vec2 centre = longer.segment.arc->centre;
             const Vec2 u = shorter.from - centre;
             const Vec2 v = shorter.segment.to - centre;
-            const double turn = std::atan2(cross(u, v), u.dot(v));
+            const double turn = turnRad(u, v);
             longer.sweep_rad += longer.segment.arc->ccw ? turn : -turn;
         }
         longer.passed.push_back(b.from);

@@ -11,6 +11,7 @@
 
 #include "planar/boolean/grouped.h"
 #include "planar/boolean/junction.h"
+#include "planar/boolean/strips.h"
 #include "planar/segment.h"
 #include "stepmill/core/units.h"
 
@@ -32,16 +33,6 @@ class Windings {
     std::array<int, 2> onTheRight(const Piece& piece) const;
 
   private:
-    struct Strips {
-        std::size_t of(double value_mm) const;
-
-        double low_mm = 0;
-        double per_mm = 0;
-        std::size_t count = 1;
-        std::vector<int> pieces;  // of each entry into a strip
-        Grouped entries;          // by strip
-    };
-
     const Arrangement& arrangement_;
     std::array<Strips, 2> strips_;  // along x, along y
 };
@@ -51,34 +42,18 @@ Windings::Windings(const Arrangement& arrangement) : arrangement_(arrangement) {
     const auto count = std::clamp<std::size_t>(arrangement_.pieces.size() / 4, 1, 512);
     std::vector<Box2> boxes;
     boxes.reserve(arrangement_.pieces.size());
-    Box2 all;
     for (const Piece& piece : arrangement_.pieces) {
         Box2 box = arrangement_.curves[at(piece.curve)].segment.arc ? arrangement_.curves[at(piece.curve)].box
                                                                     : Box2{};
         box.extend(arrangement_.node(piece.begin));
         box.extend(arrangement_.node(piece.end));
-        all.extend(box);
         boxes.push_back(box);
     }
     if (arrangement_.pieces.empty()) return;
-    for (const int axis : {0, 1}) {
-        Strips& strips = strips_[at(axis)];
-        strips.count = count;
-        strips.low_mm = all.min()[axis];
-        strips.per_mm = static_cast<double>(count) / std::max(all.sizes()[axis], kGridMm);
-        std::vector<int> entered;
-        for (std::size_t i = 0; i < arrangement_.pieces.size(); ++i)
-            for (std::size_t k = strips.of(boxes[i].min()[axis]); k <= strips.of(boxes[i].max()[axis]); ++k) {
-                entered.push_back(static_cast<int>(k));
-                strips.pieces.push_back(static_cast<int>(i));
-            }
-        strips.entries = Grouped(entered, count);
-    }
-}
-
-std::size_t Windings::Strips::of(double value_mm) const {
-    const double strip = (value_mm - low_mm) * per_mm;
-    return std::min(count - 1, static_cast<std::size_t>(std::max(0.0, strip)));
+    std::vector<int> order(boxes.size());
+    std::iota(order.begin(), order.end(), 0);
+    for (const int axis : {0, 1})
+        strips_[at(axis)] = Strips(boxes, axis, count, order);
 }
 
 std::array<int, 2> Windings::onTheRight(const Piece& piece) const {
@@ -91,8 +66,8 @@ std::array<int, 2> Windings::onTheRight(const Piece& piece) const {
     const Vec2 p = mirror ? mirrored(middle) : middle;
     std::array<int, 2> windings{};
     const Strips& strips = strips_[mirror ? 0 : 1];
-    for (const int entry : strips.entries[strips.of(p.y())]) {
-        const Piece& other = arrangement_.pieces[at(strips.pieces[at(entry)])];
+    for (const int i : strips[strips.of(p.y())]) {
+        const Piece& other = arrangement_.pieces[at(i)];
         Vec2 from = arrangement_.node(other.begin);
         Segment s = arrangement_.segment(other);
         if (mirror) {

@@ -82,8 +82,4 @@ std::vector<int> firstSites(const Profile& profile) {
     return first;
 }
 
-double angleBetween(const Vec2& from, const Vec2& to) {
-    return std::atan2(cross(from, to), from.dot(to));
-}
-
 }  // namespace stepmill::clearance

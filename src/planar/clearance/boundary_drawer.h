@@ -29,7 +29,4 @@ class BoundaryDrawer {
 /// First site of each loop.
 std::vector<int> firstSites(const Profile& profile);
 
-/// Angle from one ray to the other, counter-clockwise, in (-pi, pi].
-double angleBetween(const Vec2& from, const Vec2& to);
-
 }  // namespace stepmill::clearance

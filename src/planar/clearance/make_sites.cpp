@@ -81,13 +81,9 @@ Vec2 travelAtEnd(const Site& site) {
     return site.round() ? Vec2(site.turn * leftOf(site.last_ray)) : site.direction;
 }
 
-double angleFrom(const Vec2& a, const Vec2& b) {
-    return std::atan2(cross(a, b), a.dot(b));
-}
-
 /// Turn to the left at the joint of two neighbours.
 double turnAt(const Site& before, const Site& after) {
-    const double turn = angleFrom(travelAtEnd(before), travelAtStart(after));
+    const double turn = turnRad(travelAtEnd(before), travelAtStart(after));
     if (std::abs(turn) < std::numbers::pi - kCuspRad) return turn;
     // Two edges that leave the joint side by side: a little farther on they lie apart.
     const auto lengthOf = [](const Site& s) { return s.round() ? s.extent * s.radius : s.extent; };
@@ -97,7 +93,7 @@ double turnAt(const Site& before, const Site& after) {
     };
     const Vec2 from = at(before, lengthOf(before) - step);
     const Vec2 to = at(after, step);
-    const double apart = angleFrom(Vec2(from - before.end), Vec2(to - before.end));
+    const double apart = turnRad(Vec2(from - before.end), Vec2(to - before.end));
     // Seen from the joint, free space lies clockwise from the edge that arrives to the one that leaves:
     // a cusp of free space where the way back is the shorter one.
     if (apart <= 0) return std::numbers::pi;

@@ -247,7 +247,7 @@ std::optional<Swept> sweptBy(const Profile& profile, const Level& level) {
         const Place& next = level.runs[next_run].begin;
         const Cap cap{snapToGrid(Vec2((end.centre + next.centre) / 2)), footOf(profile, end),
                       footOf(profile, next), i, next_run};
-        const double turn = angleBetween(cap.from - cap.centre, cap.to - cap.centre);
+        const double turn = turnRad(cap.from - cap.centre, cap.to - cap.centre);
         if (loop.arcTo(cap.to, {cap.centre, radius, true}, turn, kNone)) caps.push_back(cap);
     };
     forEachRing(level, [&](const std::vector<int>& ring) {

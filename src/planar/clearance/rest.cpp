@@ -185,7 +185,7 @@ void LeftWalls::drawBack(const Place& from, const Place& to, LoopDrawer& loop) c
     const Arc arc{centre, coarse_.distance - fine_.distance, false};
     const Vec2 out = drawer_.pointAt(from) - centre, in = drawer_.pointAt(to) - centre;
     loop.lineTo(centre + arc.radius_mm * out.normalized(), kNone);
-    loop.arcTo(centre + arc.radius_mm * in.normalized(), arc, -angleBetween(out, in), kNone);
+    loop.arcTo(centre + arc.radius_mm * in.normalized(), arc, -turnRad(out, in), kNone);
 }
 
 std::optional<Region> LeftWalls::draw() {

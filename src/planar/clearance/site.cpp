@@ -107,7 +107,7 @@ Contact contactAt(const Site& site, double u) {
 }
 
 double turnedTo(const Site& arc, const Vec2& ray_mm) {
-    return arc.turn * std::atan2(cross(arc.first_ray, ray_mm), arc.first_ray.dot(ray_mm));
+    return arc.turn * turnRad(arc.first_ray, ray_mm);
 }
 
 double parameterOf(const Site& site, const Vec2& p) {

@@ -11,4 +11,11 @@ bool isWiderThan(const Region& region, double width_mm, const Tolerances& tol) {
     return disc && 2 * disc->radius_mm > width_mm;
 }
 
+Region componentsWiderThan(const Region& region, double width_mm, const Tolerances& tol) {
+    Region wide;
+    for (const Region& component : components(region))
+        if (isWiderThan(component, width_mm, tol)) append(wide, component);
+    return wide;
+}
+
 }  // namespace stepmill

@@ -37,7 +37,7 @@ Vec2 Rim::at(double angle_rad, double radius_mm) const {
 }
 
 double Rim::angleOf(const Vec2& direction) const {
-    return std::atan2(cross(along_, direction), along_.dot(direction));
+    return turnRad(along_, direction);
 }
 
 void Rim::addAngle(double angle_rad, std::vector<double>& into) const {
