@@ -302,6 +302,35 @@ Region StockAir::uprightUnion(const std::vector<int>& numbers) const {
     return unions_->by_numbers.emplace(numbers, std::move(all)).first->second;
 }
 
+/// What upright prisms have cut at all heights of the slab that end within it: one goes on where another
+/// ends.
+Region StockAir::stackedUnion(double bottom_mm, double top_mm) const {
+    const Slab slab(bottom_mm, top_mm);
+    std::vector<int> ending;
+    std::set<double> heights{bottom_mm, top_mm};
+    for (std::size_t i = 0; i < upright_.size(); ++i) {
+        const Prism& prism = upright_[i];
+        if (!slab.holdsEndOf(prism)) continue;
+        ending.push_back(static_cast<int>(i));
+        heights.insert({std::max(bottom_mm, prism.bottom_z_mm), std::min(top_mm, prism.top_z_mm)});
+    }
+    if (ending.empty()) return {};
+    std::optional<Region> stacked;
+    for (auto low = heights.begin(); std::next(low) != heights.end(); ++low) {
+        const double high_mm = *std::next(low);
+        if (high_mm - *low < kSameZMm) continue;
+        const Slab between(*low, high_mm);
+        std::vector<int> there = ending;
+        std::erase_if(there,
+                      [&](int i) { return !between.isSpannedBy(upright_[static_cast<std::size_t>(i)]); });
+        if (there.empty()) return {};
+        const Region here = uprightUnion(there);
+        stacked = stacked ? intersect(*stacked, here, tol_) : here;
+        if (stacked->empty()) return {};
+    }
+    return stacked.value_or(Region{});
+}
+
 Region StockAir::between(double bottom_mm, double top_mm) const {
     return unite(air(bottom_mm, top_mm, AtHeights::All, std::nullopt), tol_);
 }
@@ -323,6 +352,7 @@ std::vector<Region> StockAir::air(double bottom_mm, double top_mm, AtHeights whi
     }
     std::vector<Region> air = std::move(parts.turned);
     air.push_back(uprightUnion(parts.upright));
+    if (which == AtHeights::All) air.push_back(stackedUnion(bottom_mm, top_mm));
     air.push_back(RectangleUnion(parts.boxes, tol_.linear_mm).outline());
     const Slab slab(bottom_mm, top_mm);
     for (const AskewCut& cut : askew_) {

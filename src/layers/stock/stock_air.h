@@ -89,6 +89,7 @@ class StockAir {
     std::vector<Region> air(double bottom_mm, double top_mm, AtHeights which,
                             const std::optional<Box2>& near) const;
     Region uprightUnion(const std::vector<int>& numbers) const;
+    Region stackedUnion(double bottom_mm, double top_mm) const;
     void addLying(const CutPrisms& cut, const Eigen::Isometry3d& to_setup);
     void addHeights(const std::vector<MonotonePiece>& loop, bool parts_slabs, LyingCut& lying);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "stepmill/core/units.h"
+#include "stepmill/layers/section_cutter.h"
 #include "stepmill/planar/boolean.h"
 #include "support/occt_solids.h"
 #include "support/tolerances.h"
@@ -126,4 +127,24 @@ TEST(StockAfter, CountsAirBesideARoundBarThatLies) {
     const double bar_mm3 = kPi * 25 * 25 * 70;
     EXPECT_NEAR(half.removed_mm3, bar_mm3 / 2, 1e-3 * bar_mm3);
     EXPECT_GT(half.prisms_mm3, 1.01 * half.removed_mm3);
+}
+
+TEST(StockSections, KnowAStackOfCutsAsOneHole) {
+    // Two bands of a bore, the lower one narrower: neither reaches through, together they do.
+    const stepmill::Setup setup = block();
+    const Region wide = makeCircle(Vec2(20, 20), 8);
+    const Region narrow = makeCircle(Vec2(20, 20), 6);
+    const StockSections sections(setup, after(setup, {{wide, 0, -7.5}, {narrow, -7.5, -20}}).stock, kTol);
+    const double block_mm2 = 60 * 40;
+    EXPECT_NEAR(area(sections.between(-20, 0)), block_mm2 - area(narrow), 1e-6);
+    EXPECT_NEAR(area(sections.between(-7, -1)), block_mm2 - area(wide), 1e-6);
+    EXPECT_NEAR(area(sections.between(makeRectangle(Vec2(20, 0), Vec2(60, 40)), -10, -5)),
+                40 * 40 - area(narrow) / 2, 1e-6);
+}
+
+TEST(StockSections, KnowOfNoHoleWhereASolidLayerIsLeftInAStack) {
+    const stepmill::Setup setup = block();
+    const Region hole = makeCircle(Vec2(20, 20), 8);
+    const StockSections sections(setup, after(setup, {{hole, 0, -7.5}, {hole, -8, -20}}).stock, kTol);
+    EXPECT_NEAR(area(sections.between(-20, 0)), 60 * 40, 1e-6);
 }
