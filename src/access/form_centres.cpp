@@ -36,7 +36,7 @@ FormRoom::FormRoom(const FormGround& ground, Region window, std::vector<Region> 
 void FormRoom::findStairs(const FormGround& ground) {
     bool found = false;
     for (const Obstacle& stair : ground.stairs) {
-        const bool here = std::any_of(stair.section.loops.begin(), stair.section.loops.end(),
+        const bool here = std::any_of(stair.section->loops.begin(), stair.section->loops.end(),
                                       [&](const Loop& loop) { return contains(window_, loop.start); });
         if (!here) continue;
         if (!found) stairs_bottom_mm_ = stair.bottom_z_mm;
@@ -72,7 +72,7 @@ FormBands::FormBands(const FormGround& ground, const Tolerances& tol) : ground_(
         // Sections end at the window, so each of their loops lies in one of its components.
         std::vector<Region> sections(ground.must_stand.size());
         for (std::size_t i = 0; i < sections.size(); ++i)
-            for (const Loop& loop : ground.must_stand[i].section.loops)
+            for (const Loop& loop : ground.must_stand[i].section->loops)
                 if (contains(window, loop.start)) sections[i].loops.push_back(loop);
         rooms_.emplace_back(ground, std::move(window), std::move(sections), tol);
     }

@@ -18,6 +18,7 @@ bool identicalPaths(const Path& a, const Path& b) {
 }  // namespace
 
 bool identical(const Region& a, const Region& b) {
+    if (&a == &b) return true;
     if (a.loops.size() != b.loops.size()) return false;
     for (std::size_t i = 0; i < a.loops.size(); ++i)
         if (!identicalPaths(a.loops[i], b.loops[i])) return false;

@@ -51,7 +51,7 @@ std::vector<int> StandingMaterial::inTheWay(int layer, const std::vector<int>& r
     return found;
 }
 
-const Region& StandingMaterial::ground(int layer) {
+const SharedRegion& StandingMaterial::ground(int layer) {
     // From the top down, each layer on the one above: what was left there stands over this one too.
     while (static_cast<int>(grounds_.size()) <= layer) {
         const int next = static_cast<int>(grounds_.size());
@@ -61,16 +61,16 @@ const Region& StandingMaterial::ground(int layer) {
             if (standsForGood(forest_.components[index])) regions.push_back(forest_.components[index].region);
         leaves_.push_back(regions.size() > 1 || (next > 0 && leaves_.back()));
         if (next > 0 && leaves_[next - 1]) regions.push_back(grounds_.back());
-        grounds_.push_back(regions.size() > 1 ? unite(regions, tol_) : shadow);
+        grounds_.emplace_back(regions.size() > 1 ? unite(regions, tol_) : shadow);
     }
     return grounds_[layer];
 }
 
-const Region& StandingMaterial::above(int layer, const std::vector<int>& removed) {
+const SharedRegion& StandingMaterial::above(int layer, const std::vector<int>& removed) {
     return united(layer, inTheWay(layer, removed));
 }
 
-const Region& StandingMaterial::united(int layer, std::vector<int> standing) {
+const SharedRegion& StandingMaterial::united(int layer, std::vector<int> standing) {
     if (standing.empty()) return ground(layer);
     const auto [entry, is_new] = known_.try_emplace({layer, standing});
     if (!is_new) return entry->second;
@@ -88,7 +88,7 @@ const Region& StandingMaterial::united(int layer, std::vector<int> standing) {
 std::vector<Obstacle> StandingMaterial::obstacles(int layer, const std::vector<int>& removed) {
     std::vector<Obstacle> found;
     for (int i = layer; i >= 0; --i) {
-        const Region& section = above(i, removed);
+        const SharedRegion& section = above(i, removed);
         if (section.empty()) continue;
         const Layer& slab = layers_.layers[i];
         if (!found.empty() && identical(found.back().section, section))

@@ -22,28 +22,28 @@ class StandingMaterial {
 
     /// Everything standing at or above the bottom of `layer`, once the components in `removed` (ascending)
     /// are gone.
-    const Region& above(int layer, const std::vector<int>& removed);
+    const SharedRegion& above(int layer, const std::vector<int>& removed);
 
     /// The same for `layer` and all above it, from below to above, equal neighbours merged.
     std::vector<Obstacle> obstacles(int layer, const std::vector<int>& removed);
 
   private:
     /// What stands whatever is machined: the shadow, and what no feature takes.
-    const Region& ground(int layer);
+    const SharedRegion& ground(int layer);
 
     /// Are the removed components of the layer bounded by the shadow alone?
     bool walledIn(int layer, const std::vector<int>& removed) const;
     std::vector<int> inTheWay(int layer, const std::vector<int>& removed) const;
 
     /// The ground of a layer with components of it and of layers above, ascending.
-    const Region& united(int layer, std::vector<int> standing);
+    const SharedRegion& united(int layer, std::vector<int> standing);
 
     const LayerStack& layers_;
     const RemovalForest& forest_;
     const Tolerances& tol_;
-    std::deque<Region> grounds_;  ///< of the layers asked for so far, from the top
-    std::vector<bool> leaves_;    ///< is anything left in this layer or above?
-    std::map<std::pair<int, std::vector<int>>, Region> known_;
+    std::deque<SharedRegion> grounds_;  ///< of the layers asked for so far, from the top
+    std::vector<bool> leaves_;          ///< is anything left in this layer or above?
+    std::map<std::pair<int, std::vector<int>>, SharedRegion> known_;
 };
 
 }  // namespace stepmill::feature

@@ -103,12 +103,12 @@ struct CutterArea {
     /// Is `accessible` all a disc sweeps inside the target, so that pairs need no Booleans?
     bool opens_target = false;
     /// What the axis keeps its radius from, where that is more than the feature's obstruction.
-    std::optional<Region> wider_obstruction;
+    std::optional<SharedRegion> wider_obstruction;
     /// What its passes clear for sure: the pairs that start with this tool shrink it.
     SureSweep swept;
 
     /// What the axis keeps its radius from.
-    const Region& obstructionIn(const Feature& feature) const {
+    const SharedRegion& obstructionIn(const Feature& feature) const {
         return wider_obstruction ? *wider_obstruction : feature.obstruction;
     }
 };

@@ -9,6 +9,7 @@
 #include "stepmill/feature/reason.h"
 #include "stepmill/layers/layer_stack.h"
 #include "stepmill/planar/region.h"
+#include "stepmill/planar/shared_region.h"
 
 namespace stepmill {
 
@@ -44,7 +45,7 @@ struct BoundaryPiece {
 struct Obstacle {
     double bottom_z_mm = 0;
     double top_z_mm = 0;
-    Region section;  ///< part or stock that stands anywhere at or above bottom_z_mm (the shadow)
+    SharedRegion section;  ///< part or stock that stands anywhere at or above bottom_z_mm (the shadow)
 };
 
 /// Which of the bands it is that one feature is parted into, one below the other: where its walls lean, every
@@ -90,8 +91,8 @@ struct Feature {
     /// Of holes that are brought to their fit afterwards: drills so wide make them; nothing: drills of their
     /// own width. Set while they are planned alone.
     std::optional<DiameterRange> drilled;
-    Region target;       ///< T: the ground to clear down to the floor
-    Region obstruction;  ///< O: what the cutter must not touch while it clears T
+    Region target;             ///< T: the ground to clear down to the floor
+    SharedRegion obstruction;  ///< O: what the cutter must not touch while it clears T
     /// What the stock may have too much of beside the obstruction: cutters may cut it, rapids and holders
     /// stay off it. Empty unless onGrownStock() (plan/grown_feature.h) made it.
     Region skirt;

@@ -76,8 +76,9 @@ class Key {
         add(feature.room_below_mm);
         add(feature.drilled);
         add(feature.min_corner_radius_mm);
-        for (const Region* region : {&feature.target, &feature.obstruction, &feature.skirt})
-            add(*region);
+        add(feature.target);
+        add(*feature.obstruction);
+        add(feature.skirt);
         add(feature.boundary);
         add(feature.obstacles);
     }

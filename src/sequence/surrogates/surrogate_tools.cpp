@@ -14,11 +14,11 @@ SurrogateTools::SurrogateTools(std::shared_ptr<const SequenceJob> job, const std
     }
 }
 
-const Region& SurrogateTools::obstruction(int surrogate) const {
+const SharedRegion& SurrogateTools::obstruction(int surrogate) const {
     return obstructions_.get(surrogate, [&] {
         const Surrogate& asked = all_[surrogate];
-        return asked.reach.wider_obstruction ? *asked.reach.wider_obstruction
-                                             : obstructionWithHolder(job_->ground, *asked.tool);
+        if (asked.reach.wider_obstruction) return *asked.reach.wider_obstruction;
+        return SharedRegion(obstructionWithHolder(job_->ground, *asked.tool));
     });
 }
 

@@ -26,12 +26,12 @@ class SurrogateTools {
     /// By falling diameter.
     const std::vector<Surrogate>& all() const { return all_; }
     /// What the surrogate's cutter alone must keep off so that its shank and holder do too; made once.
-    const Region& obstruction(int surrogate) const;
+    const SharedRegion& obstruction(int surrogate) const;
 
   private:
     std::shared_ptr<const SequenceJob> job_;
     std::vector<Surrogate> all_;
-    Shelf<int, Region> obstructions_;
+    Shelf<int, SharedRegion> obstructions_;
 };
 
 }  // namespace stepmill
