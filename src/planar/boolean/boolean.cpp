@@ -72,8 +72,21 @@ Region overlayTidy(const planar::OperandLoop& one, const Rule& inside) {
     return {{in_left ? *one.loop : reversed(*one.loop)}};
 }
 
+/// Do the loops bound nothing, as the other operand alone tells what is inside here?
+bool boundsNothing(const planar::LoopGroup& group, const Rule& inside) {
+    constexpr int kMany = 1'000'000;  // windings; rules only turn once from few to many
+    const int operand = group.loops.front().operand;
+    for (const planar::OperandLoop& one : group.loops)
+        if (one.operand != operand) return false;
+    const auto isInside = [&](int windings) {
+        return operand == 0 ? inside(windings, 0) : inside(0, windings);
+    };
+    return isInside(-kMany) == isInside(kMany);
+}
+
 Region overlayGroup(const planar::LoopGroup& group, const Rule& inside, const Tolerances& tol) {
     const Rule inside_here = [&](int a, int b) { return inside(a + group.around[0], b + group.around[1]); };
+    if (boundsNothing(group, inside_here)) return {};
     const OperandLoops& loops = group.loops;
     if (loops.size() == 1 && planar::isTidy(loops.front(), kApartShare * tol.linear_mm, tol.linear_mm))
         return overlayTidy(loops.front(), inside_here);
