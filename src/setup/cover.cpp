@@ -41,11 +41,64 @@ class Search {
             if (!isDominated(axis)) all.push_back(axis);
         std::vector<double> held(worth_.empty() ? 0 : worth_.front().size(), 0.0);
         visit(held, 0, all);
+        // What the first axes of the search see, later ones may see as well.
+        while (dropOne() || straightenOne(all)) {
+        }
         std::sort(best_.begin(), best_.end());
         return best_;
     }
 
   private:
+    double worthOfSet(const std::vector<int>& axes) const {
+        std::vector<double> held(worth_.front().size(), 0.0);
+        double worth = 0;
+        for (const int axis : axes) {
+            worth += gain(held, axis);
+            hold(axis, held);
+        }
+        return worth;
+    }
+
+    /// Is this set worth more? Then it is the best.
+    bool takeIfBetter(std::vector<int> axes) {
+        const double worth = worthOfSet(axes);
+        if (worth <= best_worth_ + kSameWorth) return false;
+        best_worth_ = worth;
+        best_ = std::move(axes);
+        return true;
+    }
+
+    /// Leaves out a dear axis whose work the others do. One along the box stays: by sight alone it may seem
+    /// needless and yet reach best.
+    bool dropOne() {
+        for (std::size_t i = 0; i < best_.size(); ++i) {
+            if (bonus_[best_[i]] >= 0) continue;
+            std::vector<int> fewer = best_;
+            fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+            if (takeIfBetter(std::move(fewer))) return true;
+        }
+        return false;
+    }
+
+    /// Puts one along the box in the place of a dear axis.
+    bool straightenOne(const std::vector<int>& axes) {
+        for (std::size_t i = 0; i < best_.size(); ++i) {
+            if (bonus_[best_[i]] >= 0) continue;
+            for (const int axis : axes) {
+                if (bonus_[axis] < 0 || std::find(best_.begin(), best_.end(), axis) != best_.end()) continue;
+                std::vector<int> straight = best_;
+                straight[i] = axis;
+                if (takeIfBetter(std::move(straight))) return true;
+            }
+        }
+        return false;
+    }
+
+    void hold(int axis, std::vector<double>& held) const {
+        for (std::size_t g = 0; g < held.size(); ++g)
+            held[g] = std::max(held[g], worth_[axis][g]);
+    }
+
     /// Does another axis reach all that this one does, as well? Of equal ones the first stays.
     bool isDominated(int axis) const {
         for (int other = 0; other < static_cast<int>(worth_.size()); ++other) {
@@ -103,8 +156,7 @@ class Search {
             if (bound <= best_worth_ + kSameWorth) return;
             const auto [by, axis] = paying[i];
             std::vector<double> more = held;
-            for (std::size_t g = 0; g < more.size(); ++g)
-                more[g] = std::max(more[g], worth_[axis][g]);
+            hold(axis, more);
             std::vector<int> rest;
             for (std::size_t j = i + 1; j < paying.size(); ++j)
                 rest.push_back(paying[j].second);

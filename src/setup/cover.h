@@ -18,7 +18,8 @@ inline constexpr double kFinishPaysShare = 0.05;
 /// axis is indexed or steps are finished; else sets that an indexed axis could follow are given up sooner:
 /// the exact set by sight takes parts from sides that tools reach less well (of mold_core +x and -x instead
 /// of +z, of aagnet_partC three axes that leave six times as much). After 20000 sets it ends with the best so
-/// far, as it does on sculpted parts with dozens of axes.
+/// far, as it does on sculpted parts with dozens of axes. Then indexed axes that the others make needless are
+/// left out, and others give way to axes along the box, as long as that is worth more.
 ///
 /// \param bonus  by axis, in the same unit: far below 1 to decide between sets that reach the same, negative
 ///               for axes that cost more than one setup

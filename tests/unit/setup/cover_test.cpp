@@ -42,6 +42,20 @@ TEST(BestAxes, AxesThatCostMoreDoNotHideABetterPair) {
     EXPECT_EQ(bestAxes(groups, {0, 0, 0.01, 0.01, -1, -1, -1, -1}, true), (std::vector<int>{2, 3}));
 }
 
+TEST(BestAxes, KeepsNoSlantedAxisWhoseWorkTheOthersDo) {
+    // The slanted ones see most each, so the search begins with one of them, and ends before it has tried
+    // without.
+    const std::vector<SampleGroup> groups = {group({F, F, N, F, F}, 0.4), group({F, N, F, F, F}, 0.4),
+                                             group({N, F, N, N, N}, 0.1), group({N, N, F, N, N}, 0.1)};
+    EXPECT_EQ(bestAxes(groups, {-1, 0, 0, -1, -1}), (std::vector<int>{1, 2}));
+}
+
+TEST(BestAxes, PutsAnAxisAlongTheBoxInThePlaceOfASlantedOne) {
+    const std::vector<SampleGroup> groups = {group({F, F, N, F, F}, 0.5), group({F, N, F, F, F}, 0.3),
+                                             group({N, F, F, N, N}, 0.2)};
+    EXPECT_EQ(bestAxes(groups, {-1, 0, 0, -1, -1}), (std::vector<int>{1, 2}));
+}
+
 TEST(BestAxes, LeavesOutAnAxisThatDoesNotPay) {
     const std::vector<SampleGroup> groups = {group({F, N}, 1 - kSetupPaysShare / 2),
                                              group({N, F}, kSetupPaysShare / 2)};
