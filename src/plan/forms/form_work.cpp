@@ -38,6 +38,7 @@ bool hasShallowGround(const FormSite& site, const Obstacle& stair) {
 /// The ground of all stairs.
 Region groundOf(const std::vector<Obstacle>& stairs, const Tolerances& tol) {
     std::vector<Region> sections;
+    sections.reserve(stairs.size());
     for (const Obstacle& stair : stairs)
         sections.push_back(stair.section);
     return unite(sections, tol);
