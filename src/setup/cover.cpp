@@ -42,8 +42,8 @@ class Search {
         std::vector<double> held(worth_.empty() ? 0 : worth_.front().size(), 0.0);
         visit(held, 0, all);
         // What the first axes of the search see, later ones may see as well.
-        while (dropOne() || straightenOne(all)) {
-        }
+        for (bool better = true; better;)
+            better = spareOne(all);
         std::sort(best_.begin(), best_.end());
         return best_;
     }
@@ -68,26 +68,19 @@ class Search {
         return true;
     }
 
-    /// Leaves out a dear axis whose work the others do. One along the box stays: by sight alone it may seem
-    /// needless and yet reach best.
-    bool dropOne() {
-        for (std::size_t i = 0; i < best_.size(); ++i) {
-            if (bonus_[best_[i]] >= 0) continue;
-            std::vector<int> fewer = best_;
-            fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-            if (takeIfBetter(std::move(fewer))) return true;
-        }
-        return false;
-    }
-
-    /// Puts one along the box in the place of a dear axis.
-    bool straightenOne(const std::vector<int>& axes) {
-        for (std::size_t i = 0; i < best_.size(); ++i) {
-            if (bonus_[best_[i]] >= 0) continue;
+    /// Leaves out a dear axis whose work the others do, or puts one along the box in its place. One along the
+    /// box stays: by sight alone it may seem needless and yet reach best.
+    bool spareOne(const std::vector<int>& axes) {
+        for (const int dear : best_) {
+            if (bonus_[dear] >= 0) continue;
+            std::vector<int> others = best_;
+            std::erase(others, dear);
+            if (takeIfBetter(others)) return true;
             for (const int axis : axes) {
-                if (bonus_[axis] < 0 || std::find(best_.begin(), best_.end(), axis) != best_.end()) continue;
-                std::vector<int> straight = best_;
-                straight[i] = axis;
+                if (bonus_[axis] < 0 || std::find(others.begin(), others.end(), axis) != others.end())
+                    continue;
+                std::vector<int> straight = others;
+                straight.push_back(axis);
                 if (takeIfBetter(std::move(straight))) return true;
             }
         }

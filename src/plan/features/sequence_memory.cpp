@@ -77,7 +77,7 @@ class Key {
         add(feature.drilled);
         add(feature.min_corner_radius_mm);
         add(feature.target);
-        add(*feature.obstruction);
+        add(feature.obstruction);
         add(feature.skirt);
         add(feature.boundary);
         add(feature.obstacles);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "stepmill/core/units.h"
+
 namespace stepmill {
 namespace {
 
@@ -10,7 +12,7 @@ TEST(SharedRegion, IsEmptyUntilARegionIsPutInIt) {
     EXPECT_TRUE(shared.empty());
     shared = makeCircle(Vec2(0, 0), 5);
     EXPECT_FALSE(shared.empty());
-    EXPECT_NEAR(area(shared), 25 * 3.14159265358979, 1e-6);
+    EXPECT_NEAR(area(shared), 25 * kPi, 1e-6);
 }
 
 TEST(SharedRegion, CopiesShareTheLoopsUntilOneIsReplaced) {
