@@ -15,6 +15,9 @@ constexpr double kBridgeMm = 1.5 * kGridMm;
 constexpr double kNothingMm2 = 1e-9;
 constexpr double kNothingMm = 2 * kGridMm;
 
+/// Arcs that turn less [rad] do not come back to where they begin.
+constexpr double kHardlyHalfTurn = 3;
+
 bool isShort(const Vec2& from, const Vec2& to) {
     return (to - from).norm() <= kShortMm;
 }
@@ -24,6 +27,14 @@ bool turnsBack(const Vec2& from, const Vec2& corner, const Vec2& to) {
     const Vec2 ahead = corner - from, back = to - corner;
     return ahead.dot(back) < 0 &&
            std::abs(cross(ahead, back)) <= kGridMm * std::max(ahead.norm(), back.norm());
+}
+
+/// Has rounding put the end of an arc before its beginning? It would go nearly all the way round. Joints of
+/// edges that are hardly longer than their rounding have normals by which far offsets differ so much.
+bool runsBack(const Vec2& from, const Vec2& to, const Arc& arc, double sweep_rad) {
+    const Vec2 first = from - arc.centre, last = to - arc.centre;
+    const double drawn_rad = arc.ccw ? turnRad(first, last) : turnRad(last, first);
+    return sweep_rad > 0 && sweep_rad < kHardlyHalfTurn && drawn_rad < 0;
 }
 
 /// Takes out a vertex that rounding has put beside its neighbour or at the tip of a spike. False when there
@@ -72,7 +83,11 @@ bool LoopDrawer::arcTo(const Vec2& to, const Arc& arc, double sweep_rad, int edg
         lineTo(point, edge);
         return false;
     }
-    if (point == loop_.end() && std::abs(sweep_rad) < 3) return false;
+    if (point == loop_.end() && std::abs(sweep_rad) < kHardlyHalfTurn) return false;
+    if (runsBack(loop_.end(), point, arc, sweep_rad)) {
+        lineTo(point, edge);
+        return false;
+    }
     const bool goes_on =
         !loop_.segments.empty() && loop_.segments.back().arc == arc && last_edge_ == edge && edge >= 0 &&
         point != (loop_.segments.size() > 1 ? loop_.segments[loop_.segments.size() - 2].to : loop_.start);

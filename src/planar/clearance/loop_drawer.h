@@ -14,7 +14,8 @@ class LoopDrawer {
     /// Closes the gap to a point where the last edge should have ended: draws a line if rounding put the
     /// point farther away than an arc's end may lie off its circle.
     void bridgeTo(const Vec2& to);
-    /// \param sweep_rad how far the arc turns, whatever its sense; tells a tiny arc from a full turn
+    /// \param sweep_rad how far the arc turns; negative where it is more than half a turn by that much less
+    ///                  than a whole one. Tells a tiny arc from a full turn
     /// \return whether an arc was drawn
     bool arcTo(const Vec2& to, const Arc& arc, double sweep_rad, int edge);
     /// Adds the loop to the region if it encloses anything.
