@@ -51,9 +51,13 @@ std::vector<Obstacle> shallowStairs(const FormSite& site) {
     return stairs;
 }
 
-/// Stairs that are no farther apart than those of one slope joined.
+/// Stairs that are no farther apart than those of one slope joined; as they are where nothing sure is found.
 Region joined(const Region& stairs, const Tolerances& tol) {
-    return offset(offset(stairs, kGapOfStairsMm / 2, tol), -kGapOfStairsMm / 2, tol);
+    try {
+        return offset(offset(stairs, kGapOfStairsMm / 2, tol), -kGapOfStairsMm / 2, tol);
+    } catch (const UnsureOffset&) {
+        return stairs;
+    }
 }
 
 }  // namespace
@@ -182,9 +186,13 @@ const FormWork::Shallow& FormWork::shallowFor(const ToolAssembly& tool) {
     shallow->floor.emplace(site_.ground, tool, shop_.tol, shop_.deadline);
     const CutterForm form(tool);
     const toolpath::LineSpacing spacing = spacingOf(tool);
-    const auto over = [&](const Region& stairs) {
-        return toolpath::ShallowGround(*shallow->floor, form, stairs, slopes_, centresOf(tool).withinWindow(),
-                                       shop_.tol);
+    // Without sure ground levels do it.
+    const auto over = [&](const Region& stairs) -> toolpath::ShallowGround {
+        try {
+            return {*shallow->floor, form, stairs, slopes_, centresOf(tool).withinWindow(), shop_.tol};
+        } catch (const UnsureOffset&) {
+            return {};
+        }
     };
     // Lines over a whole slope where they are shorter than levels on what is too narrow for them by itself.
     shallow->ground = over(shallow_slopes_);
