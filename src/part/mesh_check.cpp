@@ -4,7 +4,6 @@
 #include <BRep_Tool.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <Geom2d_Curve.hxx>
 #include <Geom_Surface.hxx>
@@ -18,6 +17,7 @@
 
 #include "part/measure.h"
 #include "part/occt_values.h"
+#include "stepmill/part/part_shape.h"
 
 namespace stepmill {
 namespace {
@@ -55,7 +55,7 @@ class Mesh {
   public:
     explicit Mesh(const TopoDS_Shape& shape) : shape_(shape), box_(roughBox(shape)) {
         const double size_mm = box_.sizes().maxCoeff();
-        BRepMesh_IncrementalMesh(shape, std::max(kChordShare * size_mm, 1e-6), Standard_False, kAngle_rad);
+        makeFacets(shape, std::max(kChordShare * size_mm, 1e-6), kAngle_rad);
     }
     Mesh(const Mesh&) = delete;
     Mesh& operator=(const Mesh&) = delete;

@@ -3,6 +3,8 @@
 #include <new>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <IMeshTools_Parameters.hxx>
 #include <Standard_OutOfMemory.hxx>
 #include <TopoDS.hxx>
 
@@ -21,6 +23,17 @@ void guardOcct(ErrorCode code, const std::string& subject, const std::function<v
         throw Error(code, subject,
                     "the geometry kernel failed: " + kind + (text && *text ? std::string(": ") + text : ""));
     }
+}
+
+void makeFacets(const TopoDS_Shape& shape, double chord, double turn_rad, FacetChord unit) {
+    IMeshTools_Parameters how;
+    how.Deflection = chord;
+    how.Relative = unit == FacetChord::ShareOfEdge;
+    how.Angle = turn_rad;
+    // Edges are divided before faces, and every face on its own.
+    how.InParallel = true;
+    how.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
+    const BRepMesh_IncrementalMesh mesher(shape, how);
 }
 
 std::optional<Vec3> axisOf(const TopoDS_Face& face) {

@@ -2,7 +2,6 @@
 
 #include <BRep_Tool.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -42,7 +41,7 @@ FaceFacets coarseFaceFacets(const TopoDS_Shape& solid) {
     FaceFacets out;
     guardOcct(ErrorCode::GeometryKernel, "facets of the solid", [&] {
         const TopoDS_Shape shape = BRepBuilderAPI_Copy(solid).Shape();
-        BRepMesh_IncrementalMesh(shape, kSagittaShare, true, kTurnRad, false);
+        makeFacets(shape, kSagittaShare, kTurnRad, FacetChord::ShareOfEdge);
         int index = 0;
         for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
             addFacets(TopoDS::Face(it.Current()), index++, out);

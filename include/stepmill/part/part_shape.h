@@ -32,6 +32,17 @@ std::optional<Vec3> axisOf(const TopoDS_Face& face);
 /// \throws Error(InvalidSolid) unless the shape is one valid closed solid, volume above 0.
 Part makePart(const TopoDS_Shape& solid, const std::string& name);
 
+/// What the chord of makeFacets() is.
+enum class FacetChord { LengthMm, ShareOfEdge };
+
+/// Puts facets on the faces of a shape of one's own, the same ones however many threads make them.
+/// \param chord     how far a facet may be off its face, in mm or as a share of each edge's length
+/// \param turn_rad  how far neighbouring facets of one face may turn
+/// Cost: n log n in the nodes of each face. (The kernel's usual triangulation looks, for each node, at all
+/// circles of a face that reach across it: a plate with 400 holes takes it eleven times as long.)
+void makeFacets(const TopoDS_Shape& shape, double chord, double turn_rad,
+                FacetChord unit = FacetChord::LengthMm);
+
 /// Calls `work` and turns the kernel's failures into Error(code, subject), but for running out of memory,
 /// which stays std::bad_alloc. Other exceptions pass.
 void guardOcct(ErrorCode code, const std::string& subject, const std::function<void()>& work);

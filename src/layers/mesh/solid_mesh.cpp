@@ -4,7 +4,6 @@
 
 #include <BRep_Tool.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <gp_Trsf.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
@@ -286,8 +285,7 @@ SolidMesh::SolidMesh(const TopoDS_Shape& solid, const Eigen::Isometry3d& to_setu
     : chord_mm_(chord_mm) {
     guardOcct(ErrorCode::GeometryKernel, "facets of the solid", [&] {
         const TopoDS_Shape shape = movedCopy(solid, to_setup);
-        // Edges are divided before faces and every face on its own: the facets are the same in any order.
-        BRepMesh_IncrementalMesh(shape, chord_mm, false, kFacetAngle, true);
+        makeFacets(shape, chord_mm, kFacetAngle);
         MeshBuilder(*this, shape, tol).build();
     });
 }

@@ -1,7 +1,5 @@
 #include "report/page/faceted_part.h"
 
-#include <BRepMesh_IncrementalMesh.hxx>
-
 #include "report/page/hidden_lines.h"
 #include "stepmill/part/part_shape.h"
 
@@ -19,9 +17,7 @@ const TopoDS_Shape& FacetedPart::solid() const {
     guardOcct(ErrorCode::GeometryKernel, "facets of " + part_.name, [&] {
         TopoDS_Shape copy = solidIn(part_, Eigen::Isometry3d::Identity());
         const double size_mm = part_.bbox_mm.diagonal().norm();
-        // Every face on its own: the facets are the same in any order.
-        const BRepMesh_IncrementalMesh mesh(copy, coarser_ * kChordShare * size_mm, false,
-                                            coarser_ * kFacetAngle, true);
+        makeFacets(copy, coarser_ * kChordShare * size_mm, coarser_ * kFacetAngle);
         solid_ = copy;
     });
     return solid_;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <gp_Ax2.hxx>
 
 #include "report/page/hidden_lines.h"
@@ -64,7 +63,7 @@ std::set<Stroke> longest(const std::set<Stroke>& strokes) {
 std::string drawSmall(const Part& part) {
     const double deflection_mm = kDeflectionShare * part.bbox_mm.diagonal().norm();
     const TopoDS_Shape solid = report::solidIn(part, Eigen::Isometry3d::Identity());
-    const BRepMesh_IncrementalMesh facets(solid, deflection_mm, false, kAngularDeflection);
+    makeFacets(solid, deflection_mm, kAngularDeflection);
     const HLRAlgo_Projector from_above_a_corner(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, -1, 1), gp_Dir(1, 1, 0)));
     const std::vector<Polyline> visible =
         report::hiddenLines(solid, from_above_a_corner, deflection_mm).visible;

@@ -1,9 +1,8 @@
 #include "report/sheets/scene.h"
 
-#include <BRepMesh_IncrementalMesh.hxx>
-
 #include "report/page/facets.h"
 #include "report/page/hidden_lines.h"
+#include "stepmill/part/part_shape.h"
 
 namespace stepmill::report {
 namespace {
@@ -74,7 +73,7 @@ Body facetBody(BodyKind kind, const TopoDS_Shape& solid, const Eigen::Isometry3d
 
 std::vector<Body> arrivingStock(const Setup& setup, double chord_mm) {
     const TopoDS_Shape raw = solidIn(*setup.stock.shape, setup.part_to_setup);
-    const BRepMesh_IncrementalMesh facets(raw, chord_mm, false, kFacetAngle);
+    makeFacets(raw, chord_mm, kFacetAngle);
     std::vector<Body> bodies{facetBody(BodyKind::Raw, raw, Eigen::Isometry3d::Identity())};
     for (const CutPrisms& cut : setup.stock.cuts)
         for (const Prism& prism : cut.prisms)
