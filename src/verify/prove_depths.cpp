@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "stepmill/planar/chain.h"
 #include "stepmill/sequence/advice/area_models.h"
 #include "stepmill/toolpath/swept_region.h"
+#include "verify/cut_ways.h"
 #include "verify/prove_operation.h"
 
 namespace stepmill::verify {
@@ -66,8 +68,8 @@ WayKey keyOf(const Path& way) {
     return key;
 }
 
-/// What was cut down to a height, or below, so far.
-using Levels = std::map<double, std::vector<Path>>;
+/// How near ways are looked up together, in diameters of the cutter.
+constexpr double kCellDiameters = 4;
 
 /// Follows an operation down its levels. Where material stood when it began, a pass whose lowest point is at
 /// z may only go where the operation has cut down to the step-down above z, or lower, or where the feature's
@@ -77,7 +79,11 @@ class DepthProver {
   public:
     DepthProver(const RecordedOperation& planned, const FeatureState& state, const Tolerances& tol,
                 const Findings& findings)
-        : planned_(planned), state_(state), tol_(tol), findings_(findings) {}
+        : planned_(planned),
+          state_(state),
+          tol_(tol),
+          findings_(findings),
+          cut_(boundingBox(state.feature.target), kCellDiameters * planned.tool.diameter_mm) {}
 
     void prove(const ReadOperation& operation) {
         Vec3 from = operation.start;
@@ -172,7 +178,7 @@ class DepthProver {
         if (reachOver(low_mm) >= top()) return top();
         const auto over = levels_.upper_bound(reachOver(low_mm));
         if (over == levels_.begin()) return std::nullopt;
-        return std::prev(over)->first;
+        return *std::prev(over);
     }
 
     bool isKnown(const WayKey& key, double low_mm) const {
@@ -186,19 +192,19 @@ class DepthProver {
         asked_.clear();
         asked_reach_mm_ = std::numeric_limits<double>::infinity();
         for (auto& [z_mm, way] : fresh_) {
-            auto& [level_mm, ways] = levelAt(z_mm);
+            const double level_mm = levelAt(z_mm);
             const auto [lowest, is_new] = lowest_mm_.try_emplace(keyOf(way), level_mm);
             if (!is_new) lowest->second = std::min(lowest->second, level_mm);
-            ways.push_back(std::move(way));
+            cut_.add(level_mm, std::move(way));
         }
         fresh_.clear();
         highest_fresh_mm_ = -std::numeric_limits<double>::infinity();
     }
 
-    Levels::value_type& levelAt(double z_mm) {
+    double levelAt(double z_mm) {
         const auto near = levels_.lower_bound(z_mm - kSamePostedHeightMm);
-        if (near != levels_.end() && near->first <= z_mm + kSamePostedHeightMm) return *near;
-        return *levels_.try_emplace(near, z_mm);
+        if (near != levels_.end() && *near <= z_mm + kSamePostedHeightMm) return *near;
+        return *levels_.insert(near, z_mm);
     }
 
     void lookAtAsked() {
@@ -235,12 +241,8 @@ class DepthProver {
         if (left.empty()) return {};
         const double radius_mm = planned_.tool.radius_mm() + tol_.sliver_mm;
         const Box2 around = grown(boundingBox(left), radius_mm);
-        std::vector<Path> before;
         // From above: what was cut first of a ramp comes first.
-        auto level = counts_on_ ? levels_.upper_bound(*counts_on_) : levels_.begin();
-        while (level != levels_.begin())
-            for (const Path& way : (--level)->second)
-                if (boundingBox(way).intersects(around)) before.push_back(way);
+        const std::vector<Path> before = counts_on_ ? cut_.below(*counts_on_, around) : std::vector<Path>{};
         if (!before.empty()) left = notSwept(left, chained(before), radius_mm, tol_);
         return piecesBeyondSkins(left, tol_);
     }
@@ -249,7 +251,8 @@ class DepthProver {
     const FeatureState& state_;
     const Tolerances& tol_;
     const Findings& findings_;
-    Levels levels_;
+    CutWays cut_;
+    std::set<double> levels_;             ///< that were cut so far
     std::map<WayKey, double> lowest_mm_;  ///< of the levels that hold a way
     std::optional<double> counts_on_;
     bool ramping_ = false;
