@@ -18,6 +18,10 @@ class IndexedRegion {
 
     /// Is p inside or on the boundary?
     bool contains(const Vec2& p) const;
+    /// Is p inside or nearer to the boundary than that?
+    bool isNear(const Vec2& p, double distance_mm) const {
+        return contains(p) || boundary_.anyNearer(p, distance_mm);
+    }
 
   private:
     EdgeIndex boundary_;

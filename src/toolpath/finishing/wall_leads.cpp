@@ -19,24 +19,22 @@ constexpr double kRunOutMm = 1.0;
 
 WallLeads::WallLeads(const WallTask& task, double radius_mm, const Tolerances& tol)
     : task_(task),
-      clearing_(task.clearing),
       radius_mm_(radius_mm),
       tol_(tol),
-      obstruction_edges_(task.clearing.obstruction) {
+      target_(task.clearing.target),
+      cleared_(task.clearing.cleared_centres),
+      obstruction_(task.clearing.obstruction) {
     for (const KeptOff& kept : task.clearing.kept_off)
-        kept_edges_.emplace_back(kept.section);
+        kept_.emplace_back(kept.section);
 }
 
 bool WallLeads::isFree(const Edge& way) const {
-    if (obstruction_edges_.anyNearer(way, radius_mm_ + tol_.guard_mm / 2) ||
-        contains(clearing_.obstruction, way.segment.to))
-        return false;
-    for (std::size_t i = 0; i < kept_edges_.size(); ++i) {
-        const KeptOff& kept = task_.clearing.kept_off[i];
-        if (kept_edges_[i].anyNearer(way, kept.distance_mm - tol_.guard_mm) ||
-            contains(kept.section, way.segment.to))
-            return false;
-    }
+    const auto keeps = [&](const IndexedRegion& section, double distance_mm) {
+        return !section.boundary().anyNearer(way, distance_mm) && !section.contains(way.segment.to);
+    };
+    if (!keeps(obstruction_, radius_mm_ + tol_.guard_mm / 2)) return false;
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+        if (!keeps(kept_[i], task_.clearing.kept_off[i].distance_mm - tol_.guard_mm)) return false;
     return true;
 }
 
@@ -47,8 +45,7 @@ bool WallLeads::isFree(const Path& way) const {
 
 /// May the cutter go down there at any depth?
 bool WallLeads::isAir(const Vec2& p) const {
-    return cutsNothing(clearing_.target, radius_mm_, p, tol_) ||
-           (!clearing_.cleared_centres.empty() && contains(clearing_.cleared_centres, p));
+    return cutsNothing(target_, radius_mm_, p, tol_) || cleared_.contains(p);
 }
 
 std::vector<double> WallLeads::radii() const {
@@ -87,7 +84,7 @@ std::optional<Vec2> WallLeads::airBeside(const Vec2& p, const Vec2& along) const
 }
 
 Lead WallLeads::into(const Vec2& p, const Vec2& along) const {
-    if (cutsNothing(clearing_.target, radius_mm_, p, tol_)) {
+    if (cutsNothing(target_, radius_mm_, p, tol_)) {
         const Vec2 before = snapToGrid(Vec2(p - kRunOutMm * along));
         const Path run{before, {{p, {}}}};
         if (isAir(before) && isFree(run)) return {run};
@@ -100,7 +97,7 @@ Lead WallLeads::into(const Vec2& p, const Vec2& along) const {
 }
 
 Path WallLeads::from(const Vec2& p, const Vec2& along) const {
-    if (cutsNothing(clearing_.target, radius_mm_, p, tol_)) {
+    if (cutsNothing(target_, radius_mm_, p, tol_)) {
         const Vec2 after = snapToGrid(Vec2(p + kRunOutMm * along));
         const Path run{p, {{after, {}}}};
         return isAir(after) && isFree(run) ? run : Path{p, {}};

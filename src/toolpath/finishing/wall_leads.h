@@ -39,11 +39,12 @@ class WallLeads {
     std::optional<Vec2> airBeside(const Vec2& p, const Vec2& along) const;
 
     const WallTask& task_;
-    const ClearingTask& clearing_;
     double radius_mm_;
     const Tolerances& tol_;
-    EdgeIndex obstruction_edges_;
-    std::vector<EdgeIndex> kept_edges_;
+    IndexedRegion target_;
+    IndexedRegion cleared_;  ///< centres
+    IndexedRegion obstruction_;
+    std::vector<IndexedRegion> kept_;
 };
 
 }  // namespace stepmill::toolpath

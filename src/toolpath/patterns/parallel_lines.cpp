@@ -42,7 +42,7 @@ double halfTurn(double angle_rad) {
 
 std::vector<double> anglesToTry(const RingFamily::Component& component) {
     std::vector<std::pair<double, double>> by_length;  // length, angle
-    for (const Edge& edge : component.boundary.edges()) {
+    for (const Edge& edge : component.indexed.boundary().edges()) {
         if (edge.segment.arc) continue;
         const Vec2 along = edge.segment.to - edge.from;
         const double angle = halfTurn(std::atan2(along.y(), along.x()));

@@ -34,12 +34,7 @@ class PassMaker::Clipper {
     }
 
   private:
-    bool isIn(const Region& region, const Vec2& p) const {
-        return contains(region, p) || distanceToBoundary(region, p) < on_mm_;
-    }
-    bool isCleared(const Vec2& p) const {
-        return !task_.cleared_centres.empty() && isIn(task_.cleared_centres, p);
-    }
+    bool isCleared(const Vec2& p) const { return maker_.cleared_.isNear(p, on_mm_); }
     /// Of an edge that nothing crosses. Cleared ground that touches it half-way leaves it towards its ends.
     bool isCleared(const Edge& edge) const {
         return isCleared(pointAt(edge, 0.5)) && isCleared(edge.from) && isCleared(edge.to());
@@ -47,7 +42,7 @@ class PassMaker::Clipper {
     /// At a point, or all along an edge.
     template <typename Place>
     bool cutsNothing(const Place& place) const {
-        return toolpath::cutsNothing(task_.target, maker_.family_.radiusMm(), place, tol_);
+        return toolpath::cutsNothing(maker_.target_, maker_.family_.radiusMm(), place, tol_);
     }
 
     bool meetsNothing(const Vec2& p) const { return isCleared(p) || cutsNothing(p); }
@@ -59,32 +54,33 @@ class PassMaker::Clipper {
     /// Where rings are cut: at what has been cleared, at the limits of the task and, where rings leave the
     /// component, at its boundary.
     EdgeIndex ringCutters() const {
-        std::vector<Edge> cutters = maker_.cleared_edges_;
-        append(cutters, maker_.centre_edges_);
-        if (variant_.leaves_component) append(cutters, component_.boundary.edges());
+        std::vector<Edge> cutters = maker_.cleared_.boundary().edges();
+        append(cutters, maker_.centres_.boundary().edges());
+        if (variant_.leaves_component) append(cutters, component_.indexed.boundary().edges());
         return EdgeIndex(std::move(cutters));
     }
 
     void clip(const RingFamily::Ring& ring) {
         keep(ring, ring_cutters_, [&](const Edge& edge) {
             const Vec2 p = pointAt(edge, 0.5);
-            if (variant_.leaves_component && !isIn(component_.region, p)) return false;
+            if (variant_.leaves_component && !component_.indexed.isNear(p, on_mm_)) return false;
             if (ring.level == 0 && cutsNothing(edge)) return false;
-            return !isCleared(edge) && (!maker_.limited_ || isIn(task_.centres, p));
+            return !isCleared(edge) && (!maker_.limited_ || maker_.centres_.isNear(p, on_mm_));
         });
     }
 
     /// Boundary of a limited task inside the free centres: neither wall nor cleared ground, so no other
     /// pass makes sure that what lies beside it gets cut.
     void addLimits() {
-        std::vector<Edge> limits = maker_.cleared_edges_;
-        append(limits, component_.boundary.edges());
+        std::vector<Edge> limits = maker_.cleared_.boundary().edges();
+        append(limits, component_.indexed.boundary().edges());
         const EdgeIndex cutters(std::move(limits));
         for (const Loop& loop : task_.centres.loops)
             keep({loop, 0, false}, cutters, [&](const Edge& edge) {
                 const Vec2 p = pointAt(edge, 0.5);
-                return contains(component_.region, p) && distanceToBoundary(component_.region, p) > on_mm_ &&
-                       !isCleared(edge) && !cutsNothing(edge);
+                return component_.indexed.contains(p) &&
+                       !component_.indexed.boundary().anyNearer(p, on_mm_) && !isCleared(edge) &&
+                       !cutsNothing(edge);
             });
     }
 
@@ -222,11 +218,12 @@ PassMaker::PassMaker(const ClearingTask& task, const RingFamily& family, const T
     : task_(task),
       family_(family),
       tol_(tol),
-      cleared_edges_(edgesOf(task.cleared_centres)),
+      target_(task.target),
+      cleared_(task.cleared_centres),
       wanted_(boundingBox(task.centres)) {
     const double rest = area(task.free_centres) - area(task.cleared_centres) - area(task.centres);
     limited_ = rest > tol.area_mm2 + tol.sliver_mm * perimeter(task.free_centres);
-    if (limited_) centre_edges_ = edgesOf(task.centres);
+    if (limited_) centres_ = IndexedRegion(task.centres);
 }
 
 bool PassMaker::concerns(const RingFamily::Component& component) const {

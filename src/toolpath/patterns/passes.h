@@ -46,8 +46,9 @@ class PassMaker {
     const ClearingTask& task_;
     const RingFamily& family_;
     const Tolerances& tol_;
-    std::vector<Edge> cleared_edges_;
-    std::vector<Edge> centre_edges_;
+    IndexedRegion target_;
+    IndexedRegion cleared_;  ///< centres
+    IndexedRegion centres_;  ///< where the task is limited
     /// The task's centres are less than free centres without cleared ones.
     bool limited_ = false;
     Box2 wanted_;

@@ -29,11 +29,11 @@ double onBoundaryMm(const Tolerances& tol) {
     return kGuardsOnBoundary * tol.guard_mm;
 }
 
-bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const Tolerances& tol) {
-    return distanceToRegion(target, p) >= radius_mm - onBoundaryMm(tol);
+bool cutsNothing(const IndexedRegion& target, double radius_mm, const Vec2& p, const Tolerances& tol) {
+    return !target.isNear(p, radius_mm - onBoundaryMm(tol));
 }
 
-bool cutsNothing(const Region& target, double radius_mm, const Edge& edge, const Tolerances& tol) {
+bool cutsNothing(const IndexedRegion& target, double radius_mm, const Edge& edge, const Tolerances& tol) {
     const int looks = 1 + 2 * static_cast<int>(std::ceil(length(edge) / radius_mm));
     for (int i = 0; i < looks; ++i)
         if (!cutsNothing(target, radius_mm, pointAt(edge, (i + 0.5) / looks), tol)) return false;
@@ -54,7 +54,7 @@ bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2
     for (const Edge& side : component.open_sides)
         for (const Vec2& p : meetingPoints(way, side))
             if (std::min((p - a).norm(), (p - b).norm()) > onBoundaryMm(tol)) return false;
-    return component.open_sides.empty() || contains(component.region, (a + b) / 2);
+    return component.open_sides.empty() || component.indexed.contains((a + b) / 2);
 }
 
 }  // namespace toolpath
@@ -76,14 +76,14 @@ struct Inset {
 class FamilyMaker {
   public:
     FamilyMaker(const ClearingTask& task, double radius_mm, double step_over_mm, const Tolerances& tol)
-        : task_(task), radius_mm_(radius_mm), step_over_mm_(step_over_mm), tol_(tol) {}
+        : task_(task), target_(task.target), radius_mm_(radius_mm), step_over_mm_(step_over_mm), tol_(tol) {}
 
     RingFamily::Component make(const Region& region) const {
         RingFamily::Component component;
         component.region = region;
-        component.boundary = EdgeIndex(region);
+        component.indexed = IndexedRegion(region);
         std::vector<Edge> walls;
-        for (const Edge& edge : component.boundary.edges())
+        for (const Edge& edge : component.indexed.boundary().edges())
             (isOpen(edge) ? component.open_sides : walls).push_back(edge);
         component.walls = EdgeIndex(std::move(walls));
         if (addMiddles(component)) return component;
@@ -107,7 +107,7 @@ class FamilyMaker {
     bool addMiddles(RingFamily::Component& component) const {
         RingFamily::Variant along;
         for (const Path& middle : task_.slot_middles)
-            if (contains(component.region, middle.start)) along.rings.push_back({middle, 0, false, true});
+            if (component.indexed.contains(middle.start)) along.rings.push_back({middle, 0, false, true});
         if (along.rings.empty()) return false;
         component.slot = true;
         component.guarded = component.region;
@@ -126,7 +126,7 @@ class FamilyMaker {
         return insets;
     }
 
-    bool isOpen(const Edge& edge) const { return cutsNothing(task_.target, radius_mm_, edge, tol_); }
+    bool isOpen(const Edge& edge) const { return cutsNothing(target_, radius_mm_, edge, tol_); }
 
     Openness openness(const Loop& loop) const {
         std::size_t open = 0;
@@ -214,8 +214,8 @@ class FamilyMaker {
     bool reaches(const RingFamily::Component& component, const Loop& loop) const {
         const std::vector<Edge> edges = edgesOf(loop);
         return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
-            return contains(component.region, edge.from) ||
-                   component.boundary.anyNearer(edge, onBoundaryMm(tol_));
+            return component.indexed.contains(edge.from) ||
+                   component.indexed.boundary().anyNearer(edge, onBoundaryMm(tol_));
         });
     }
 
@@ -229,6 +229,7 @@ class FamilyMaker {
     }
 
     const ClearingTask& task_;
+    IndexedRegion target_;
     double radius_mm_;
     double step_over_mm_;
     const Tolerances& tol_;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill {
@@ -35,7 +36,7 @@ class RingFamily {
         Region guarded;
         /// Of these, what lines have to run through: half a step-over around the target.
         Region line_ground;
-        EdgeIndex boundary;
+        IndexedRegion indexed;         ///< the region
         EdgeIndex walls;               ///< of the boundary, where a disc touches what must stay
         std::vector<Edge> open_sides;  ///< of the boundary, where it only touches the target
         bool slot = false;             ///< as wide as the cutter: the middles are the only curves
@@ -62,10 +63,10 @@ namespace toolpath {
 double onBoundaryMm(const Tolerances& tol);
 
 /// Does a disc at p do no more than touch the target?
-bool cutsNothing(const Region& target, double radius_mm, const Vec2& p, const Tolerances& tol);
+bool cutsNothing(const IndexedRegion& target, double radius_mm, const Vec2& p, const Tolerances& tol);
 /// The same of the disc all along an edge. Looked at every half radius: where a larger cutter's ground comes
 /// up to a wall in between, the disc touches the target in one place and cuts on both sides of it.
-bool cutsNothing(const Region& target, double radius_mm, const Edge& edge, const Tolerances& tol);
+bool cutsNothing(const IndexedRegion& target, double radius_mm, const Edge& edge, const Tolerances& tol);
 
 /// Do curves of neighbouring levels run side by side somewhere?
 bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm);

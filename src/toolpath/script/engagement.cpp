@@ -30,14 +30,16 @@ std::array<Vec2, kRimPoints> makeRim() {
 }  // namespace
 
 Engagement::Engagement(const ClearingTask& task, double radius_mm, double step_over_mm)
-    : task_(&task), radius_mm_(radius_mm), step_over_mm_(step_over_mm) {}
+    : target_(task.target),
+      cleared_(task.cleared_centres),
+      radius_mm_(radius_mm),
+      step_over_mm_(step_over_mm) {}
 
 bool Engagement::isMaterial(const Vec2& p, const std::vector<Edge>& swept) const {
     const double inner = radius_mm_ * (1 - kCuspShare);
     for (const Edge& edge : swept)
         if (distanceTo(p, edge) <= inner) return false;
-    if (!contains(task_->target, p)) return false;
-    return task_->cleared_centres.empty() || distanceToRegion(task_->cleared_centres, p) > inner;
+    return target_.contains(p) && !cleared_.isNear(p, inner);
 }
 
 double Engagement::widthAt(const Vec2& at, const Vec2& along, const std::vector<Edge>& swept) const {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "stepmill/planar/indexed_region.h"
 #include "toolpath/script/depth_script.h"
 
 namespace stepmill::toolpath {
@@ -12,7 +13,6 @@ inline constexpr double kWidestCutShare = 1.1;
 /// Tells how wide the cutter cuts on its way through a depth of cut. It knows the ground swept there before.
 class Engagement {
   public:
-    /// Keeps `task`.
     Engagement(const ClearingTask& task, double radius_mm, double step_over_mm);
 
     /// Splits the path where the cut becomes wider than the step-over or narrower again, and adds it to the
@@ -31,7 +31,8 @@ class Engagement {
     double widthAt(const Vec2& at, const Vec2& along, const std::vector<Edge>& swept) const;
     bool isMaterial(const Vec2& p, const std::vector<Edge>& swept) const;
 
-    const ClearingTask* task_;
+    IndexedRegion target_;
+    IndexedRegion cleared_;  ///< centres
     double radius_mm_;
     double step_over_mm_;
     std::vector<Edge> swept_;

@@ -5,13 +5,14 @@
 namespace stepmill::toolpath {
 
 Standing::Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol)
-    : obstruction_{task.obstruction, EdgeIndex(task.obstruction), radius_mm + tol.guard_mm / 2} {
+    : obstruction_{IndexedRegion(task.obstruction), radius_mm + tol.guard_mm / 2} {
     for (const KeptOff& kept : task.kept_off)
-        holder_.push_back({kept.section, EdgeIndex(kept.section), kept.distance_mm});
+        holder_.push_back({IndexedRegion(kept.section), kept.distance_mm});
 }
 
 bool Standing::keeps(const Kept& kept, const Vec2& from, const Vec2& to) {
-    return !kept.edges.anyNearer(makeLine(from, to), kept.distance_mm) && !contains(kept.section, to);
+    return !kept.section.boundary().anyNearer(makeLine(from, to), kept.distance_mm) &&
+           !kept.section.contains(to);
 }
 
 bool Standing::isClear(const Vec2& from, const Vec2& to) const {

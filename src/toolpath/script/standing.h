@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/toolpath/toolpath.h"
 
 namespace stepmill::toolpath {
@@ -10,7 +10,6 @@ namespace stepmill::toolpath {
 /// The material that must stay. It answers whether a way over it is clear.
 class Standing {
   public:
-    /// Keeps `task`.
     Standing(const ClearingTask& task, double radius_mm, const Tolerances& tol);
 
     /// Is the straight way clear for the cutter at every height over the floor?
@@ -20,8 +19,7 @@ class Standing {
 
   private:
     struct Kept {
-        const Region& section;
-        EdgeIndex edges;
+        IndexedRegion section;
         double distance_mm;
     };
     static bool keeps(const Kept& kept, const Vec2& from, const Vec2& to);
