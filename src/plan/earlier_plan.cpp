@@ -16,7 +16,6 @@ namespace stepmill {
 namespace {
 
 /// Axes are the same to this; they come from one part file and another.
-constexpr double kSameDirection = 1e-6;
 /// Sizes agree to this share: a hole that moved has the area it had, but for rounding.
 constexpr double kSameSize = 1e-4;
 
@@ -163,7 +162,7 @@ std::string renamedId(const std::string& id, const std::string& whole, const Fea
 
 const EarlierSetup* earlierOf(const Setup& setup, const std::vector<EarlierSetup>& earlier) {
     for (const EarlierSetup& one : earlier)
-        if (one.id == setup.id && (one.axis - setup.axis).norm() <= kSameDirection) return &one;
+        if (one.id == setup.id && isSameAxis(one.axis, setup.axis)) return &one;
     return nullptr;
 }
 

@@ -23,8 +23,8 @@ BandTimes timesOf(const std::string& band_id, const std::vector<Operation>& oper
     std::string in_spindle;
     for (const Operation& operation : operations) {
         if (operation.feature_id != band_id) continue;
-        times.time_s += operation.path.totals.time_s() + operation.dwellOfAll_s();
-        times.motion_s += operation.path.totals.motion_time_s + operation.dwellOfAll_s();
+        times.time_s += operation.timeS();
+        times.motion_s += operation.motionS();
         if (operation.tool_id != in_spindle) ++times.visits[operation.tool_id];
         in_spindle = operation.tool_id;
     }

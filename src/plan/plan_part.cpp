@@ -292,8 +292,9 @@ std::vector<Setup> setupsWithForms(const Part& part, const PlanRequest& request,
 bool areWorthPlanning(const std::vector<Setup>& setups, const std::vector<Setup>& others,
                       const LeaningArea& area) {
     if (setups.size() < others.size()) return true;
-    const bool same = std::is_permutation(setups.begin(), setups.end(), others.begin(), others.end(),
-                                          [](const Setup& a, const Setup& b) { return a.axis == b.axis; });
+    const bool same =
+        std::is_permutation(setups.begin(), setups.end(), others.begin(), others.end(),
+                            [](const Setup& a, const Setup& b) { return isSameAxis(a.axis, b.axis); });
     return !same && setups.size() == others.size() && setups.size() <= kFewSetups &&
            area.leaning_mm2 < kLittleLeansShare * area.surface_mm2;
 }

@@ -38,9 +38,10 @@ std::vector<ResidualPrism> residualPrisms(const std::vector<PlannedFeature>& fea
         const Residual* below = belowReach(planned);
         for (const Residual& residual : planned.sequence.residual) {
             if (residual.region.empty() || residual.area_mm2 <= 0) continue;
-            const double height = residual.volume_mm3 / residual.area_mm2;
+            const double height = meanHeightMm(residual);
             // What covers the whole depth stands on the feature's floor, what the tools leave on theirs.
-            const bool whole = height >= planned.feature.depth_mm() || planned.sequence.steps.empty();
+            const bool whole =
+                standsOver(residual, planned.feature.depth_mm()) || planned.sequence.steps.empty();
             const double floor =
                 &residual == below || whole ? planned.feature.floor_z_mm : planned.sequence.floor_z_mm;
             prisms.push_back({residual.reason,

@@ -31,9 +31,9 @@ void addSetup(const ToolLibrary& library, const Machine& machine, PlannedSetup& 
             ++totals.tool_changes;
             in_spindle = operation.tool_id;
         }
-        cutting_s += operation.path.totals.feed_time_s + operation.dwellOfAll_s();
+        cutting_s += operation.feedS();
         air_s += operation.path.totals.rapid_time_s;
-        motion_s += operation.path.totals.motion_time_s + operation.dwellOfAll_s();
+        motion_s += operation.motionS();
         if (tool.life_min > 0)
             totals.cost += operation.path.totals.feed_time_s / kSecondsPerMinute / tool.life_min * tool.price;
     }

@@ -291,8 +291,8 @@ Json operationJson(const Operation& operation, const std::string& feature, int b
               {"cut_length_mm", number(path.totals.cut_length_mm)},
               {"feed_air_length_mm", number(path.totals.feed_air_length_mm)},
               {"air_length_mm", number(path.totals.air_length_mm)},
-              {"time_s", number(path.totals.time_s() + operation.dwellOfAll_s())},
-              {"motion_time_s", number(path.totals.motion_time_s + operation.dwellOfAll_s())}};
+              {"time_s", number(operation.timeS())},
+              {"motion_time_s", number(operation.motionS())}};
     if (!path.as_fed.empty()) json["as_fed"] = listOf(path.as_fed, fedPatternJson);
     if (operation.holes > 0) json["holes"] = operation.holes;
     if (operation.thread) json["thread"] = threadJson(*operation.thread);

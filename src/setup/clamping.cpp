@@ -17,6 +17,9 @@ namespace {
 using setup::kPlaneMm;
 using setup::WayToHold;
 
+/// Who asks for a plate rests the stock on whatever is flat.
+constexpr double kAnySeatMm2 = 0.01;
+
 /// Flat bottom that stays.
 double seatArea(const StockToHold& stock, const Tolerances& tol) {
     const double bottom_mm = stock.arriving.back().bottom_z_mm;
@@ -30,9 +33,9 @@ double seatArea(const StockToHold& stock, const Tolerances& tol) {
 /// On a plate, where the stock has a seat for it.
 WayToHold onPlate(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
     const double seat_mm2 = seatArea(stock, tol);
-    if (seat_mm2 < (wish.kind ? kPlaneMm : kLeastPlateSeatMm2))
-        return {{},
-                fmt::format("no plate: {:.3g} mm2 to rest on, expected {:g}", seat_mm2, kLeastPlateSeatMm2)};
+    const double least_mm2 = wish.kind ? kAnySeatMm2 : kLeastPlateSeatMm2;
+    if (seat_mm2 < least_mm2)
+        return {{}, fmt::format("no plate: {:.3g} mm2 to rest on, expected {:g}", seat_mm2, least_mm2)};
     Clamping clamping;
     clamping.kind = wish.kind.value_or(HoldKind::Plate);
     clamping.text =

@@ -71,8 +71,7 @@ class ScrewFinder {
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const Screw& a, const Screw& b) { return a.size.thread_mm > b.size.thread_mm; });
-        if (found.size() > kMostScrews) found.resize(kMostScrews);
-        return found;
+        return mostSpread(std::move(found));
     }
 
     /// How far apart the farthest two are, as a share of the stock's length.
@@ -85,6 +84,22 @@ class ScrewFinder {
     }
 
   private:
+    /// As many as are of use, the two that are farthest apart first: of plates with many holes these hold
+    /// best.
+    static std::vector<Screw> mostSpread(std::vector<Screw> screws) {
+        if (screws.size() <= kMostScrews) return screws;
+        std::pair<std::size_t, std::size_t> farthest{0, 1};
+        for (std::size_t i = 0; i < screws.size(); ++i)
+            for (std::size_t k = i + 1; k < screws.size(); ++k)
+                if ((screws[i].at - screws[k].at).norm() >
+                    (screws[farthest.first].at - screws[farthest.second].at).norm() + kPlaneMm)
+                    farthest = {i, k};
+        std::swap(screws[0], screws[farthest.first]);
+        std::swap(screws[1], screws[farthest.second]);
+        screws.resize(kMostScrews);
+        return screws;
+    }
+
     /// The thickest that passes through the hole in every slab.
     const ScrewSize* sizeFor(const Arc& hole) const {
         const auto passes = [&](const ScrewSize& size) {

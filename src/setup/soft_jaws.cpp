@@ -44,7 +44,7 @@ class SoftJaws {
         if (depth_mm < vise_.grip_mm - kPlaneMm)
             return {{}, "no soft jaws: the outline is cut or changes too low for them"};
         Clamping found = made(box, across, depth_mm);
-        found.text += supportWords(vise_, beside_mm);
+        askForSupport(found, vise_, beside_mm);
         return {std::move(found), {}};
     }
 

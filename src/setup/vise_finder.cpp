@@ -169,6 +169,10 @@ class ViseFinder {
         for (std::size_t i = stock_.standing.size(); i-- > 0;)
             addDirections(stock_.standing[i], directions);
         Clamping best;
+        if (tops_.empty()) {
+            why_ = "none of its parallels is lower than its jaws";
+            return best;
+        }
         for (const Vec2& across : directions)
             for (const Grip& grip : gripsAlong(across))
                 consider(across, grip, use, best);
@@ -379,7 +383,7 @@ class ViseFinder {
         made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, hold.middle_mm, top_z_mm),
                          viseJaw(vise_, growth_mm_, -across, grip.left_mm, -hold.middle_mm, top_z_mm)};
         made.text = viseText(made);
-        made.text += supportWords(vise_, hold.beside_mm);
+        askForSupport(made, vise_, hold.beside_mm);
         return made;
     }
 
@@ -432,10 +436,11 @@ std::string endsStickOut(double beside_mm) {
     return fmt::format("{:.3g} mm would stick out beside its jaws: two vises could hold it", beside_mm);
 }
 
-std::string supportWords(const Vise& vise, double beside_mm) {
-    if (beside_mm <= vise.jaw_width_mm) return {};
-    return fmt::format("; {:.3g} mm of stock stick out beside the jaws: support it, or use a second vise",
-                       beside_mm);
+void askForSupport(Clamping& held, const Vise& vise, double beside_mm) {
+    if (beside_mm <= vise.jaw_width_mm) return;
+    held.beside_mm = beside_mm;
+    held.text += fmt::format(
+        "; {:.3g} mm of stock stick out beside the jaws: support it, or use a second vise", beside_mm);
 }
 
 Fixture viseJaw(const Vise& vise, double growth_mm, const Vec2& out, double offset_mm, double middle_mm,

@@ -32,8 +32,8 @@ double besideJawsMm(const StockToHold& stock, const Vise& vise, const Vec2& acro
 bool holdsOneEndAlone(const Vise& vise, double beside_mm);
 /// That, as the reason why a vise will not do.
 std::string endsStickOut(double beside_mm);
-/// What to do about stock that sticks out by more than the jaws' width; else nothing.
-std::string supportWords(const Vise& vise, double beside_mm);
+/// Notes in `held` what sticks out by more than the jaws' width.
+void askForSupport(Clamping& held, const Vise& vise, double beside_mm);
 
 /// A jaw against the plane `out . p = offset`, its middle at `middle_mm` along it, wider on both sides and
 /// thicker by `growth_mm` and higher by the clearance.

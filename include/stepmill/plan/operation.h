@@ -72,6 +72,12 @@ struct Operation : OperationData {
     std::vector<MoveLoad> loads;
     /// How far the features above must be cut before it may run; empty: its feature's parents wholly.
     std::vector<Wait> waits;
+
+    /// Its times, dwell included, without the tool change [s]: of feeds alone, of all moves at the programmed
+    /// speeds, and as the machine's acceleration makes them.
+    double feedS() const { return path.totals.feed_time_s + dwellOfAll_s(); }
+    double timeS() const { return path.totals.time_s() + dwellOfAll_s(); }
+    double motionS() const { return path.totals.motion_time_s + dwellOfAll_s(); }
 };
 
 /// The lowest place of the tool's tip [mm].

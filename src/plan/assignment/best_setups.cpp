@@ -13,6 +13,7 @@
 #include "plan/assignment/unreached_places.h"
 #include "stepmill/core/error.h"
 #include "stepmill/core/units.h"
+#include "stepmill/plan/warning_order.h"
 
 namespace stepmill {
 namespace {
@@ -129,8 +130,8 @@ class SetupSearch {
     }
     /// Two setups the other way round may finish walls that the second one cuts away the room for.
     static bool isTurnedRound(const std::vector<Setup>& setups, const std::vector<Setup>& chosen) {
-        return chosen.size() == 2 && setups.size() == 2 && setups[0].axis == chosen[1].axis &&
-               setups[1].axis == chosen[0].axis;
+        return chosen.size() == 2 && setups.size() == 2 && isSameAxis(setups[0].axis, chosen[1].axis) &&
+               isSameAxis(setups[1].axis, chosen[0].axis);
     }
 
     /// A set that cannot be planned in its time must not lose the plan of another.
@@ -172,6 +173,7 @@ class SetupSearch {
             choices = {weigher_.choiceOf(*best_, setups_, SetupVerdict::Taken)};
             choices.insert(choices.end(), turned_down_.begin(), turned_down_.end());
             warnOfHaste(best_->warnings);
+            best_->warnings = byConsequence(std::move(best_->warnings));
         }
         return std::move(*best_);
     }

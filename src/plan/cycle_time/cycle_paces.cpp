@@ -74,9 +74,7 @@ void forEachOperation(const Scope& scope, const std::vector<PlannedSetup>& setup
 /// Without tool changes.
 double operationsS(const Scope& scope, const std::vector<PlannedSetup>& setups) {
     double time_s = 0;
-    forEachOperation(scope, setups, [&](const Operation& operation) {
-        time_s += operation.path.totals.motion_time_s + operation.dwellOfAll_s();
-    });
+    forEachOperation(scope, setups, [&](const Operation& operation) { time_s += operation.motionS(); });
     return time_s;
 }
 

@@ -96,10 +96,13 @@ class Key {
         add(options.finish.floors_mm);
         add(options.first_at_least_mm);
     }
-    void add(const ToolLibrary& library) {
+    /// Under a taller stock a tool may be of no use that is of use under others.
+    void add(const ToolLibrary& library, const std::string& material) {
         add(library.tools.size());
-        for (const ToolAssembly& tool : library.tools)
+        for (const ToolAssembly& tool : library.tools) {
             add(tool.id);
+            add(tool.cuttingFor(material) != nullptr);
+        }
     }
     std::string hashed() const { return sha256(bytes_); }
 
@@ -113,7 +116,7 @@ ToolSequence SequenceMemory::sequence(const Feature& feature, const ToolLibrary&
                                       const SequenceOptions& options, const Make& make) {
     Key key;
     key.add(feature);
-    key.add(library);
+    key.add(library, options.material);
     key.add(options);
     const std::string what = key.hashed();
     {

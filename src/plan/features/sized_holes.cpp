@@ -8,6 +8,7 @@
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/sequence/sizing.h"
+#include "stepmill/sequence/tapping.h"
 
 namespace stepmill {
 namespace {
@@ -69,7 +70,7 @@ class SizedHoles {
         const SequenceStep& last = made->steps.back();
         const ToolAssembly& cutter = library_.tool(last.tool_id);
         const bool drilled = last.role == Role::Drill;
-        const std::optional<double> bored_to_z = boredTo(*made, drilled ? &cutter : nullptr);
+        const std::optional<double> bored_to_z = boredToZ(holes_, *made, library_);
         if (!bored_to_z) return false;
         const SizingTask task{holes_, *entry_.fit, *bored_to_z, retract_z_mm_};
         if (std::string trouble = sizingTrouble(task, sizer); !trouble.empty()) {
@@ -86,14 +87,6 @@ class SizedHoles {
         weight_ = weight;
         best_.sequence = std::move(made);
         return true;
-    }
-
-    /// How deep the holes have their whole width; nothing where something is left in them.
-    std::optional<double> boredTo(const ToolSequence& made, const ToolAssembly* drill) const {
-        for (const Residual& residual : made.residual)
-            if (residual.volume_mm3 > 0 && !(residual.reason == Reason::DrillPoint)) return std::nullopt;
-        if (drill == nullptr) return made.floor_z_mm;
-        return drilledToZ(holes_, *drill);
     }
 
     std::vector<Residual> leftBelow(const SizingTask& task, const ToolAssembly& sizer,

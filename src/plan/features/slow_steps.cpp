@@ -42,8 +42,8 @@ std::vector<Warning> slowSteps(const PlannedSetup& setup) {
         double whole_s = 0;
         for (const Operation& operation : setup.operations) {
             if (operation.feature_id != planned.feature.id || operation.role == Role::Finish) continue;
-            shares[operation.tool_id].time_s += operation.path.totals.time_s();
-            whole_s += operation.path.totals.time_s();
+            shares[operation.tool_id].time_s += operation.timeS();
+            whole_s += operation.timeS();
         }
         for (const auto& [tool, share] : shares) {
             const bool slow = share.time_s >= std::max(kWorthAWordS, kMuchTimeShare * whole_s) &&

@@ -147,7 +147,7 @@ Element stepFigure(const PlannedFeature& planned, std::size_t index, const Opera
     const std::string words = fmt::format(
         "{}. {} ({}): {} {} new ({} {}), {} layers of {}, {}", index + 1, step.tool_id, toString(step.role),
         in.area(step.area.new_area_mm2), in.areaUnit(), in.volume(step.area.new_area_mm2 * depth_mm),
-        in.volumeUnit(), path.depths, in.length(path.step_down_mm), clockTime(path.totals.time_s()));
+        in.volumeUnit(), path.depths, in.length(path.step_down_mm), clockTime(operation.timeS()));
     return Element("figure", stepDrawing(planned, index, path), Element("figcaption", words));
 }
 

@@ -150,7 +150,7 @@ Element operationsTable(const ReportSubject& subject, const PlannedSetup& setup)
                  fixed(operation.speed_rpm, 0), toString(operation.coolant),
                  in.wayNumber(operation.even_length_mm), in.wayNumber(totals.cut_length_mm),
                  in.wayNumber(totals.feed_air_length_mm), in.wayNumber(totals.air_length_mm),
-                 clearanceWords(operation, in), clockTime(totals.time_s()), clockTime(totals.motion_time_s))
+                 clearanceWords(operation, in), clockTime(operation.timeS()), clockTime(operation.motionS()))
             .mark(operationAnchor(operation.id));
     }
     return std::move(table).element();

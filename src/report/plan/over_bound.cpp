@@ -19,8 +19,7 @@ double besideBoundS(const Plan& plan) {
     double sum_s = 0;
     for (const PlannedSetup& setup : plan.setups)
         for (const Operation& operation : setup.operations)
-            if (!isClearing(operation.role) && operation.role != Role::Drill)
-                sum_s += operation.path.totals.feed_time_s + operation.dwellOfAll_s();
+            if (!isClearing(operation.role) && operation.role != Role::Drill) sum_s += operation.feedS();
     return sum_s;
 }
 

@@ -59,7 +59,7 @@ std::string formLines(const Plan& plan) {
                                                           : "leaning walls";
             text += fmt::format("{}: {} takes {:.3f} cm3 off {} in {}, {} levels\n", operation.id,
                                 plainLine(operation.tool_id), taken_mm3 / 1000, off,
-                                clockTime(operation.path.totals.time_s()), operation.path.depths);
+                                clockTime(operation.timeS()), operation.path.depths);
         }
     return text;
 }

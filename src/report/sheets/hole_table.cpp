@@ -48,7 +48,7 @@ HoleWork workOn(const SheetSubject& subject, const PlannedSetup& setup,
             if (operation.feature_id != band->feature.id) continue;
             std::string way = fmt::format("{} T{} {}", workWords(operation, subject.measures),
                                           plan.library.tool(operation.tool_id).number, operation.tool_id);
-            work.time_s += timeOf(operation);
+            work.time_s += operation.motionS();
             if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(std::move(way));
             work.last = static_cast<int>(i);
         }

@@ -64,10 +64,6 @@ std::string powerWords(const PlannedSetup& setup) {
 
 }  // namespace
 
-double timeOf(const Operation& operation) {
-    return operation.path.totals.motion_time_s + operation.dwellOfAll_s();
-}
-
 Element operationTable(const SheetSubject& subject, const PlannedSetup& setup) {
     const Measures& in = subject.measures;
     const PostedProgram* program = programOf(subject.proven, setup);
@@ -95,8 +91,8 @@ Element operationTable(const SheetSubject& subject, const PlannedSetup& setup) {
                   path.step_over_mm > 0 ? in.number(path.step_over_mm) : "-", depthWords(operation, in),
                   leavesWords(operation.leaves, in),
                   fmt::format("{}, {}", in.feed(path.feed_mm_per_min), in.feed(path.plunge_feed_mm_per_min)),
-                  fixed(operation.speed_rpm, 0), toString(operation.coolant), clockTime(timeOf(operation)),
-                  shareWords(timeOf(operation), setup.motion_s), firstBlock(program, operation.id));
+                  fixed(operation.speed_rpm, 0), toString(operation.coolant), clockTime(operation.motionS()),
+                  shareWords(operation.motionS(), setup.motion_s), firstBlock(program, operation.id));
     }
     std::string more = fmt::format(
         "{} operation{}, {} with tool changes. Climb milling; the tool's centre is programmed, D is not "

@@ -100,7 +100,7 @@ const Setup* takerOf(const Plan& plan, const PlannedSetup& planned) {
     const auto self = std::find_if(plan.setups.begin(), plan.setups.end(),
                                    [&](const PlannedSetup& one) { return one.setup.id == planned.setup.id; });
     for (auto later = self == plan.setups.end() ? self : self + 1; later != plan.setups.end(); ++later)
-        if (!later->setup.axis.isApprox(planned.setup.axis) && !later->operations.empty())
+        if (!isSameAxis(later->setup.axis, planned.setup.axis) && !later->operations.empty())
             return &later->setup;
     return nullptr;
 }
@@ -184,8 +184,19 @@ std::string holdWords(const Measures& in, const Plan& plan, const PlannedSetup& 
     return planned.clamping.text + ". To be held otherwise: ______________________________";
 }
 
+/// What the setter has to see to beside clamping it.
+std::string careWords(const Measures& in, const Clamping& held) {
+    std::string words;
+    if (held.beside_mm > 0)
+        words += fmt::format(" {} of stock stick out beside the jaws: support it, or use a second vise.",
+                             in.length(held.beside_mm));
+    if (held.kind != HoldKind::None && held.kind != HoldKind::Given && held.seat_mm2 <= 0)
+        words += " Nothing flat to rest on at the bottom.";
+    return words;
+}
+
 std::string clampingWords(const Measures& in, const Plan& plan, const PlannedSetup& planned) {
-    return holdWords(in, plan, planned) + tabWords(plan, planned);
+    return holdWords(in, plan, planned) + careWords(in, planned.clamping) + tabWords(plan, planned);
 }
 
 }  // namespace

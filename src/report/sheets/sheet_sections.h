@@ -27,9 +27,6 @@ struct SheetSubject {
 /// A heading with what belongs to it; not parted from its first lines on paper.
 Element titled(const char* title, Element content);
 
-/// With the machine's acceleration where that is given, dwell included [s].
-double timeOf(const Operation& operation);
-
 /// Part, revision, customer and so on; what is not told is a line to write on.
 Element jobBlock(const SheetSubject& subject);
 /// The whole job: a row for each setup.

@@ -28,7 +28,7 @@ std::vector<ToolUse> usesOf(const Plan& plan, const PlannedSetup& setup) {
         const ToolAssembly& tool = plan.library.tool(operation.tool_id);
         auto use = std::find_if(uses.begin(), uses.end(), [&](const ToolUse& u) { return u.tool == &tool; });
         if (use == uses.end()) use = uses.insert(uses.end(), {&tool, 0, lowestMm(operation), {}});
-        use->time_s += timeOf(operation);
+        use->time_s += operation.motionS();
         use->lowest_mm = std::min(use->lowest_mm, lowestMm(operation));
         use->operations.push_back(shortId(operation.id));
     }

@@ -44,7 +44,7 @@ double widestDiscMm(const Region& region, const Tolerances& tol) {
 
 std::string cornerAdvice(const Feature& feature) {
     if (feature.min_corner_radius_mm && *feature.min_corner_radius_mm > 0)
-        return fmt::format("an end mill of {:.4g} mm or less", 2 * *feature.min_corner_radius_mm);
+        return endMillOf(2 * *feature.min_corner_radius_mm);
     return "a corner radius or relief in the design, or EDM: no cutter makes a sharp inner corner";
 }
 
@@ -57,8 +57,8 @@ std::vector<Residual> drillPoint(const Feature& feature, const ToolAssembly& dri
     rim.area_mm2 = feature.area_mm2;
     rim.volume_mm3 = left_mm3;
     rim.reason = {Reason::DrillPoint, {}};
-    rim.advice = fmt::format("an end mill of {:.4g} mm or less that reaches {:.4g} mm deep",
-                             drill.diameter_mm, feature.depth_mm());
+    rim.advice =
+        fmt::format("{} that reaches {:.4g} mm deep", endMillOf(drill.diameter_mm), feature.depth_mm());
     return {rim};
 }
 

@@ -1,5 +1,7 @@
 #include "stepmill/setup/clamping.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "stepmill/planar/boolean.h"
@@ -298,6 +300,45 @@ TEST(SuggestClamping, ScrewsThroughItsOwnHolesIntoAPlate) {
     HoldWish wish;
     wish.kind = HoldKind::Screws;
     EXPECT_EQ(suggestClamping(upright({{kBlock, 0, -30}}, {}), wish, kTol).kind, HoldKind::None);
+}
+
+TEST(SuggestClamping, TakesTheScrewsThatAreFarthestApart) {
+    // Eight holes at one end of a plate, one at the other.
+    Region plate = makeRectangle(Vec2(0, 0), Vec2(200, 60));
+    for (int i = 0; i < 8; ++i)
+        plate = subtract(plate, makeCircle(Vec2(12 + 14.0 * (i % 2), 9 + 14.0 * (i / 2)), 3.3), kTol);
+    plate = subtract(plate, makeCircle(Vec2(188, 30), 3.3), kTol);
+    HoldWish wish;
+    wish.kind = HoldKind::Screws;
+    const Clamping held = suggestClamping(upright({{plate, 0, -12}}, {}), wish, kTol);
+    ASSERT_EQ(held.kind, HoldKind::Screws) << held.text;
+    const auto is_far = [](const Fixture& screw) { return centroid(screw.section).x() > 180; };
+    EXPECT_TRUE(std::any_of(held.fixtures.begin(), held.fixtures.end(), is_far));
+}
+
+TEST(SuggestClamping, SaysWhatNeedsSupportBesideTheJaws) {
+    const Region rail = makeRectangle(Vec2(0, 0), Vec2(500, 30));
+    const Clamping held = clampingOf({{rail, 0, -30}}, {});
+    ASSERT_TRUE(held.isVise()) << held.text;
+    EXPECT_NEAR(held.beside_mm, (500 - Vise{}.jaw_width_mm) / 2, 1e-6);
+    EXPECT_EQ(clampingOf({{kBlock, 0, -30}}, {}).beside_mm, 0);
+}
+
+TEST(SuggestClamping, HasNoJawsOverParallelsThatAreAsHigh) {
+    HoldWish wish;
+    wish.kind = HoldKind::Vise;
+    wish.vise.parallels_mm = {wish.vise.jaw_height_mm, wish.vise.jaw_height_mm + 5};
+    const StockToHold cut_through = upright({{kBlock, 0, -30}}, {{makeCircle(Vec2(40, 25), 4), 0, -30}});
+    const Clamping none = suggestClamping(cut_through, wish, kTol);
+    EXPECT_EQ(none.kind, HoldKind::None);
+    EXPECT_NE(none.text.find("none of its parallels"), std::string::npos) << none.text;
+}
+
+TEST(SuggestClamping, RestsAnyStockOnThePlateThatWasAskedFor) {
+    const Region stub = makeRectangle(Vec2(0, 0), Vec2(80, 4));
+    HoldWish wish;
+    wish.kind = HoldKind::Plate;
+    EXPECT_EQ(suggestClamping(upright({{stub, 0, -4}}, {}), wish, kTol).kind, HoldKind::Plate);
 }
 
 TEST(SuggestClamping, HasNothingForAPartWithoutASeat) {
