@@ -162,6 +162,10 @@ void requireValid(const TopoDS_Shape& solid, double volume_mm3, const std::strin
     if (!BRepCheck_Analyzer(solid).IsValid())
         throw Error(ErrorCode::InvalidSolid, subject,
                     "the solid's faces, edges and vertices do not fit together");
+    requireVolume(volume_mm3, subject);
+}
+
+void requireVolume(double volume_mm3, const std::string& subject) {
     if (!(volume_mm3 > 0))
         throw Error(ErrorCode::InvalidSolid, subject, "the solid's volume is not positive");
 }

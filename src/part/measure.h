@@ -45,6 +45,8 @@ TopoDS_Shape singleSolid(const TopoDS_Shape& shape, const std::string& subject);
 /// \param volume_mm3  of the solid; costly to measure, so callers that know it say it
 /// \throws Error(InvalidSolid) for free edges, if BRepCheck finds fault or the volume is not positive.
 void requireValid(const TopoDS_Shape& solid, double volume_mm3, const std::string& subject);
+/// \throws Error(InvalidSolid) if the volume is not positive.
+void requireVolume(double volume_mm3, const std::string& subject);
 
 /// Fills box, volume, faces (without names), surfaces and shape.
 void describeShape(Part& part, const TopoDS_Shape& solid);
