@@ -34,7 +34,14 @@ int groundsOf(const Plan& plan) {
 
 class CutTogether : public testing::TestWithParam<const char*> {};
 
-TEST_P(CutTogether, IsProvenQuickerAndLeavesNoMore) {
+void expectItFollows(const Part& part, const ProvenPlan& plan) {
+    const PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
+    for (const ProofFailure& failure :
+         compareWithPart(record, {part, defaultToolLibrary(), {}, {}, {}}, kTol))
+        ADD_FAILURE() << failure.operation << ": " << failure.text;
+}
+
+TEST_P(CutTogether, IsProvenQuickerLeavesNoMoreAndFollowsFromPartAndLibrary) {
     const Part part = samplePart(GetParam());
     const ProvenPlan together = planned(part, true);
     const ProvenPlan apart = planned(part, false);
@@ -43,15 +50,7 @@ TEST_P(CutTogether, IsProvenQuickerAndLeavesNoMore) {
     EXPECT_TRUE(together.mayRun());
     EXPECT_LT(together.plan.totals.motion_s, apart.plan.totals.motion_s);
     EXPECT_GE(together.plan.balance.planned_mm3, apart.plan.balance.planned_mm3 - kVolumeRoundingMm3);
-}
-
-TEST_P(CutTogether, FollowsFromPartAndLibrary) {
-    const Part part = samplePart(GetParam());
-    const ProvenPlan plan = planned(part, true);
-    const PlanRecord record = planRecordFromText(plan.files.plan_json, kTol);
-    for (const ProofFailure& failure :
-         compareWithPart(record, {part, defaultToolLibrary(), {}, {}, {}}, kTol))
-        ADD_FAILURE() << failure.operation << ": " << failure.text;
+    expectItFollows(part, together);
 }
 
 /// What is said of the plan of a part when its common ground was changed.
