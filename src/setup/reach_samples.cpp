@@ -29,7 +29,7 @@ constexpr double kCornersCount = 0.25;
 constexpr std::array kAlongCorner{0.25, 0.5, 0.75};
 
 /// Thinner layers over a face are the stock's own skin, nothing to remove [mm].
-constexpr double kSkinMm = 0.02;
+constexpr double kOverSurfaceMm = 0.02;
 
 /// How far in front of the face: a share of the free height there, at most of the part's size. Near enough to
 /// be inside a groove, far enough to clear the facets of the face itself.
@@ -203,7 +203,7 @@ class Sampler {
     /// Moves the place off the face and finds what reaches it, if there is something to remove.
     void ask(Place& place) const {
         const double to_skin = wayToSkin(place.at, place.normal);
-        if (!(to_skin > kSkinMm) || std::isinf(to_skin)) return;
+        if (!(to_skin > kOverSurfaceMm) || std::isinf(to_skin)) return;
         const double to_part = part_.distance(place.at + 1e-6 * size_mm_ * place.normal, place.normal);
         place.volume_mm3 = place.area_mm2 * (to_part < to_skin ? to_part / 2 : to_skin);
         const double gap = std::min(kGapShare * std::min(to_part, to_skin), kSizeShare * size_mm_);

@@ -1,4 +1,4 @@
-// Stocks from boxes, files and what earlier setups left.
+// Stocks from boxes and files.
 
 #include "setup/solid_stock.h"
 

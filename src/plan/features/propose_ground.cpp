@@ -19,8 +19,8 @@ namespace {
 /// So many grounds of one nest are tried.
 constexpr std::size_t kMostGrounds = 4;
 /// Gains below this are within the error of the estimate [s], [share of what the levels take].
-constexpr double kLeastGainS = 1;
-constexpr double kLeastGainShare = 0.05;
+constexpr double kLeastGroundGainS = 1;
+constexpr double kLeastGroundGainShare = 0.05;
 
 /// What one tool could cut through levels `from` to `to`.
 struct Proposal {
@@ -82,7 +82,7 @@ class GroundSearch {
             if (height_mm > access::freeReachMm(tool)) return;
             const double gain_s = replaced_s - layer_s * depthsOf(height_mm, cutting);
             // A level that gains next to nothing would only be in the way of ground over it.
-            if (gain_s < std::max(kLeastGainShare * all_s_, lower_s) + kLeastGainS) continue;
+            if (gain_s < std::max(kLeastGroundGainShare * all_s_, lower_s) + kLeastGroundGainS) continue;
             lower_s = gain_s;
             if (!best || gain_s > best->gain_s) best = Proposal{from, to, region, gain_s};
         }

@@ -50,7 +50,7 @@ bool hasFormCutters(const ToolLibrary& library, const std::string& material);
 
 /// Takes off with the library's form cutters what flat layers leave over the leaning walls of a setup: the
 /// sequence of cutters that takes least time of those that take as much as any, or the one that is asked for.
-/// A chamfer mill comes first.
+/// Countersinks and chamfer mills come first.
 /// Nothing where no cutter reaches anything.
 /// \throws Error(TimedOut) soon after the deadline
 std::optional<FormFinishing> finishForms(const FormSources& sources, const FormShop& shop);

@@ -21,7 +21,6 @@ class Paces {
   public:
     /// \param of  a feature, a setup, or empty: all
     void set(const std::string& of, double pace) { by_scope_[of] = pace; }
-    bool has(const std::string& of) const { return by_scope_.count(of) > 0; }
     /// \param feature  whole, or a form ground
     double of(const std::string& setup, const std::string& feature) const;
 
