@@ -18,6 +18,7 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"below-stock", Consequence::Danger},
                                              {"loose", Consequence::Danger},
                                              {"taped", Consequence::Danger},
+                                             {"hollow-grip", Consequence::Danger},
                                              {"low-spindle", Consequence::Danger},
                                              {"proof", Consequence::Danger},
                                              {"not-2.5d", Consequence::MissingOnThePart},
@@ -54,11 +55,20 @@ Consequence consequenceOf(const Warning& warning) {
     return Consequence::Note;
 }
 
+std::string setupOf(const Warning& warning) {
+    const std::string first = warning.subject.substr(0, warning.subject.find('.'));
+    const bool is_setup =
+        first.size() > 1 && first.front() == 'S' &&
+        std::all_of(first.begin() + 1, first.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return is_setup ? first : std::string();
+}
+
 std::vector<Warning> byConsequence(std::vector<Warning> warnings) {
     std::vector<Warning> grouped;
     for (Warning& warning : warnings) {
         const auto alike = std::find_if(grouped.begin(), grouped.end(), [&](const Warning& known) {
-            return !staysAlone(warning) && known.code == warning.code && known.text == warning.text;
+            return !staysAlone(warning) && known.code == warning.code && known.text == warning.text &&
+                   setupOf(known) == setupOf(warning);
         });
         if (alike != grouped.end())
             alike->count += warning.count;

@@ -22,7 +22,7 @@ Job jobOf(const Plan& plan, const PlannedSetup& setup) {
     job.machine = plan.machine;
     job.stock_size_mm = setup.setup.stock_bbox_mm.sizes();
     job.stock_tolerance_mm = setup.setup.stock.tolerance_mm;
-    job.time_s = setup.time_s;
+    job.time_s = setup.motion_s;
     for (const Operation& operation : setup.operations)
         job.operations.push_back(
             {sheetOf(operation, plan.library), operation.path.start, fedMoves(operation.path)});

@@ -51,7 +51,7 @@ WayToHold onPlate(const StockToHold& stock, const HoldWish& wish, const Toleranc
 WayToHold heldBy(HoldKind kind, const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
     switch (kind) {
         case HoldKind::Vise:
-            return setup::inVise(stock, wish);
+            return setup::inVise(stock, wish, tol);
         case HoldKind::SoftJaws:
             return setup::inSoftJaws(stock, wish, tol);
         case HoldKind::Screws:

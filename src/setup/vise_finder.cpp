@@ -156,9 +156,10 @@ enum class ViseUse {
 
 class ViseFinder {
   public:
-    ViseFinder(const StockToHold& stock, const HoldWish& wish)
+    ViseFinder(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol)
         : stock_(stock),
           vise_(wish.vise),
+          tol_(tol),
           growth_mm_(wish.growth_mm),
           bottom_mm_(stock.arriving.back().bottom_z_mm),
           tops_(jawTops(wish.vise, !cutsThrough(stock))),
@@ -382,9 +383,30 @@ class ViseFinder {
         const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
         made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, hold.middle_mm, top_z_mm),
                          viseJaw(vise_, growth_mm_, -across, grip.left_mm, -hold.middle_mm, top_z_mm)};
+        made.solid_share = solidShare(across, grip, top, hold);
         made.text = viseText(made);
         askForSupport(made, vise_, hold.beside_mm);
         return made;
+    }
+
+    /// How much of the ground between the jaws, as long as they hold, is material that stands.
+    double solidShare(const Vec2& across, const Grip& grip, const JawTop& top, const Hold& hold) const {
+        const Vec2 along(-across.y(), across.x());
+        const Vec2 begin = (hold.middle_mm - hold.length_mm / 2) * along;
+        const Vec2 end = (hold.middle_mm + hold.length_mm / 2) * along;
+        const Region between = makePolygon({begin - grip.left_mm * across, begin + grip.right_mm * across,
+                                            end + grip.right_mm * across, end - grip.left_mm * across});
+        double all = 0;
+        double solid = 0;
+        for (std::size_t i = 0; i < stock_.arriving.size(); ++i) {
+            const Prism& slab = stock_.arriving[i];
+            const double high = std::min(slab.top_z_mm - bottom_mm_, top.over_bottom_mm);
+            const double low = std::max(slab.bottom_z_mm - bottom_mm_, grip.from_mm);
+            if (high <= low) continue;
+            all += (high - low) * area(between);
+            solid += (high - low) * area(intersect(between, stock_.standing[i], tol_));
+        }
+        return all > 0 ? solid / all : 1;
     }
 
     static std::string viseText(const Clamping& vise) {
@@ -402,6 +424,7 @@ class ViseFinder {
 
     const StockToHold& stock_;
     const Vise& vise_;
+    const Tolerances& tol_;
     double growth_mm_ = 0;
     double bottom_mm_ = 0;
     std::vector<JawTop> tops_;
@@ -462,8 +485,8 @@ std::string directionName(const Vec2& across) {
     return fmt::format("a line {:.1f} degrees from x", radToDeg(std::atan2(across.y(), across.x())));
 }
 
-WayToHold inVise(const StockToHold& stock, const HoldWish& wish) {
-    ViseFinder finder(stock, wish);
+WayToHold inVise(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol) {
+    ViseFinder finder(stock, wish, tol);
     Clamping found = finder.best(ViseUse::Free);
     const std::string why_not = finder.why();
     const Vise& vise = wish.vise;

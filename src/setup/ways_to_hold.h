@@ -20,7 +20,7 @@ struct WayToHold {
 bool cutsThrough(const StockToHold& stock);
 
 /// On two flat sides, on stock below the part, or, where it was asked for, on sides that are cut above.
-WayToHold inVise(const StockToHold& stock, const HoldWish& wish);
+WayToHold inVise(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
 /// In jaws that are bored to the lowest outline of the stock, which is cut nowhere beside them.
 WayToHold inSoftJaws(const StockToHold& stock, const HoldWish& wish, const Tolerances& tol);
 /// By screws through upright holes that the stock arrives with, into a plate.

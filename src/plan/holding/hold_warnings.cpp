@@ -11,6 +11,10 @@
 namespace stepmill {
 namespace {
 
+/// Of the ground between a vise's jaws so much is material, or the walls they press on want a block between
+/// them: a fork of two tines of a quarter of its width each bends, a plate with a row of holes does not.
+constexpr double kLeastSolidShare = 0.6;
+
 /// Room for cutters below the stock, and what fills what lies under it.
 struct RoomBelow {
     double height_mm = 0;
@@ -45,6 +49,16 @@ void warnOfHold(const PlannedSetup& setup, std::vector<Warning>& into) {
                                 setup.clamping.text)});
 }
 
+/// Jaws on walls with little between them.
+void warnOfHollow(const PlannedSetup& setup, std::vector<Warning>& into) {
+    const Clamping& held = setup.clamping;
+    if (!held.isVise() || held.solid_share >= kLeastSolidShare || setup.operations.empty()) return;
+    into.push_back({"hollow-grip", setup.setup.id,
+                    fmt::format("{:.0f} % of what lies between the jaws is material: they bend or crush its "
+                                "walls; fill the gap with a block, or say how else it is held (--fixtures)",
+                                100 * held.solid_share)});
+}
+
 /// Tape or glue that nobody asked for may be too weak for what is cut.
 void warnOfPlate(const PlannedSetup& setup, const PlanRequest& request, std::vector<Warning>& into) {
     const bool asked_for = request.hold && *request.hold != HoldKind::Tabs;
@@ -75,6 +89,7 @@ std::vector<Warning> holdWarnings(const Plan& plan) {
     std::vector<Warning> warnings;
     for (const PlannedSetup& setup : plan.setups) {
         warnOfHold(setup, warnings);
+        warnOfHollow(setup, warnings);
         warnOfPlate(setup, plan.request, warnings);
         warnOfBed(setup, plan.request.fixtures, warnings);
     }

@@ -10,6 +10,7 @@
 #include "report/page/words.h"
 #include "report/sheets/sheet_sections.h"
 #include "stepmill/feature/whole_feature.h"
+#include "stepmill/setup/stock_growth.h"
 
 namespace stepmill::report {
 namespace {
@@ -101,9 +102,11 @@ class Checks {
 
 void addStock(Checks& checks, const Measures& in, const Setup& setup) {
     const Vec3 size = setup.stock_bbox_mm.sizes();
-    const double extra_mm = setup.stock.isRaw() ? 2 * setup.stock.tolerance_mm : 0;
     std::string nominal = in.size(size);
-    if (extra_mm > 0) nominal += " to " + in.size(size + Vec3::Constant(extra_mm));
+    if (setup.stock.isRaw() && setup.stock.tolerance_mm > 0) {
+        const StockGrowth growth = growthOf(setup.stock, setup.part_to_setup);
+        nominal += " to " + in.size(size + Vec3(2 * growth.side_mm, 2 * growth.side_mm, growth.top_mm));
+    }
     checks.add(setup.stock.isRaw() ? "blank, X × Y × Z" : "stock as it arrives, X × Y × Z", nominal, -1);
 }
 

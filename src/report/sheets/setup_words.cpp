@@ -54,12 +54,13 @@ std::string datumWords(const Measures& in, const Setup& setup) {
 
 std::string blankWords(const Measures& in, const Setup& setup) {
     const Box3& stock = setup.stock_bbox_mm;
-    const double extra_mm = 2 * setup.stock.tolerance_mm;
+    const StockGrowth growth = growthOf(setup.stock, setup.part_to_setup);
     std::string words = fmt::format("{} as it arrives (X × Y × Z), ", in.size(stock.sizes()));
     if (!setup.stock.isRaw())
         words += "raw sides as they were";
-    else if (extra_mm > 0)
-        words += fmt::format("raw, each size up to {} larger", in.length(extra_mm));
+    else if (setup.stock.tolerance_mm > 0)
+        words += fmt::format("raw, X and Y up to {} larger, Z up to {}", in.length(2 * growth.side_mm),
+                             in.length(growth.top_mm));
     else
         words += "raw, no larger";
     return fmt::format("{}; from {} to {}.", words, in.place(stock.min()), in.place(stock.max()));
@@ -83,6 +84,12 @@ std::string seatWords(const Measures& in, const Clamping& held) {
                : std::string("on the vise's bed");
 }
 
+/// Where no jaw is: along them.
+const char* stopSide(const Vec3& across) {
+    if (std::abs(across.y()) < kAlongAxis) return "in front";
+    return std::abs(across.x()) < kAlongAxis ? "at the left" : "at one end of the jaws";
+}
+
 std::string viseWords(const Measures& in, const PlannedSetup& planned) {
     const Clamping& held = planned.clamping;
     const double jaw_top_mm = planned.setup.stock_bbox_mm.min().z() + held.from_mm + held.depth_mm;
@@ -91,8 +98,8 @@ std::string viseWords(const Measures& in, const PlannedSetup& planned) {
                     acrossWords(held.across), in.length(held.depth_mm), in.length(held.length_mm));
     if (held.from_mm > kAlongAxis)
         words += fmt::format("from {} over the bottom up, ", in.length(held.from_mm));
-    return words + fmt::format("{}; jaw tops at Z {}. Stop: at the left.", seatWords(in, held),
-                               in.length(jaw_top_mm));
+    return words + fmt::format("{}; jaw tops at Z {}. Stop: {}.", seatWords(in, held), in.length(jaw_top_mm),
+                               stopSide(held.across));
 }
 
 /// The setup that cuts what this one holds; null where none does.

@@ -31,11 +31,6 @@ struct Squawk {
     std::string text;
 };
 
-/// "S1" of "S1.F2.3"; all of a subject that is no setup's.
-std::string setupOf(const std::string& subject) {
-    return subject.substr(0, subject.find('.'));
-}
-
 bool hasSheet(const SheetSubject& subject, const std::string& setup_id) {
     return std::any_of(subject.setups.begin(), subject.setups.end(),
                        [&](const PlannedSetup* setup) { return setup->setup.id == setup_id; });
@@ -66,7 +61,7 @@ Element row(const Squawk& squawk) {
 Element squawks(const SheetSubject& subject, const PlannedSetup& setup, bool first) {
     std::vector<Squawk> all = ownSquawks(subject, setup);
     for (const Warning& warning : subject.plan().warnings) {
-        const std::string of = setupOf(warning.subject);
+        const std::string of = setupOf(warning);
         if (hasSheet(subject, of) ? of == setup.setup.id : first)
             all.push_back({gradeOf(warning), warningText(warning)});
     }

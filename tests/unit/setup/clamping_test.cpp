@@ -316,6 +316,18 @@ TEST(SuggestClamping, TakesTheScrewsThatAreFarthestApart) {
     EXPECT_TRUE(std::any_of(held.fixtures.begin(), held.fixtures.end(), is_far));
 }
 
+TEST(SuggestClamping, TellsHowMuchBetweenTheJawsIsMaterial) {
+    EXPECT_NEAR(clampingOf({{kBlock, 0, -30}}, {}).solid_share, 1, 1e-9);
+    // A fork: two tines of 12 mm with 26 mm of air between them.
+    const Region fork = subtract(kBlock, makeRectangle(Vec2(-1, 12), Vec2(81, 38)), kTol);
+    HoldWish wish;
+    wish.kind = HoldKind::Vise;
+    const Clamping held = suggestClamping(upright({{fork, 0, -30}}, {}), wish, kTol);
+    ASSERT_TRUE(held.isVise()) << held.text;
+    EXPECT_NEAR(held.across.y(), 1, 1e-9);
+    EXPECT_NEAR(held.solid_share, 24.0 / 50, 1e-6);
+}
+
 TEST(SuggestClamping, SaysWhatNeedsSupportBesideTheJaws) {
     const Region rail = makeRectangle(Vec2(0, 0), Vec2(500, 30));
     const Clamping held = clampingOf({{rail, 0, -30}}, {});
