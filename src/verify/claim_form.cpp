@@ -3,6 +3,7 @@
 #include "verify/claim_form.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,10 @@ namespace {
 
 /// Heights in plan.json have six decimals: sections are compared that far inside their bands [mm].
 constexpr double kWrittenMm = 1e-6;
+/// ... or somewhat farther. Each section holds all of the part between its heights, but where walls are of
+/// free form they are fitted anew, by other facets where one of these ends just there; any that is covered
+/// will do.
+constexpr std::array kInsideMm{kWrittenMm, 2 * kWrittenMm, 5 * kWrittenMm, 10 * kWrittenMm};
 
 /// Walls of free form are fitted anew at every height, each time within the curve tolerance.
 double slackMm(const Tolerances& tol) {
@@ -33,10 +38,18 @@ std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band,
     double bottom_mm = band.bottom_z_mm + kWrittenMm;
     std::vector<double> tops = part.levelsBetween(bottom_mm, band.top_z_mm - kWrittenMm);
     tops.push_back(band.top_z_mm - kWrittenMm);
-    for (const double top_mm : tops) {
+    const auto is_covered = [&](double low_mm, double high_mm) {
         const Region stands =
-            intersect(staying(part.partBetween(bottom_mm, top_mm), band, breaks, tol), window, tol);
-        if (!covers(band.section, stands, slackMm(tol), tol)) return bottom_mm;
+            intersect(staying(part.partBetween(low_mm, high_mm), band, breaks, tol), window, tol);
+        return covers(band.section, stands, slackMm(tol), tol);
+    };
+    for (const double top_mm : tops) {
+        const bool covered = std::any_of(kInsideMm.begin(), kInsideMm.end(), [&](double inside_mm) {
+            const double more_mm = inside_mm - kWrittenMm;
+            return bottom_mm + more_mm < top_mm - more_mm &&
+                   is_covered(bottom_mm + more_mm, top_mm - more_mm);
+        });
+        if (!covered) return bottom_mm;
         bottom_mm = top_mm;
     }
     return std::nullopt;

@@ -38,8 +38,7 @@ enum class FacetChord { LengthMm, ShareOfEdge };
 /// Puts facets on the faces of a shape of one's own, the same ones however many threads make them.
 /// \param chord     how far a facet may be off its face, in mm or as a share of each edge's length
 /// \param turn_rad  how far neighbouring facets of one face may turn
-/// Cost: n log n in the nodes of each face. (The kernel's usual triangulation looks, for each node, at all
-/// circles of a face that reach across it: a plate with 400 holes takes it eleven times as long.)
+/// Cost: n log n in the nodes of a face of many loops.
 void makeFacets(const TopoDS_Shape& shape, double chord, double turn_rad,
                 FacetChord unit = FacetChord::LengthMm);
 

@@ -27,6 +27,26 @@ TEST(ByConsequence, MakesOneWithACountOfThoseAlike) {
     EXPECT_EQ(grouped[1].count, 1);
 }
 
+TEST(ByConsequence, JoinsWithinASetupAndOfToolsAlone) {
+    const std::vector<Warning> grouped = byConsequence({{"taped", "S1", "by tape"},
+                                                        {"taped", "S2", "by tape"},
+                                                        {"deflection", "S2.O1", "bends"},
+                                                        {"deflection", "S2.O3", "bends"},
+                                                        {"tool-unusable", "EM6", "too thin"},
+                                                        {"tool-unusable", "EM8", "too thin"}});
+    ASSERT_EQ(grouped.size(), 4U);
+    EXPECT_EQ(setupOf(grouped[0]), "S1");
+    EXPECT_EQ(setupOf(grouped[1]), "S2");
+    EXPECT_EQ(grouped[2].count, 2);
+}
+
+TEST(SetupOf, IsWhatAnIdBeginsWith) {
+    EXPECT_EQ(setupOf({"slow", "S12.F2.3", ""}), "S12");
+    EXPECT_EQ(setupOf({"slow", "part.step", ""}), "");
+    EXPECT_EQ(setupOf({"slow", "S", ""}), "");
+    EXPECT_EQ(setupOf({"slow", "Saw7", ""}), "");
+}
+
 TEST(ByConsequence, LeavesEverySetupItsTravel) {
     EXPECT_EQ(byConsequence({{"travel", "S1", "too long"}, {"travel", "S2", "too long"}}).size(), 2U);
 }
