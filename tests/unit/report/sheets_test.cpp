@@ -69,7 +69,7 @@ TEST(Sheets, SayWhatTheShopSaysAndLeaveALineForTheRest) {
 
 TEST(Sheets, TellHowMuchLargerTheBlankMayBe) {
     const std::string text = textOf(sheetsWith({}));
-    EXPECT_NE(text.find("each size up to 1.00 mm larger"), std::string::npos) << text;
+    EXPECT_NE(text.find("X and Y up to 1.00 mm larger, Z up to 0.50 mm"), std::string::npos) << text;
     EXPECT_NE(text.find("at most 0.50 mm a side"), std::string::npos) << text;
 }
 
@@ -77,7 +77,7 @@ TEST(Sheets, HaveInchesWhereTheShopDoes) {
     SheetOptions options;
     options.inch = true;
     const std::string text = textOf(sheetsWith(options));
-    EXPECT_NE(text.find("each size up to 0.039 in larger"), std::string::npos) << text;
+    EXPECT_NE(text.find("X and Y up to 0.039 in larger, Z up to 0.020 in"), std::string::npos) << text;
     EXPECT_EQ(text.find("step-over mm"), std::string::npos);
     EXPECT_NE(text.find("step-over in"), std::string::npos);
 }
