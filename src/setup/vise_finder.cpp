@@ -6,6 +6,7 @@
 
 #include "setup/ways_to_hold.h"
 #include "stepmill/core/units.h"
+#include "stepmill/planar/boolean.h"
 #include "stepmill/planar/edge.h"
 
 namespace stepmill::setup {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/toolpath/finish_walls.h"
 
 namespace stepmill::toolpath {
