@@ -104,9 +104,7 @@ double FormFloor::holderOver(const Edge& stretch, double tip_mm) const {
         while (const auto over =
                    access::obstacleAbove(obstacles, tip_mm + cylinder.bottom_mm, kSameHeightMm)) {
             const IndexedRegion& section = obstacles_[*over];
-            const bool meets = section.boundary().anyNearer(stretch, cylinder.diameter_mm / 2 + guard_mm_) ||
-                               section.contains(stretch.from);
-            if (!meets) break;
+            if (!section.isNear(stretch, cylinder.diameter_mm / 2 + guard_mm_)) break;
             tip_mm = obstacles[*over].top_z_mm - cylinder.bottom_mm;
         }
     return tip_mm;

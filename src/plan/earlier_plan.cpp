@@ -15,7 +15,6 @@
 namespace stepmill {
 namespace {
 
-/// Axes are the same to this; they come from one part file and another.
 /// Sizes agree to this share: a hole that moved has the area it had, but for rounding.
 constexpr double kSameSize = 1e-4;
 

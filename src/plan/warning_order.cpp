@@ -43,8 +43,7 @@ constexpr CodeConsequence kConsequences[] = {{"travel", Consequence::Danger},
                                              {"tool-unusable", Consequence::Cost}};
 
 bool staysAlone(const Warning& warning) {
-    return warning.code == "travel" || warning.code == "proof" || warning.code == "no-hold" ||
-           warning.code == "loose";
+    return warning.code == "proof" || warning.code == "loose";
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ class Ground {
         // Straight down to the top a narrow feature's own walls are still below.
         const IndexedRegion& walls = high && a == b && above_ ? *above_ : walls_;
         const Edge way = makeLine(a, b);
-        if (!isOff(walls, way, radius_mm_ + keep_.inside_mm) || !isOff(skirt_, way, radius_mm_ + keep_mm))
+        if (walls.isNear(way, radius_mm_ + keep_.inside_mm) || skirt_.isNear(way, radius_mm_ + keep_mm))
             return false;
         const std::vector<CutEdge>& cuts = a == b ? near_ : cuts_;
         return high || isSweptClear(z_mm, a, b, keep_mm, cuts);
@@ -125,7 +125,7 @@ class Ground {
     }
 
     /// May stock that is larger than drawn lie there, beside what must stay?
-    bool mayBeStock(const Vec2& place) const { return !isOff(skirt_, makeLine(place, place), radius_mm_); }
+    bool mayBeStock(const Vec2& place) const { return skirt_.isNear(place, radius_mm_); }
 
     /// Over how high ground the tool may be fed down at a place from there on, ascending.
     std::vector<double> heightsOver(double z_mm) const {
@@ -151,10 +151,6 @@ class Ground {
         EdgeIndex edges;
         double distance_mm;
     };
-
-    static bool isOff(const IndexedRegion& stands, const Edge& way, double distance_mm) {
-        return !stands.boundary().anyNearer(way, distance_mm) && !stands.contains(way.to());
-    }
 
     /// Nothing will lengthen the last cut any more.
     void enter() {

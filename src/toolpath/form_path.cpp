@@ -6,7 +6,7 @@
 
 #include "stepmill/access/collision.h"
 #include "stepmill/planar/boolean.h"
-#include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/planar/path_parts.h"
 #include "stepmill/toolpath/form_passes.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -40,26 +40,21 @@ double wayTo(const Path& pass, const Vec2& from) {
 class StandingSections {
   public:
     explicit StandingSections(const std::vector<Obstacle>& obstacles) : obstacles_(obstacles) {
-        edges_.reserve(obstacles.size());
+        sections_.reserve(obstacles.size());
         for (const Obstacle& obstacle : obstacles)
-            edges_.emplace_back(obstacle.section);
+            sections_.emplace_back(obstacle.section);
     }
 
     /// Over what stands no farther from the way than that; -infinity where nothing does.
     double clearOver(const Edge& way, double distance_mm) const {
         for (std::size_t i = obstacles_.size(); i-- > 0;)
-            if (isNear(i, way, distance_mm)) return obstacles_[i].top_z_mm;
+            if (sections_[i].isNear(way, distance_mm)) return obstacles_[i].top_z_mm;
         return -std::numeric_limits<double>::infinity();
     }
 
   private:
-    bool isNear(std::size_t i, const Edge& way, double distance_mm) const {
-        if (edges_[i].empty()) return false;
-        return edges_[i].anyNearer(way, distance_mm) || contains(obstacles_[i].section, way.segment.to);
-    }
-
     const std::vector<Obstacle>& obstacles_;
-    std::vector<EdgeIndex> edges_;
+    std::vector<IndexedRegion> sections_;
 };
 
 class FormPathWriter {

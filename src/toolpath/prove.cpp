@@ -7,6 +7,7 @@
 #include <set>
 
 #include "stepmill/planar/edge_index.h"
+#include "stepmill/planar/indexed_region.h"
 #include "stepmill/toolpath/toolpath.h"
 #include "toolpath/emit.h"
 #include "toolpath/swept_ground.h"
@@ -108,9 +109,7 @@ class Prover {
 
     /// Does a level or falling rapid enter what the stock may have too much of beside what must stay?
     bool meetsSkirt(const Vec2& a, const Vec2& b) const {
-        if (task_.skirt.empty()) return false;
-        return skirt_.anyNearer(makeLine(a, b), radius_mm_ - kSlackGuards * tol_.guard_mm) ||
-               contains(task_.skirt, b);
+        return skirt_.isNear(makeLine(a, b), radius_mm_ - kSlackGuards * tol_.guard_mm);
     }
 
     /// Has everything under a straight way been cut down to z by the moves before?
@@ -125,7 +124,7 @@ class Prover {
     double radius_mm_;
     const Tolerances& tol_;
     EdgeIndex walls_;
-    EdgeIndex skirt_;
+    IndexedRegion skirt_;
     bool outside_ = false;  ///< where the cutter is, is known to be outside the obstruction
     std::vector<Level> cut_;
     std::set<std::array<double, 7>> known_;

@@ -15,10 +15,10 @@ namespace {
 
 /// Heights in plan.json have six decimals: sections are compared that far inside their bands [mm].
 constexpr double kWrittenMm = 1e-6;
-/// ... or somewhat farther. Each section holds all of the part between its heights, but where walls are of
-/// free form they are fitted anew, by other facets where one of these ends just there; any that is covered
-/// will do.
-constexpr std::array kInsideMm{kWrittenMm, 2 * kWrittenMm, 5 * kWrittenMm, 10 * kWrittenMm};
+/// ... or farther by one of these [mm]. Each section holds all of the part between its heights, but where
+/// walls are of free form they are fitted anew, by other facets where one of these ends just there; any that
+/// is covered will do.
+constexpr std::array kFartherInMm{0.0, 1e-6, 4e-6, 9e-6};
 
 /// Walls of free form are fitted anew at every height, each time within the curve tolerance.
 double slackMm(const Tolerances& tol) {
@@ -44,8 +44,7 @@ std::optional<double> uncovered(const SectionCutter& part, const Obstacle& band,
         return covers(band.section, stands, slackMm(tol), tol);
     };
     for (const double top_mm : tops) {
-        const bool covered = std::any_of(kInsideMm.begin(), kInsideMm.end(), [&](double inside_mm) {
-            const double more_mm = inside_mm - kWrittenMm;
+        const bool covered = std::any_of(kFartherInMm.begin(), kFartherInMm.end(), [&](double more_mm) {
             return bottom_mm + more_mm < top_mm - more_mm &&
                    is_covered(bottom_mm + more_mm, top_mm - more_mm);
         });

@@ -12,8 +12,8 @@ Consequence consequenceOf(const Warning& warning);
 
 /// Warnings as a reader wants them: those alike as one with a count, the gravest first. Danger comes before
 /// what is missing on the part, that before cost, that before notes; among equals the order stays. Alike are
-/// those of one code that say the same of several features of one setup, or tools; a setup that the machine
-/// is too small for and a proof that failed stay warnings of their own.
+/// those of one code that say the same of several features of one setup, or tools; a proof that failed and
+/// pieces that are held by nothing stay warnings of their own.
 std::vector<Warning> byConsequence(std::vector<Warning> warnings);
 
 /// The setup whose sheet tells of it: "S1" of "S1.F2.3"; empty where it is the whole plan's.

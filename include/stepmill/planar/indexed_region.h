@@ -22,6 +22,11 @@ class IndexedRegion {
     bool isNear(const Vec2& p, double distance_mm) const {
         return contains(p) || boundary_.anyNearer(p, distance_mm);
     }
+    /// Does a way go inside or come nearer to the boundary than that?
+    /// \pre distance_mm > 0
+    bool isNear(const Edge& way, double distance_mm) const {
+        return boundary_.anyNearer(way, distance_mm) || contains(way.to());
+    }
 
   private:
     EdgeIndex boundary_;

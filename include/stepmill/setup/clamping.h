@@ -50,8 +50,9 @@ struct Clamping {
     double length_mm = 0;     ///< of jaw that touches on both sides
     double parallels_mm = 0;  ///< height of the parallels under the stock; 0: it lies on the vise's bed
     double seat_mm2 = 0;      ///< of the stock's bottom that is flat and stays: what it rests on
-    double solid_share = 1;   ///< of what lies between the jaws where they hold: material
-    double beside_mm = 0;     ///< of stock beside the jaws that needs support or a second vise; 0: none does
+    double solid_share =
+        1;  ///< material, of what lies between a vise's jaws where they hold; 1: all, or not asked
+    double beside_mm = 0;  ///< of stock beside the jaws that needs support or a second vise; 0: none does
     /// Stock is not cut below this height over its bottom where it is held; 0: nothing is kept from cutting.
     double held_mm = 0;
     /// Is it all the stock below that height, holes apart? Else what the outside is cut from.

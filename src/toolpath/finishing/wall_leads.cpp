@@ -29,12 +29,9 @@ WallLeads::WallLeads(const WallTask& task, double radius_mm, const Tolerances& t
 }
 
 bool WallLeads::isFree(const Edge& way) const {
-    const auto keeps = [&](const IndexedRegion& section, double distance_mm) {
-        return !section.boundary().anyNearer(way, distance_mm) && !section.contains(way.segment.to);
-    };
-    if (!keeps(obstruction_, radius_mm_ + tol_.guard_mm / 2)) return false;
+    if (obstruction_.isNear(way, radius_mm_ + tol_.guard_mm / 2)) return false;
     for (std::size_t i = 0; i < kept_.size(); ++i)
-        if (!keeps(kept_[i], task_.clearing.kept_off[i].distance_mm - tol_.guard_mm)) return false;
+        if (kept_[i].isNear(way, task_.clearing.kept_off[i].distance_mm - tol_.guard_mm)) return false;
     return true;
 }
 

@@ -7,7 +7,6 @@
 
 #include "stepmill/core/units.h"
 #include "stepmill/toolpath/path_frame.h"
-#include "toolpath/script/engagement.h"
 #include "toolpath/script/visit_order.h"
 
 namespace stepmill::toolpath {
@@ -53,7 +52,12 @@ bool isQuicker(const PatternTime& one, const PatternTime& other) {
 
 RegionCutter::RegionCutter(const DepthTask& task, const PassMaker& passes, const Toolpath& frame,
                            double ramp_angle_rad, const Machine& machine)
-    : task_(task), passes_(passes), frame_(frame), ramp_angle_rad_(ramp_angle_rad), machine_(machine) {}
+    : task_(task),
+      passes_(passes),
+      frame_(frame),
+      ramp_angle_rad_(ramp_angle_rad),
+      machine_(machine),
+      untouched_(task.clearing, task.radius_mm, task.step_over_mm) {}
 
 std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& component, const Entry& entry,
                                               RegionPatterns& weighed) const {
@@ -101,12 +105,12 @@ RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry&
     if (script.empty()) return made;
     script.apart = inShortOrder(std::move(script.apart));
     if (frame_.slot_feed_mm_per_min > 0) {
-        Engagement whole(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        Engagement whole = untouched_;
         markWideCuts(script.whole.steps, whole);
-        Engagement apart(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        Engagement apart = untouched_;
         for (DepthBlock& block : script.apart)
             markWideCuts(block.steps, apart);
-        Engagement after_ring(task_.clearing, task_.radius_mm, task_.step_over_mm);
+        Engagement after_ring = untouched_;
         for (DepthBlock& block : script.ring_first)
             markWideCuts(block.steps, after_ring);
     }

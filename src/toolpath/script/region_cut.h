@@ -5,6 +5,7 @@
 #include "toolpath/emit.h"
 #include "toolpath/patterns/passes.h"
 #include "toolpath/script/depth_script.h"
+#include "toolpath/script/engagement.h"
 
 namespace stepmill::toolpath {
 
@@ -56,6 +57,7 @@ class RegionCutter {
     const Toolpath& frame_;
     double ramp_angle_rad_;
     const Machine& machine_;
+    Engagement untouched_;  ///< where each way to cut begins
 };
 
 }  // namespace stepmill::toolpath

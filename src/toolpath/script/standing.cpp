@@ -11,8 +11,7 @@ Standing::Standing(const ClearingTask& task, double radius_mm, const Tolerances&
 }
 
 bool Standing::keeps(const Kept& kept, const Vec2& from, const Vec2& to) {
-    return !kept.section.boundary().anyNearer(makeLine(from, to), kept.distance_mm) &&
-           !kept.section.contains(to);
+    return !kept.section.isNear(makeLine(from, to), kept.distance_mm);
 }
 
 bool Standing::isClear(const Vec2& from, const Vec2& to) const {
