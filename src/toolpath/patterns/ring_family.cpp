@@ -20,6 +20,11 @@ namespace {
 
 /// Four guards tell "on the boundary" from "beside it" with rounding to spare.
 constexpr double kGuardsOnBoundary = 4;
+/// Where the boundary of free centres turns back so sharply, the guard keeps rings out of its corner by more
+/// than sixteen guards: the product of its directions is less.
+constexpr double kTurnsBack = -0.992;
+/// Rings lead into such a corner no farther [mm].
+constexpr double kDeepestCuspMm = 0.3;
 /// Rings of neighbouring levels are one step-over apart, but for rounding.
 constexpr double kNeighbourSlack = 1.01;
 
@@ -45,6 +50,36 @@ bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm) {
     if (!grown(a.box(), reach).intersects(b.box())) return false;
     return std::any_of(b.edges().begin(), b.edges().end(),
                        [&](const Edge& edge) { return a.anyNearer(edge, reach); });
+}
+
+std::vector<Vec2> cuspsOf(const Region& region) {
+    std::vector<Vec2> cusps;
+    for (const Loop& loop : region.loops) {
+        const std::vector<Edge> edges = edgesOf(loop);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            if (tangentAt(edges[i], 1).dot(tangentAt(edges[(i + 1) % edges.size()], 0)) < kTurnsBack)
+                cusps.push_back(edges[i].to());
+    }
+    return cusps;
+}
+
+void leadIntoCusps(const IndexedRegion& region, const std::vector<Vec2>& cusps, const Tolerances& tol,
+                   Loop& ring) {
+    for (const Vec2& cusp : cusps) {
+        const auto nearest = std::min_element(
+            ring.segments.begin(), ring.segments.end(), [&](const Segment& one, const Segment& other) {
+                return (one.to - cusp).squaredNorm() < (other.to - cusp).squaredNorm();
+            });
+        const Vec2 corner = nearest->to;
+        const double deep_mm = (corner - cusp).norm();
+        if (deep_mm <= 2 * tol.sliver_mm || deep_mm > kDeepestCuspMm) continue;
+        const auto on = [&](double share) { return Vec2(corner + share * (cusp - corner)); };
+        const auto isFree = [&](double share) { return region.isNear(on(share), tol.linear_mm); };
+        if (!isFree(0.25) || !isFree(0.5) || !isFree(0.75)) continue;
+        // A sliver short of where the disc would touch both walls.
+        const Vec2 end = snapToGrid(on(1 - tol.sliver_mm / deep_mm));
+        ring.segments.insert(std::next(nearest), {{end, std::nullopt}, {corner, std::nullopt}});
+    }
 }
 
 bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2& b, const Tolerances& tol) {
@@ -91,6 +126,7 @@ class FamilyMaker {
         for (const Inset& inset : insets)
             if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
         addContours(component, insets);
+        addCusps(component);
         if (isWanted(Pattern::StockOffset))
             if (auto variant = stockOffset(component, step_over_mm_, tol_))
                 component.variants.push_back(*variant);
@@ -162,6 +198,15 @@ class FamilyMaker {
         component.variants.push_back(std::move(contour));
         if (!all_outside_in && isWanted(Pattern::ContourOutsideIn))
             component.variants.push_back(std::move(walls_first));
+    }
+
+    /// Rings along the boundary lead into its cusps.
+    void addCusps(RingFamily::Component& component) const {
+        const std::vector<Vec2> cusps = cuspsOf(component.region);
+        if (cusps.empty()) return;
+        for (RingFamily::Variant& contour : component.variants)
+            for (RingFamily::Ring& ring : contour.rings)
+                if (ring.level == 0) leadIntoCusps(component.indexed, cusps, tol_, ring.path);
     }
 
     void addLines(RingFamily::Component& component) const {

@@ -5,6 +5,7 @@
 #include "stepmill/access/slivers.h"
 #include "stepmill/core/units.h"
 #include "stepmill/planar/edge.h"
+#include "stepmill/toolpath/swept_region.h"
 #include "support/clearing_tasks.h"
 #include "support/grounds.h"
 #include "support/sound_path.h"
@@ -154,6 +155,30 @@ TEST(SlotMiddles, ASmallerCutterHasOnlyTheCornersLeft) {
     const DecomposedArea rest = decomposedArea(ground, &m, n);
     EXPECT_NEAR(rest.new_area_mm2, (2 - kPi / 2) * 0.75, 0.02);
     EXPECT_EQ(components(rest.centres).size(), 2U);
+}
+
+/// Level ways of the path.
+std::vector<Path> levelWays(const Toolpath& path) {
+    std::vector<Path> ways;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        if (move.kind == MoveKind::Feed || move.kind == MoveKind::Slot)
+            ways.push_back({Vec2(from.head<2>()), {{Vec2(move.to.head<2>()), move.arc}}});
+        from = move.to;
+    }
+    return ways;
+}
+
+/// A notch of the cutter's own radius: centres run into a cusp between its corners, and the ring beside the
+/// walls ends 50 um before it.
+TEST(Cusps, ANotchOfTheCuttersRadiusIsCutToItsEnd) {
+    const Region notched = unite(makeRectangle({0, 0}, {60, 40}), makeCircle({30, 40}, 5), kTol);
+    const Feature feature = closedPocket(notched, 3);
+    const FeatureGround ground(feature, kTol);
+    const CutterArea area = reached(ground, 10);
+    const Toolpath path = pathIn(feature, ground, area);
+    const Region left = toolpath::notSwept(area.coverable, levelWays(path), 5, kTol);
+    EXPECT_TRUE(offset(left, -2 * kTol.sliver_mm, kTol).empty()) << stepmill::area(left);
 }
 
 }  // namespace
