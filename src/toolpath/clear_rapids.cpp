@@ -229,6 +229,10 @@ class ClearRapids {
                 feed(path_.moves[i]);
                 continue;
             }
+            if (path_.moves[i].for_chips) {
+                made_.moves.push_back(path_.moves[i]);
+                continue;
+            }
             double highest_mm = at().z();
             for (;; ++i) {
                 highest_mm = std::max(highest_mm, path_.moves[i].to.z());

@@ -81,7 +81,12 @@ void MoveWriter::write(const RampDown& step) {
 }
 
 void MoveWriter::write(const PlungeDown& step) {
-    descendTo(step.at, step.over);
+    const bool chips_stay = heights_.retract_mm - heights_.above_mm > step.lifts_below_mm;
+    if (chips_stay && !path_.moves.empty()) {
+        retract();
+        path_.moves.back().for_chips = true;
+    }
+    descendTo(step.at, chips_stay ? Over::Retract : step.over);
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm));
 }
 

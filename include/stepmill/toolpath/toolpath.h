@@ -34,6 +34,7 @@ struct Move {
     bool in_air = false;  ///< a feed move known to meet no material
     /// By what it cuts (CuttingModel); 0: that of its kind.
     double feed_mm_per_min = 0;
+    bool for_chips = false;  ///< a rapid out of a narrow hole that stays, however near the next place is
 };
 /// A move as seen from above, for who places it: not for straight up and down.
 Edge edgeOf(const Vec3& from, const Move& move);

@@ -24,6 +24,12 @@ constexpr double kLeastRampLeadShare = 1e-9;
 /// Turns that exceed a whole number by no more than this are rounding.
 constexpr double kRounding = 1e-9;
 
+/// A hole less than a quarter wider than the cutter leaves chips no room beside it: the places of its axis
+/// are less than so many radii apart.
+constexpr double kRoomForChipsRadii = 0.5;
+/// From so many radii under the retract height on chips do not get out of it by themselves.
+constexpr double kChipsStayRadii = 4;
+
 /// Is it more than a way to leave a wall?
 bool isCutOrDescent(const ScriptStep& step) {
     return !std::holds_alternative<Link>(step);
@@ -87,6 +93,13 @@ DepthScript scriptDepth(const DepthTask& task, const RingFamily::Component& comp
 Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& from, const Vec2& to) {
     if (!standing.isClearForAll(from, to)) return Over::Retract;
     return ground.isClear(from, to) ? Over::LastFloor : Over::Top;
+}
+
+PlungeDown plungeAt(const DepthTask& task, const RingFamily::Component& component, const Vec2& at) {
+    PlungeDown down{at};
+    const double room_mm = boundingBox(component.region).sizes().maxCoeff();
+    if (room_mm < kRoomForChipsRadii * task.radius_mm) down.lifts_below_mm = kChipsStayRadii * task.radius_mm;
+    return down;
 }
 
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm) {

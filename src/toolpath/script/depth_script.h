@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct RampDown {
 struct PlungeDown {
     Vec2 at;
     Over over = Over::Retract;
+    /// Deeper than that under the retract height it is lifted out first, so that chips get out [mm].
+    double lifts_below_mm = std::numeric_limits<double>::infinity();
 };
 /// Down through material along a curve, evenly; ends at its start.
 struct RampAlong {
@@ -126,6 +129,9 @@ DepthScript scriptDepth(const DepthTask& task, const RingFamily::Component& comp
 /// The lowest height at which the way to a place is known to be clear. `ground` is cleared at this depth; the
 /// next depth is cut after it and may cross over its floor.
 Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& from, const Vec2& to);
+
+/// Straight down at a place of the component: in a hole hardly wider than the cutter with lifts.
+PlungeDown plungeAt(const DepthTask& task, const RingFamily::Component& component, const Vec2& at);
 
 /// Down along a curve of that many mm of ramp, so that it ends at the curve's start.
 RampAlong rampAlong(const Path& curve, bool closed, double descent_mm);

@@ -136,7 +136,7 @@ bool Descender::goDown(WayDown way, const Joint& joint, const Joint& from_entry)
 }
 
 void Descender::plungeOnto(const Joint& joint) {
-    progress_.descend(PlungeDown{joint.at.point}, joint.at.point);
+    progress_.descend(plungeAt(task_, component_, joint.at.point), joint.at.point);
     progress_.addSwept(makeLine(joint.at.point, joint.at.point));
     progress_.cut(joint);
 }

@@ -52,7 +52,7 @@ bool EntryDescent::goDown(const Vec2& towards) {
 }
 
 bool EntryDescent::goDownPlunge() {
-    progress_.descend(PlungeDown{entry_.at}, entry_.at);
+    progress_.descend(plungeAt(task_, component_, entry_.at), entry_.at);
     progress_.addSwept(makeLine(entry_.at, entry_.at));
     return true;
 }

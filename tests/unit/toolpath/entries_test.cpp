@@ -92,6 +92,48 @@ TEST(WayDown, IsASteepHelixWhereThatIsQuickerThanPlunges) {
     EXPECT_GT(steepest * turn_mm, 0.6);
 }
 
+/// Plunges through material that begin deeper than 8 mm under the retract height: how many, and before how
+/// many of them the cutter has been up there.
+struct DeepPlunges {
+    int all = 0;
+    int after_lift = 0;
+};
+DeepPlunges deepPlungesIn(double hole_radius_mm) {
+    const Region hole = makeCircle({0, 0}, hole_radius_mm);
+    ClearingTask task = fullTask(hole, blockAround(hole, {}, kTol), 2, kTol);
+    task.floor_z_mm = -20;
+    ToolAssembly tool = flatEndMill(4);
+    tool.max_plunge_mm = 2;
+    CuttingData cutting = cuttingData(1.2, 1.6);
+    cutting.plunge_feed_mm_per_min = 300;
+    const Toolpath path = clearArea(task, tool, cutting, kMachine, kTol);
+    expectSound(path, task, 2);
+    DeepPlunges found;
+    Vec3 from = path.start;
+    double highest_mm = from.z();
+    for (const Move& move : path.moves) {
+        highest_mm = std::max(highest_mm, from.z());
+        if (move.kind == MoveKind::Plunge && !move.in_air) {
+            if (task.retract_z_mm - from.z() > 2 * tool.diameter_mm) {
+                ++found.all;
+                found.after_lift += highest_mm >= task.retract_z_mm ? 1 : 0;
+            }
+            highest_mm = move.to.z();
+        }
+        from = move.to;
+    }
+    return found;
+}
+
+TEST(WayDown, LiftsOutOfANarrowHoleForItsChips) {
+    const DeepPlunges narrow = deepPlungesIn(2.2);
+    EXPECT_GT(narrow.all, 5);
+    EXPECT_EQ(narrow.after_lift, narrow.all);
+    const DeepPlunges wide = deepPlungesIn(3);
+    EXPECT_GT(wide.all, 5);
+    EXPECT_EQ(wide.after_lift, 0) << "beside the cutter there is room";
+}
+
 TEST(Patterns, OfGroundThatOneRingClearsAreThatRing) {
     const Toolpath path = inHole(2);
     ASSERT_EQ(path.regions.size(), 1U);
