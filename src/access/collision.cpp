@@ -45,13 +45,19 @@ std::optional<std::size_t> obstacleAbove(const std::vector<Obstacle>& obstacles,
 }
 
 std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool) {
-    std::vector<HolderCylinder> found;
-    const auto consider = [&](const HolderCylinder& cylinder) {
-        if (cylinder.diameter_mm > tool.diameter_mm) found.push_back(cylinder);
-    };
-    consider(tool.shank);
-    std::for_each(tool.holder.begin(), tool.holder.end(), consider);
+    std::vector<HolderCylinder> found = keptOffHolder(tool);
+    found.insert(found.begin(), tool.shank);
+    std::erase_if(found,
+                  [&](const HolderCylinder& cylinder) { return cylinder.diameter_mm <= tool.diameter_mm; });
     return found;
+}
+
+bool isOfHolder(const ToolAssembly& tool, const HolderCylinder& cylinder) {
+    return cylinder.top_mm > tool.stick_out_mm;
+}
+
+double clearanceAround(const ToolAssembly& tool, const HolderCylinder& cylinder) {
+    return isOfHolder(tool, cylinder) ? tool.holder_clearance_mm : 0;
 }
 
 double freeReachMm(const ToolAssembly& tool) {

@@ -76,7 +76,8 @@ double widestClearHolderMm(const FeatureGround& ground, const ToolAssembly& tool
         const double middle_mm = (clear_mm + touching_mm) / 2;
         (isClear(middle_mm) ? clear_mm : touching_mm) = middle_mm;
     }
-    return std::max(tool.diameter_mm, std::floor(clear_mm / kHolderStepMm) * kHolderStepMm);
+    const double turned_mm = clear_mm - 2 * tool.holder_clearance_mm;
+    return std::max(tool.diameter_mm, std::floor(turned_mm / kHolderStepMm) * kHolderStepMm);
 }
 
 Feature lumpFeature(const Feature& feature, const Region& lump, const std::vector<Region>& obstruction,

@@ -80,9 +80,10 @@ std::optional<Exclusion> unsuitableDrill(const FeatureGround& ground, const Tool
         if (touches)
             return Exclusion{
                 ExclusionReason::TooShort,
-                fmt::format("its shank or holder, {:.4g} mm wide and {:.4g} mm over the tip, would "
+                fmt::format("its shank or holder, {:.4g} mm wide and {:.4g} mm over the tip{}, would "
                             "touch standing material before the tip is {:.4g} mm deep",
-                            2 * blocker.radius_mm, blocker.height_mm, feature.depth_mm())};
+                            2 * blocker.radius_mm, blocker.height_mm, clearanceWords(tool),
+                            feature.depth_mm())};
     }
     return std::nullopt;
 }

@@ -154,9 +154,10 @@ Exclusion collides(const FeatureGround& ground, const ToolAssembly& tool,
         *std::min_element(blockers.begin(), blockers.end(),
                           [](const auto& a, const auto& b) { return a.height_mm < b.height_mm; });
     return {ExclusionReason::HolderCollision,
-            fmt::format("shank or holder ({:.4g} mm wide at {:.4g} mm over the tip) would touch standing "
+            fmt::format("shank or holder ({:.4g} mm wide at {:.4g} mm over the tip{}) would touch standing "
                         "material over {:.4g} of {:.4g} mm2",
-                        2 * lowest.radius_mm, lowest.height_mm, lost_mm2, found.cutter.coverable_area_mm2)};
+                        2 * lowest.radius_mm, lowest.height_mm, clearanceWords(tool), lost_mm2,
+                        found.cutter.coverable_area_mm2)};
 }
 
 /// Fills in the collision-free area; the exclusion when it lacks something of the coverable area. Where
@@ -268,9 +269,10 @@ DepthLimit depthLimitOf(const FeatureGround& ground, const ToolAssembly& tool, c
         const double clear_z_mm = std::prev(free)->top_z_mm;
         const double needed_mm = clear_z_mm - feature.floor_z_mm;
         // A holder moves up with the stick-out; the shank does not, so that must not be lower at all.
-        const bool is_holder = cylinder.bottom_mm >= tool.stick_out_mm;
-        limit.stick_out_mm = std::max(
-            limit.stick_out_mm, is_holder ? tool.stick_out_mm + needed_mm - cylinder.bottom_mm : needed_mm);
+        limit.stick_out_mm =
+            std::max(limit.stick_out_mm, access::isOfHolder(tool, cylinder)
+                                             ? tool.stick_out_mm + needed_mm - cylinder.bottom_mm
+                                             : needed_mm);
         limit.floor_z_mm = std::max(limit.floor_z_mm, clear_z_mm - cylinder.bottom_mm);
     }
     return limit;

@@ -126,6 +126,7 @@ Machine machineFromText(std::string_view text, const std::string& file_name) {
     machine.side_clearance_mm = lengthOr("side_clearance_mm", kSideClearanceMm);
     machine.top_clearance_mm = lengthOr("top_clearance_mm", kTopClearanceMm);
     machine.inside_clearance_mm = lengthOr("inside_clearance_mm", kInsideClearanceMm);
+    machine.holder_clearance_mm = lengthOr("holder_clearance_mm", kHolderClearanceMm);
     machine.spindle_nose = spindleNose(from, file_name);
     if (machine.spindle_nose.empty())
         machine.by_default.push_back("no spindle_nose: nothing over the holders is kept clear");

@@ -29,6 +29,7 @@ double gaugeLengthMm(const ToolAssembly& tool) {
 }
 
 ToolAssembly inSpindle(ToolAssembly tool, const Machine& machine) {
+    tool.holder_clearance_mm = machine.holder_clearance_mm;
     const double gauge_mm = gaugeLengthMm(tool);
     for (const HolderCylinder& nose : machine.spindle_nose)
         tool.holder.push_back({nose.diameter_mm, gauge_mm + nose.bottom_mm, gauge_mm + nose.top_mm});

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "stepmill/core/enum_words.h"
 #include "stepmill/core/error.h"
 
@@ -36,6 +38,20 @@ ToolAssembly setTo(ToolAssembly tool, double stick_out_mm) {
         cylinder.top_mm += by_mm;
     }
     return tool;
+}
+
+std::vector<HolderCylinder> keptOffHolder(const ToolAssembly& tool) {
+    std::vector<HolderCylinder> holder = tool.holder;
+    for (HolderCylinder& cylinder : holder) {
+        cylinder.diameter_mm += 2 * tool.holder_clearance_mm;
+        cylinder.bottom_mm = std::max(0.0, cylinder.bottom_mm - tool.holder_clearance_mm);
+    }
+    return holder;
+}
+
+std::string clearanceWords(const ToolAssembly& tool) {
+    if (tool.holder_clearance_mm <= 0) return {};
+    return fmt::format(", with {:g} mm of clearance", tool.holder_clearance_mm);
 }
 
 const ToolAssembly& ToolLibrary::tool(const std::string& id) const {

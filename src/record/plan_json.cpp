@@ -148,6 +148,7 @@ Json machineJson(const Machine& machine) {
               {"side_clearance_mm", number(machine.side_clearance_mm)},
               {"top_clearance_mm", number(machine.top_clearance_mm)},
               {"inside_clearance_mm", number(machine.inside_clearance_mm)},
+              {"holder_clearance_mm", number(machine.holder_clearance_mm)},
               {"dialect", machine.dialect}};
     if (!machine.spindle_curve.empty())
         json["spindle"] = {{"efficiency", number(machine.spindle_efficiency)},

@@ -215,6 +215,7 @@ Machine machine(const Json& json) {
     machine.side_clearance_mm = json.value("side_clearance_mm", 0.0);
     machine.top_clearance_mm = json.value("top_clearance_mm", 0.0);
     machine.inside_clearance_mm = json.value("inside_clearance_mm", 0.0);
+    machine.holder_clearance_mm = json.value("holder_clearance_mm", 0.0);
     if (json.contains("gauge_over_table_mm"))
         machine.gauge_over_table_mm = json["gauge_over_table_mm"].get<std::array<double, 2>>();
     machine.column_behind_mm = json.value("column_behind_mm", 0.0);
@@ -444,8 +445,11 @@ PlanRecord planRecordFromText(std::string_view text, const Tolerances& tol) {
     record.part_volume_mm3 = plan["part"]["volume_mm3"];
     record.stock_volume_mm3 = plan["stock"]["volume_mm3"];
     record.stock = stock(plan["stock"]);
-    for (const Json& one : plan["tools"])
-        record.tools[one["id"]] = tool(one);
+    for (const Json& one : plan["tools"]) {
+        ToolAssembly read = tool(one);
+        read.holder_clearance_mm = record.machine.holder_clearance_mm;
+        record.tools[one["id"]] = std::move(read);
+    }
     const BandsOf bands = record::bandsOf(plan);
     ReadTables tables(plan);
     readFeatures(plan, bands, tables, record);

@@ -131,14 +131,16 @@ class FormProver {
 
     void proveHolder(const Edge& way, double low_mm, std::size_t number) {
         for (const HolderCylinder& cylinder : access::cylindersOf(planned_.tool)) {
+            const double kept_mm = access::clearanceAround(planned_.tool, cylinder);
             const double clearance =
-                overhead(way, low_mm + cylinder.bottom_mm, cylinder.diameter_mm / 2, number);
+                overhead(way, low_mm + cylinder.bottom_mm, cylinder.diameter_mm / 2 - kept_mm, number);
             findings_.proof.holder_clearance_mm = std::min(findings_.proof.holder_clearance_mm, clearance);
-            if (clearance < -tol_.gouge_mm)
+            if (clearance < kept_mm - tol_.gouge_mm)
                 return fail(
-                    fmt::format("shank or holder ({:.4g} mm wide from {:.4g} mm over the tip) comes into "
-                                "material by {:.4f} mm",
-                                cylinder.diameter_mm, cylinder.bottom_mm, -clearance));
+                    fmt::format("shank or holder ({:.4g} mm wide from {:.4g} mm over the tip{}) comes "
+                                "into material by {:.4f} mm",
+                                cylinder.diameter_mm, cylinder.bottom_mm, clearanceWords(planned_.tool),
+                                kept_mm - clearance));
         }
     }
 

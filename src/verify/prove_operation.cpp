@@ -266,11 +266,12 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
     const Feature& feature = state.feature;
     double& least_mm = findings.proof.holder_clearance_mm;
     for (const HolderCylinder& cylinder : access::cylindersOf(planned.tool)) {
-        const double radius_mm = cylinder.diameter_mm / 2;
+        const double kept_mm = access::clearanceAround(planned.tool, cylinder);
+        const double radius_mm = cylinder.diameter_mm / 2 - kept_mm;
         const std::string what = fmt::format(
-            "shank or holder ({:.4g} mm wide from {:.4g} mm over the tip) comes into "
+            "shank or holder ({:.4g} mm wide from {:.4g} mm over the tip{}) comes into "
             "material",
-            cylinder.diameter_mm, cylinder.bottom_mm);
+            cylinder.diameter_mm, cylinder.bottom_mm, clearanceWords(planned.tool));
         for (std::size_t i = 0; i < feature.obstacles.size(); ++i) {
             const Region& section = feature.obstacles[i].section;
             if (section.empty()) continue;
@@ -279,7 +280,8 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
                     const double z = lowOf(from, move) + cylinder.bottom_mm;
                     return access::obstacleAbove(feature.obstacles, z, kSamePostedHeightMm) == i;
                 });
-            checkClearance(met, keepOff(section), radius_mm, -tol.gouge_mm, tol, least_mm, what, findings);
+            checkClearance(met, keepOff(section), radius_mm, kept_mm - tol.gouge_mm, tol, least_mm, what,
+                           findings);
         }
         std::map<const Region*, OwnMaterial> own;
         Vec3 from = operation.start;
@@ -291,8 +293,8 @@ void proveHolder(const ReadOperation& operation, const RecordedOperation& planne
             if (z >= feature.top_z_mm - kSamePostedHeightMm) continue;
             const Region& standing = state.standingAt(z);
             OwnMaterial& there = own.try_emplace(&standing, operation, planned, standing, tol).first->second;
-            const double clearance = there.clearance(way, radius_mm, z, i);
-            least_mm = std::min(least_mm, clearance);
+            const double clearance = there.clearance(way, radius_mm + kept_mm, z, i);
+            least_mm = std::min(least_mm, clearance + kept_mm);
             if (clearance >= -tol.gouge_mm) continue;
             findings.add(operation.moves[i].line,
                          fmt::format("{} of the feature itself by {:.4f} mm", what, -clearance));

@@ -14,8 +14,15 @@ struct Blocker {
     double height_mm = 0;  ///< of its bottom over the tip
 };
 
-/// Shank and holder as far as they are wider than the cutter, and so not covered by it.
+/// Shank, and holder with its clearance (keptOffHolder()), as far as they are wider than the cutter and so
+/// not covered by it.
 std::vector<HolderCylinder> cylindersOf(const ToolAssembly& tool);
+
+/// Is it a cylinder of the holder, which moves with the stick-out, and not of the shank?
+bool isOfHolder(const ToolAssembly& tool, const HolderCylinder& cylinder);
+/// How much wider one of cylindersOf() is on each side than the tool itself: the clearance, unless it is the
+/// shank [mm].
+double clearanceAround(const ToolAssembly& tool, const HolderCylinder& cylinder);
 
 /// How deep the tool may go before its shank or holder, as far as they are wider than the cutter, is below
 /// the top of what it cuts [mm].

@@ -15,6 +15,8 @@ namespace stepmill {
 inline constexpr double kSideClearanceMm = 2;
 inline constexpr double kTopClearanceMm = 2;
 inline constexpr double kInsideClearanceMm = 0.5;
+/// As exactly as a cutter is set out of its holder by a rule.
+inline constexpr double kHolderClearanceMm = 1;
 
 /// What making ready for a clamping takes where the machine file does not say [min].
 inline constexpr double kSetupTimeMin = 20;
@@ -73,6 +75,7 @@ struct Machine {
     double side_clearance_mm = 0;    ///< rapids down beside the stock keep this off it, as large as it may be
     double top_clearance_mm = 0;     ///< rapids over a raw top keep this off it, as high as it may be
     double inside_clearance_mm = 0;  ///< rapids down inside the part keep this off what stands there
+    double holder_clearance_mm = 0;  ///< holders and nose keep this off all that stands, beside and below
     /// Fields the file does not name and what then holds, for people: "side_clearance_mm 2".
     std::vector<std::string> by_default;
     std::string dialect;            ///< post processor: "linuxcnc", "fanuc", "grbl"

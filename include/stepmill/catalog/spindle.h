@@ -14,8 +14,8 @@ inline constexpr double kNmRpmPerKw = 9549.2966;
 /// stick-out of a tool without one [mm].
 double gaugeLengthMm(const ToolAssembly& tool);
 
-/// The tool as it stands in the machine: over its holder the spindle's nose, as far up as that is told. What
-/// keeps clear of holders keeps clear of the nose. A tool of a machine without a nose stays as it is.
+/// The tool as it stands in the machine: its holder with the machine's clearance, over it the spindle's nose,
+/// as far up as that is told. What keeps clear of holders keeps clear of the nose.
 ToolAssembly inSpindle(ToolAssembly tool, const Machine& machine);
 
 /// What the spindle's motor gives at a speed.

@@ -99,6 +99,7 @@ struct ToolAssembly {
     std::optional<StickOutRange> stick_out_range;
     HolderCylinder shank;                ///< from the end of the flutes to the stick-out
     std::vector<HolderCylinder> holder;  ///< from below to above
+    double holder_clearance_mm = 0;      ///< how far the holder is kept off all that stands, a machine's rule
     std::vector<CuttingData> cutting;
     double price = 0;
     double life_min = 0;  ///< cutting minutes a tool lasts; 0: not given, wear not counted
@@ -135,6 +136,11 @@ double usualPlungeMm(const ToolAssembly& tool);
 
 /// The tool with its cutter set out that far: the holder moves with it, flutes and the shank's start stay.
 ToolAssembly setTo(ToolAssembly tool, double stick_out_mm);
+
+/// The holder as it is kept off what stands: by its clearance wider all round and lower.
+std::vector<HolderCylinder> keptOffHolder(const ToolAssembly& tool);
+/// For words about such a cylinder: ", with 1 mm of clearance"; empty where there is none.
+std::string clearanceWords(const ToolAssembly& tool);
 
 /// A checked tool library in mm, tools in the file's order.
 struct ToolLibrary {

@@ -159,7 +159,7 @@ double fixtureGrowthMm(const FixtureFile& shop, const ToolLibrary& library) {
     double widest_mm = 0;
     for (const ToolAssembly& tool : library.tools) {
         widest_mm = std::max(widest_mm, tool.diameter_mm);
-        for (const HolderCylinder& cylinder : access::cylindersOf(tool))
+        for (const HolderCylinder& cylinder : tool.holder)
             widest_mm = std::max(widest_mm, cylinder.diameter_mm);
     }
     return shop.growth * widest_mm / 2;

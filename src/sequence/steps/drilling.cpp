@@ -27,9 +27,8 @@ double tipInPointZ(const Feature& hole, const ToolAssembly& drill) {
 
 std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const ToolAssembly& drill,
                                                 double tip_z) {
-    std::vector<HolderCylinder> cylinders;
-    if (drill.shank.diameter_mm > drill.diameter_mm) cylinders.push_back(drill.shank);
-    cylinders.insert(cylinders.end(), drill.holder.begin(), drill.holder.end());
+    std::vector<HolderCylinder> cylinders = keptOffHolder(drill);
+    if (drill.shank.diameter_mm > drill.diameter_mm) cylinders.insert(cylinders.begin(), drill.shank);
     const std::vector<Vec2> axes = holeCentres(feature);
     for (const HolderCylinder& cylinder : cylinders) {
         const bool meets = std::any_of(axes.begin(), axes.end(), [&](const Vec2& axis) {
@@ -37,8 +36,8 @@ std::optional<Exclusion> shankOrHolderCollision(const Feature& feature, const To
         });
         if (!meets) continue;
         return Exclusion{ExclusionReason::HolderCollision,
-                         fmt::format("its {:g} mm wide holder would touch {:g} mm over the tip",
-                                     cylinder.diameter_mm, cylinder.bottom_mm)};
+                         fmt::format("its {:g} mm wide holder would touch {:g} mm over the tip{}",
+                                     cylinder.diameter_mm, cylinder.bottom_mm, clearanceWords(drill))};
     }
     return std::nullopt;
 }
@@ -115,8 +114,8 @@ bool isOfSize(const Feature& hole, const ToolAssembly& drill, const Tolerances& 
 
 std::optional<double> widthThatMeets(const Feature& hole, const ToolAssembly& tool,
                                      const HolderCylinder& cutter, double tip_z_mm) {
-    std::vector<HolderCylinder> cylinders{cutter, tool.shank};
-    cylinders.insert(cylinders.end(), tool.holder.begin(), tool.holder.end());
+    std::vector<HolderCylinder> cylinders = keptOffHolder(tool);
+    cylinders.insert(cylinders.begin(), {cutter, tool.shank});
     const std::vector<Vec2> axes = holeCentres(hole);
     for (const HolderCylinder& cylinder : cylinders) {
         const double bottom_z_mm = std::max(tip_z_mm + cylinder.bottom_mm, hole.top_z_mm);

@@ -71,7 +71,8 @@ std::string sizingTrouble(const SizingTask& task, const ToolAssembly& sizer) {
                            hole.top_z_mm - tip_z_mm);
     if (const auto width_mm =
             widthThatMeets(hole, sizer, {sizer.diameter_mm, 0, sizer.flute_length_mm}, tip_z_mm))
-        return fmt::format("{} would touch what stands beside the hole, {:g} mm wide", sizer.id, *width_mm);
+        return fmt::format("{} would touch what stands beside the hole, {:g} mm wide{}", sizer.id, *width_mm,
+                           clearanceWords(sizer));
     return {};
 }
 

@@ -474,6 +474,7 @@ const std::vector<Weakening> kWeakenings{
     {"rapids that may go nearer to a raw side",
      [](Json& plan) { plan["machine"]["side_clearance_mm"] = 0.1; }},
     {"rapids that may go nearer to a raw top", [](Json& plan) { plan["machine"]["top_clearance_mm"] = 0.1; }},
+    {"holders that may go nearer", [](Json& plan) { plan["machine"]["holder_clearance_mm"] = 0; }},
     {"a machine without spindle nose", [](Json& plan) { plan["machine"].erase("spindle_nose"); }},
     {"a spindle that comes down to the table",
      [](Json& plan) {

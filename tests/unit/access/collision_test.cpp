@@ -54,6 +54,24 @@ TEST(LosesCentres, InsideAnObstacleAndAroundOne) {
     EXPECT_FALSE(access::losesCentres(ground, {0, 5, 5}, {}));
 }
 
+TEST(CylindersOf, HolderButNotShankHaveTheClearance) {
+    ToolAssembly tool = makeTool("EM10", ToolType::Flat, 10, 1000, 5);
+    tool.flute_length_mm = 22;
+    tool.stick_out_mm = 30;
+    tool.shank = {12, 22, 30};
+    tool.holder = {{9, 30, 40}, {40, 40, 80}};
+    ASSERT_EQ(access::cylindersOf(tool).size(), 2U) << "what is no wider than the cutter follows it";
+    EXPECT_DOUBLE_EQ(access::freeReachMm(tool), 22);
+    tool.holder_clearance_mm = 1;
+    const std::vector<HolderCylinder> cylinders = access::cylindersOf(tool);
+    ASSERT_EQ(cylinders.size(), 3U);
+    EXPECT_DOUBLE_EQ(cylinders[0].diameter_mm, 12);
+    EXPECT_DOUBLE_EQ(access::clearanceAround(tool, cylinders[0]), 0);
+    EXPECT_DOUBLE_EQ(cylinders[1].diameter_mm, 11) << "beside a wall the cutter makes it is too near";
+    EXPECT_DOUBLE_EQ(cylinders[2].bottom_mm, 39);
+    EXPECT_DOUBLE_EQ(access::clearanceAround(tool, cylinders[2]), 1);
+}
+
 TEST(CollisionFreeCentres, AreThoseOfTheWholeObstacleWhereOnlyItsEdgesNearbyAreGrown) {
     const FeatureGround ground(pocketAmongHoles(), kTol);
     const Region centres = centresOf(ground);

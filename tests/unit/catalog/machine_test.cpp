@@ -74,11 +74,13 @@ TEST(ReadMachine, MaySayHowLongSettingUpTakes) {
 TEST(ReadMachine, SaysWhichClearancesItTakesByDefault) {
     json machine = goodMachine();
     machine.erase("side_clearance_mm");
+    machine.erase("holder_clearance_mm");
     machine["inside_clearance_mm"] = 0.25;
     const Machine read = machineFromText(machine.dump(), "mill.json");
     EXPECT_DOUBLE_EQ(read.side_clearance_mm, 2);
     EXPECT_DOUBLE_EQ(read.inside_clearance_mm, 0.25);
-    EXPECT_EQ(read.by_default, std::vector<std::string>{"side_clearance_mm 2"});
+    EXPECT_DOUBLE_EQ(read.holder_clearance_mm, 1);
+    EXPECT_EQ(read.by_default, (std::vector<std::string>{"side_clearance_mm 2", "holder_clearance_mm 1"}));
     EXPECT_TRUE(machineFromText(goodMachine().dump(), "mill.json").by_default.empty());
 }
 

@@ -42,6 +42,25 @@ TEST(InSpindle, WithoutANoseOrAHolder) {
     EXPECT_DOUBLE_EQ(inSpindle(tool, machine).holder.front().bottom_mm, 30);
 }
 
+TEST(InSpindle, KeepsHolderAndNoseOffByTheMachinesClearance) {
+    ToolAssembly tool;
+    tool.stick_out_mm = 30;
+    tool.holder = {{28, 30, 50}};
+    Machine machine;
+    machine.spindle_nose = {{90, 0, 25}};
+    machine.holder_clearance_mm = 1.5;
+    const ToolAssembly mounted = inSpindle(tool, machine);
+    EXPECT_DOUBLE_EQ(mounted.holder[0].diameter_mm, 28) << "the holder itself stays as it is";
+    const std::vector<HolderCylinder> kept = keptOffHolder(mounted);
+    ASSERT_EQ(kept.size(), 2U);
+    EXPECT_DOUBLE_EQ(kept[0].diameter_mm, 31);
+    EXPECT_DOUBLE_EQ(kept[0].bottom_mm, 28.5);
+    EXPECT_DOUBLE_EQ(kept[1].diameter_mm, 93);
+    EXPECT_DOUBLE_EQ(kept[1].bottom_mm, 48.5);
+    EXPECT_EQ(clearanceWords(mounted), ", with 1.5 mm of clearance");
+    EXPECT_EQ(clearanceWords(tool), "");
+}
+
 TEST(ReadMachine, GivesTheSpindle) {
     const Machine machine = readMachine(sample("machine_vmc.json"));
     ASSERT_EQ(machine.spindle_nose.size(), 3U);

@@ -68,6 +68,21 @@ TEST_F(NarrowPocket, IsNotWhereMaterialStandsBesideIt) {
     EXPECT_FALSE(failures().empty());
 }
 
+TEST_F(NarrowPocket, IsNotWhereItComesNearerThanItsClearance) {
+    // What stands between the ends of the passes comes to 9 mm from there, walls to 10 mm.
+    planned_.tool.holder = {{16, 10, 80}};
+    clearAt(-5);
+    feed(50.7, 10, -5);
+    feed(50.7, 10, -14);  // the holder at -4
+    EXPECT_TRUE(failures().empty());
+    planned_.tool.holder_clearance_mm = 0.9;
+    EXPECT_TRUE(failures().empty());
+    planned_.tool.holder_clearance_mm = 1.1;
+    const std::vector<ProofFailure> found = failures();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_NE(found.front().text.find("with 1.1 mm of clearance"), std::string::npos) << found.front().text;
+}
+
 TEST_F(NarrowPocket, WhatWasCutForAHighHolderStandsForALowOne) {
     clearAt(-5);
     feed(30, 10, -5);
