@@ -86,17 +86,9 @@ std::string tapShankTrouble(const Feature& hole, const ToolAssembly& tap, double
     if (depth_mm > slim_mm)
         return fmt::format("{} reaches {:.4g} mm into a hole of {:.4g} mm, its tip must go {:.4g} mm deep",
                            tap.id, slim_mm, hole_mm, depth_mm);
-    std::vector<HolderCylinder> cylinders = keptOffHolder(tap);
-    cylinders.insert(cylinders.begin(), {{tap.diameter_mm, 0, tap.flute_length_mm}, tap.shank});
-    for (const HolderCylinder& cylinder : cylinders) {
-        // In the hole there is room; what stands over it counts.
-        const double bottom_z_mm = std::max(tip_z_mm + cylinder.bottom_mm, hole.top_z_mm);
-        if (tip_z_mm + cylinder.top_mm <= bottom_z_mm) continue;
-        for (const Vec2& axis : holeCentres(hole))
-            if (meetsObstacle(hole, axis, bottom_z_mm, cylinder.diameter_mm / 2))
-                return fmt::format("{} would touch what stands beside the hole, {:g} mm wide{}", tap.id,
-                                   cylinder.diameter_mm, clearanceWords(tap));
-    }
+    if (const auto width_mm = widthThatMeets(hole, tap, {tap.diameter_mm, 0, tap.flute_length_mm}, tip_z_mm))
+        return fmt::format("{} would touch what stands beside the hole, {:g} mm wide{}", tap.id, *width_mm,
+                           clearanceWords(tap));
     return {};
 }
 

@@ -155,6 +155,18 @@ TEST(Tapping, TheHolderKeepsOffAWallBesideTheHole) {
     EXPECT_NE(made.trouble.find("30 mm wide"), std::string::npos) << made.trouble;
 }
 
+TEST(Tapping, NoWallIsNearerThanTheTapIsWideThoughItsFlutesEndInTheHole) {
+    Feature hole = coreHole(40);
+    hole.obstacles.push_back({0, 50, makeRectangle(Vec2(23.8, 0), Vec2(40, 40))});
+    ToolAssembly tap = makeTap("M8");
+    tap.shank.diameter_mm = 6;
+    const TapStep made = tapped(hole, tap);
+    EXPECT_FALSE(made.step) << "on its way down it would cut into the wall";
+    EXPECT_NE(made.trouble.find("8 mm wide"), std::string::npos) << made.trouble;
+    hole.obstacles.back().section = makeRectangle(Vec2(24.2, 0), Vec2(40, 40));
+    EXPECT_TRUE(tapped(hole, tap).step);
+}
+
 TEST(Tapping, AHoleIsBoredAsDeepAsItsLastToolMakesItWhole) {
     const Feature hole = coreHole(18);
     ToolLibrary library = makeLibrary({makeDrill(6.8), makeMill(6)});
