@@ -10,6 +10,7 @@
 #include "stepmill/sequence/machine_limits.h"
 #include "stepmill/sequence/spotting.h"
 #include "stepmill/toolpath/adaptive_cutting.h"
+#include "stepmill/toolpath/cutting_model.h"
 #include "stepmill/toolpath/path_frame.h"
 
 namespace stepmill {
@@ -171,7 +172,8 @@ double leastWallS(const Candidate* from, const Candidate& to) {
     if (to.wall_rate_mm_per_s <= 0 || (from != nullptr && from->hasSurrogates())) return 0;
     const double new_mm = from != nullptr ? to.walls.least_mm - from->walls.most_mm
                                           : to.walls.least_mm + to.walls.hollow_least_mm;
-    return std::max(0.0, new_mm) / to.wall_rate_mm_per_s;
+    // Narrow cuts may be fed faster than the cutting data say.
+    return std::max(0.0, new_mm) / (kMostChipThinning * to.wall_rate_mm_per_s);
 }
 
 double volumeRate(const Feature& feature, const ToolAssembly& tool, const CuttingData& cutting) {

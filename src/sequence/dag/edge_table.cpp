@@ -5,6 +5,7 @@
 
 #include "sequence/dag/step_paths.h"
 #include "stepmill/core/parallel.h"
+#include "stepmill/feature/hole_group.h"
 #include "stepmill/sequence/drilling.h"
 #include "stepmill/sequence/tool_dag.h"
 
@@ -23,12 +24,18 @@ void checkTime(const DagTask& task) {
     task.options.deadline.check(task.ground.feature().id);
 }
 
+/// No more goes in a second on the tool's way after another, as makePaths() weighs it [mm3/s].
+double mostRemoved(const Candidate* from, const Candidate& to, const DagTask& task) {
+    return isWeighedAsFed(task, from) ? to.rate_as_cut_mm3_per_s : to.volume_rate_mm3_per_s;
+}
+
 /// Least weight of an edge whose tool has surrogates: they clear what the tool itself does not. A surrogate
 /// may wear less than the tool, so only machine time counts.
-double leastWithLumps(const Candidate& to, double new_mm2, double own_new_mm2, const DagTask& task) {
+double leastWithLumps(const Candidate* from, const Candidate& to, double new_mm2, double own_new_mm2,
+                      const DagTask& task) {
     const double own_mm2 = std::clamp(own_new_mm2, 0.0, new_mm2);
     const double depth_mm = task.ground.feature().depth_mm();
-    const double least_s = own_mm2 * depth_mm / to.volume_rate_mm3_per_s +
+    const double least_s = own_mm2 * depth_mm / mostRemoved(from, to, task) +
                            (new_mm2 - own_mm2) * depth_mm / to.joint_rate_mm3_per_s;
     return changeWeight(task) + weigh(machineCost(least_s, task.machine), task);
 }
@@ -47,14 +54,28 @@ double leastAfterDrill(const Candidate& drill, const Candidate& mill, const DagT
     const double drilled_mm3 = drill.coverable_mm2 * (feature.top_z_mm - preDrilledToZ(feature, *drill.tool));
     const double left_mm3 = mill.coverable_mm2 * feature.depth_mm() - drilled_mm3;
     PathTotals least;
-    least.feed_time_s = std::max(0.0, left_mm3) / mill.volume_rate_mm3_per_s;
+    least.feed_time_s = std::max(0.0, left_mm3) / mostRemoved(&drill, mill, task);
     return weigh(edgeCost(least, *mill.tool, task.machine), task);
+}
+
+/// A hole deeper than so many diameters of a mill, and wider than it by less than this share, is drilled
+/// before the mill comes, where a drill can: it would drill with its face, and chips have no way out.
+constexpr double kPlungedDiameters = 2;
+constexpr double kHardlyWiderShare = 0.25;
+
+bool isDrilledBefore(const Candidate& mill, const DagTask& task) {
+    const Feature& feature = task.ground.feature();
+    const double mill_mm = mill.tool->diameter_mm;
+    if (!isHole(feature.feature_class) || feature.depth_mm() <= kPlungedDiameters * mill_mm) return false;
+    if (2 * holeRadiusMm(feature) >= (1 + kHardlyWiderShare) * mill_mm) return false;
+    return std::any_of(task.tools.begin(), task.tools.end(),
+                       [&](const Candidate& drill) { return mayFollow(drill, mill); });
 }
 
 /// Where a spot is wanted and can be made, the drill comes after it; else drills and spots come first.
 bool mayCome(const Candidate* from, const Candidate& to, const DagTask& task) {
     if (from != nullptr && from->spots) return to.wantsSpot();
-    if (to.mills()) return true;
+    if (to.mills()) return from != nullptr || !isDrilledBefore(to, task);
     return from == nullptr && !(to.wantsSpot() && task.tools.front().spots);
 }
 
@@ -71,10 +92,11 @@ double lowerBound(const Candidate* from, const Candidate& to, const DagTask& tas
     const double from_mm2 = from != nullptr ? from->coverable_mm2 : 0;
     const double new_mm2 = to.coverable_mm2 - from_mm2;
     if (new_mm2 <= sameArea(feature, task.ground.tolerances())) return kNoEdge;
-    if (to.hasSurrogates()) return leastWithLumps(to, new_mm2, to.own->coverable_area_mm2 - from_mm2, task);
+    if (to.hasSurrogates())
+        return leastWithLumps(from, to, new_mm2, to.own->coverable_area_mm2 - from_mm2, task);
     PathTotals least;
     least.feed_time_s =
-        std::max(new_mm2 * feature.depth_mm() / to.volume_rate_mm3_per_s, leastWallS(from, to));
+        std::max(new_mm2 * feature.depth_mm() / mostRemoved(from, to, task), leastWallS(from, to));
     return weigh(edgeCost(least, *to.tool, task.machine), task);
 }
 

@@ -4,7 +4,6 @@
 
 #include "stepmill/planar/boolean.h"
 #include "stepmill/sequence/tool_dag.h"
-#include "stepmill/toolpath/cutting_model.h"
 
 namespace stepmill {
 namespace {
@@ -40,7 +39,7 @@ std::vector<double> reachedAreas(const Feature& feature, const std::vector<Candi
 
 /// The feeds that bounds are for.
 enum class BoundFeeds {
-    CuttingData,  ///< those that the tool DAG weighs, whatever is cut
+    CuttingData,  ///< the library's, whatever is cut
     AsCut         ///< those that plans run with
 };
 
@@ -75,9 +74,9 @@ LeastTimes leastTimes(const Feature& feature, const std::vector<Candidate>& tool
     const bool plain =
         std::none_of(tools.begin(), tools.end(), [](const Candidate& tool) { return tool.hasSurrogates(); });
     const int n = static_cast<int>(tools.size());
-    // Surrogates touch walls that no candidate does. Narrow cuts may be fed faster than the cutting data say.
+    // Surrogates touch walls that no candidate does.
     const auto along_walls = [&](int m, int k) {
-        return plain ? leastWallS(m == kSource ? nullptr : &tools[m], tools[k]) / kMostChipThinning : 0;
+        return plain ? leastWallS(m == kSource ? nullptr : &tools[m], tools[k]) : 0;
     };
     // What tool k is the first in the sequence to reach, it, a later one or a surrogate must clear, at best
     // as fast as the fastest of these.

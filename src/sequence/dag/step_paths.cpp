@@ -194,7 +194,12 @@ Toolpath quickestPath(const DagTask& task, const Candidate& n, const Stretch& st
     const SharedRings rings = ringsBy(task.options.pattern, task, n, stretch);
     Toolpath path = pathBy(task.options.pattern, task, n, stretch, decomposed, rings);
     // Where every region took the weighed pattern this is its path.
-    if (path.pattern != toString(kWeighedPattern)) {
+    const bool has_others = std::any_of(
+        path.regions.begin(), path.regions.end(),
+        [](const RegionPatterns& region) { return region.weighed.front().pattern != kWeighedPattern; });
+    const bool may_be_weighed =
+        task.options.pattern == Pattern::Best && isAmong(task.options.patterns, kWeighedPattern);
+    if (has_others && may_be_weighed) {
         Toolpath weighed = pathBy(kWeighedPattern, task, n, stretch, decomposed, rings);
         if (weightOf(task, n, weighed.totals) < weightOf(task, n, path.totals)) path = std::move(weighed);
     }
@@ -235,6 +240,10 @@ SharedRings ringsOf(const DagTask& task, const Candidate& tool) {
     return ringsBy(kWeighedPattern, task, tool, stretchesOf(task, nullptr).front());
 }
 
+bool isWeighedAsFed(const DagTask& task, const Candidate* m) {
+    return m != nullptr || task.ground.walledIn();
+}
+
 std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, const Candidate& n,
                                     const SharedRings& rings) {
     if (!n.mills()) return {drilledBy(task, n)};
@@ -243,8 +252,7 @@ std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, con
         SequenceStep step = stepOf(task, stretch, n);
         step.path = pathBy(kWeighedPattern, task, n, stretch, step.area, rings);
         if (step.path.moves.empty()) continue;
-        // Over open ground another pattern will go round what is a full slot for the weighed one.
-        if (m != nullptr || task.ground.walledIn()) takeTotalsAsFed(task, n, stretch, step.path);
+        if (isWeighedAsFed(task, m)) takeTotalsAsFed(task, n, stretch, step.path);
         steps.push_back(std::move(step));
     }
     return steps;

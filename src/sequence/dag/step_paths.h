@@ -17,6 +17,10 @@ inline constexpr Pattern kWeighedPattern = Pattern::ContourInsideOut;
 std::vector<SequenceStep> makePaths(const DagTask& task, const Candidate* m, const Candidate& n,
                                     const SharedRings& rings);
 
+/// Are these paths weighed at feeds by what they cut, where that is known? Over open ground a first tool's
+/// are not: another pattern will go round what is a full slot for the weighed one.
+bool isWeighedAsFed(const DagTask& task, const Candidate* m);
+
 /// The rings that all paths of one tool share while edges are weighed; null for a drill.
 SharedRings ringsOf(const DagTask& task, const Candidate& tool);
 

@@ -52,6 +52,9 @@ double tipByFlutesZ(const Feature& hole, const ToolAssembly& drill) {
                                      : -std::numeric_limits<double>::infinity();
 }
 
+/// What is no thicker than so many slivers stands in no mill's way.
+constexpr double kSkinSlivers = 2;
+
 /// The tip of a drill that makes room stays so far over the floor [mm].
 constexpr double kOverFloorMm = 0.1;
 
@@ -211,7 +214,8 @@ CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, con
     area.accessible = area.coverable;
     area.coverable_area_mm2 = stepmill::area(area.coverable);
     area.access_volume_mm3 = area.coverable_area_mm2 * feature.depth_mm();
-    area.swept = SureSweep(area.coverable, tol);
+    // A mill as wide as the drill comes down in the hole too: skins are nothing to it.
+    area.swept = SureSweep(offset(area.coverable, kSkinSlivers * tol.sliver_mm, tol), tol);
     return area;
 }
 
