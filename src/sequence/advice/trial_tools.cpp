@@ -62,8 +62,15 @@ double shankDiameter(const ToolAssembly& narrower, const ToolAssembly& wider, do
     return shank_mm;
 }
 
+/// What another cutter may do besides is not this one's: it goes by the usual rules.
+CuttingData withoutExtras(CuttingData data) {
+    data.slot_step_down_mm = data.slot_feed_mm_per_min = data.rated_removal_mm3_per_min = 0;
+    data.adaptive.reset();
+    return data;
+}
+
 CuttingData between(const CuttingData& a, const CuttingData& b, double share) {
-    CuttingData data = b;
+    CuttingData data = withoutExtras(b);
     for (double CuttingData::*member :
          {&CuttingData::step_over_mm, &CuttingData::step_down_mm, &CuttingData::feed_mm_per_min,
           &CuttingData::plunge_feed_mm_per_min, &CuttingData::speed_rpm})
@@ -96,7 +103,7 @@ ToolAssembly scaledTool(const ToolAssembly& neighbour, double diameter_mm, const
     tool.price *= std::max(1.0, scale);
     tool.shank.diameter_mm = std::max(tool.shank.diameter_mm, diameter_mm);
     tool.shank.bottom_mm *= std::min(1.0, scale);
-    CuttingData data = *neighbour.cuttingFor(material);
+    CuttingData data = withoutExtras(*neighbour.cuttingFor(material));
     data.step_over_mm *= scale;
     // What power and stiffness allow a wider cutter than any here is not known: it goes no deeper.
     data.step_down_mm *= std::min(1.0, scale);
@@ -196,6 +203,7 @@ std::optional<ToolAssembly> withStickOut(ToolAssembly tool, double stick_out_mm)
         return std::nullopt;
     const double share = tool.stick_out_mm / whole_mm;
     for (CuttingData& data : tool.cutting) {
+        data = withoutExtras(std::move(data));
         data.step_down_mm *= share;
         data.feed_mm_per_min *= share;
         data.plunge_feed_mm_per_min *= share;
