@@ -104,7 +104,8 @@ Toolpath inDepths(const ClearingTask& task, const RingFamily& rings, const ToolA
                           ratedRemovalMm3PerMin(cutting),
                           dips(task) ? 1 : path.depths};
     const Standing standing(task, tool.radius_mm(), tol);
-    const DepthTask depth{task, standing, tool.radius_mm(), path.step_over_mm, rates, tol};
+    const SweptGround untouched(task, tool.radius_mm());
+    const DepthTask depth{task, standing, tool.radius_mm(), path.step_over_mm, rates, untouched, tol};
     writeRegions(task, rings, depth, angle, machine, path);
     path.totals = measure(path, machine);
     return withClearRapids(path, task, tool.radius_mm(), machine);

@@ -46,11 +46,12 @@ void MoveWriter::writeDepth(const std::vector<ScriptStep>& script, Over first_ov
     }
 }
 
-void MoveWriter::writeRing(const Path& ring, double descent_mm, const std::vector<DepthHeights>& depths) {
+void MoveWriter::writeRing(const Path& ring, double descent_mm, Over first_over,
+                           const std::vector<DepthHeights>& depths) {
     const Path rest = firstPart(ring, length(ring) - descent_mm);
     const Path ramp = reversed(firstPart(reversed(ring), descent_mm));
     heights_ = depths.front();
-    descendTo(ramp.start, Over::Retract);
+    descendTo(ramp.start, first_over);
     for (const DepthHeights& heights : depths) {
         heights_ = heights;
         along(ramp, MoveKind::Ramp, heights.floor_mm);
@@ -80,13 +81,21 @@ void MoveWriter::write(const RampDown& step) {
     if (step.level) add(levelKind(), at3(step.from, heights_.floor_mm));
 }
 
+/// Has the depth before come another such step deeper, beyond the first?
+bool MoveWriter::liftsForChips(double each_mm) const {
+    if (each_mm <= 0 || path_.moves.empty()) return false;
+    const double deep_mm = heights_.stock_top_mm - heights_.above_mm;
+    const double before_mm = deep_mm - (heights_.above_mm - heights_.floor_mm);
+    return deep_mm >= 2 * each_mm && std::floor(deep_mm / each_mm) > std::floor(before_mm / each_mm);
+}
+
 void MoveWriter::write(const PlungeDown& step) {
-    const bool chips_stay = heights_.retract_mm - heights_.above_mm > step.lifts_below_mm;
-    if (chips_stay && !path_.moves.empty()) {
+    const bool lifts = liftsForChips(step.lifts_each_mm);
+    if (lifts) {
         retract();
         path_.moves.back().for_chips = true;
     }
-    descendTo(step.at, chips_stay ? Over::Retract : step.over);
+    descendTo(step.at, lifts ? Over::Retract : step.over);
     add(MoveKind::Plunge, at3(step.at, heights_.floor_mm));
 }
 

@@ -20,6 +20,7 @@ struct DepthHeights {
     double top_mm;         ///< of the feature
     double retract_mm;
     double ramp_angle_rad;
+    double stock_top_mm = 0;  ///< from where lifts for chips count
 };
 
 /// Turns scripts into moves.
@@ -32,7 +33,8 @@ class MoveWriter {
     /// A closed ring over several depths of cut without leaving it: down along its last `descent_mm`, round
     /// to there, down again, and at last level along the ramp; ends where the ring starts.
     /// \pre descent_mm < length(ring)
-    void writeRing(const Path& ring, double descent_mm, const std::vector<DepthHeights>& depths);
+    void writeRing(const Path& ring, double descent_mm, Over first_over,
+                   const std::vector<DepthHeights>& depths);
     /// Up to the retract height.
     void retract();
 
@@ -51,6 +53,7 @@ class MoveWriter {
     void approach(const Vec2& at, double clear_z_mm, Over over);
     void descendTo(const Vec2& at, Over over);
     bool staysDown(const Vec2& at) const;
+    bool liftsForChips(double each_mm) const;
     double crossingZ(Over over) const;
     /// Feeds the moves from the first on, which go down.
     void feedHelix(std::size_t first, double feed_mm_per_min);

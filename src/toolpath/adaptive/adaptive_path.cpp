@@ -155,7 +155,8 @@ std::optional<Toolpath> adaptivePath(const ClearingTask& task, const RingFamily&
     LinkRates rates{};
     rates.descent_mm = (path.step_down_mm + kDescentStartMm) / std::tan(angle);
     const Standing standing(task, r, tol);
-    const DepthTask depth{task, standing, r, path.step_over_mm, rates, tol};
+    const SweptGround untouched(task, r);
+    const DepthTask depth{task, standing, r, path.step_over_mm, rates, untouched, tol};
     const PassMaker passes(task, family, tol);
     const RoomFinder rooms(task, r, passes.isLimited(), tol);
     const Toolpath frame = path;

@@ -126,10 +126,10 @@ class FamilyMaker {
         for (const Inset& inset : insets)
             if (inset.level == 0) component.guarded.loops.push_back(inset.loop);
         addContours(component, insets);
-        addCusps(component);
         if (isWanted(Pattern::StockOffset))
             if (auto variant = stockOffset(component, step_over_mm_, tol_))
                 component.variants.push_back(*variant);
+        addCusps(component);
         if (isWanted(Pattern::Zigzag) || isWanted(Pattern::OneWay)) addLines(component);
         return component;
     }

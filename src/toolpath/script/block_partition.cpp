@@ -35,20 +35,27 @@ class Partition {
 Partition partitionOf(const DepthProgress& cut) {
     const std::vector<Descent>& descents = cut.descents();
     Partition partition(descents.size());
-    for (std::size_t spot = 0; spot < descents.size(); ++spot) {
-        if (!descents[spot].needs_others) continue;
+    const auto join_all_before = [&](std::size_t spot) {
         for (std::size_t before = 0; before < spot; ++before)
             partition.join(before, spot);
+    };
+    for (std::size_t spot = 0; spot < descents.size(); ++spot)
+        if (descents[spot].needs_others) join_all_before(spot);
+    for (int i = 0; i < cut.count(); ++i) {
+        if (!cut.wasCut(i)) continue;
+        for (const int j : cut.pass(i).after) {
+            if (cut.wasCut(j))
+                partition.join(cut.spotOf(i), cut.spotOf(j));
+            else
+                join_all_before(cut.spotOf(i));  // some of them have cleared its ground
+        }
     }
-    for (int i = 0; i < cut.count(); ++i)
-        for (const int j : cut.pass(i).after)
-            if (cut.wasCut(i) && cut.wasCut(j)) partition.join(cut.spotOf(i), cut.spotOf(j));
     return partition;
 }
 
 SweptGround groundOf(std::size_t block, const Partition& partition, const DepthTask& task,
                      const DepthProgress& cut) {
-    SweptGround ground(task.clearing, task.radius_mm);
+    SweptGround ground = task.untouched;
     for (int i = 0; i < cut.count(); ++i)
         if (cut.wasCut(i) && partition.blockOf(cut.spotOf(i)) == block)
             for (const Edge& edge : edgesOf(cut.pass(i).path))

@@ -27,9 +27,6 @@ constexpr double kRounding = 1e-9;
 /// A hole less than a quarter wider than the cutter leaves chips no room beside it: the places of its axis
 /// are less than so many radii apart.
 constexpr double kRoomForChipsRadii = 0.5;
-/// From so many radii under the retract height on chips do not get out of it by themselves.
-constexpr double kChipsStayRadii = 4;
-
 /// Is it more than a way to leave a wall?
 bool isCutOrDescent(const ScriptStep& step) {
     return !std::holds_alternative<Link>(step);
@@ -71,7 +68,7 @@ std::vector<DepthBlock> ringFirst(const DepthTask& task, const DepthProgress& cu
 
 DepthScript scriptDepth(const DepthTask& task, const RingFamily::Component& component, const Entry& entry,
                         const std::vector<Pass>& passes) {
-    const SweptGround before(task.clearing, task.radius_mm);
+    const SweptGround& before = task.untouched;
     DepthProgress progress(passes, before);
     NeedlessPasses needless(task, progress);
     needless.dropInnermost();
@@ -98,7 +95,7 @@ Over overWay(const Standing& standing, const SweptGround& ground, const Vec2& fr
 PlungeDown plungeAt(const DepthTask& task, const RingFamily::Component& component, const Vec2& at) {
     PlungeDown down{at};
     const double room_mm = boundingBox(component.region).sizes().maxCoeff();
-    if (room_mm < kRoomForChipsRadii * task.radius_mm) down.lifts_below_mm = kChipsStayRadii * task.radius_mm;
+    if (room_mm < kRoomForChipsRadii * task.radius_mm) down.lifts_each_mm = 2 * task.radius_mm;
     return down;
 }
 

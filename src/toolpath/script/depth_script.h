@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <variant>
 #include <vector>
 
@@ -38,8 +37,9 @@ struct RampDown {
 struct PlungeDown {
     Vec2 at;
     Over over = Over::Retract;
-    /// Deeper than that under the retract height it is lifted out first, so that chips get out [mm].
-    double lifts_below_mm = std::numeric_limits<double>::infinity();
+    /// Each time that it has come so much deeper under the stock's top it is lifted out first, so that chips
+    /// get out [mm]; 0: never.
+    double lifts_each_mm = 0;
 };
 /// Down through material along a curve, evenly; ends at its start.
 struct RampAlong {
@@ -118,6 +118,7 @@ struct DepthTask {
     double radius_mm;
     double step_over_mm;
     LinkRates rates;
+    const SweptGround& untouched;  ///< before any pass
     const Tolerances& tol;
 };
 

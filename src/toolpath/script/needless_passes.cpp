@@ -9,7 +9,7 @@ NeedlessPasses::NeedlessPasses(const DepthTask& task, DepthProgress& progress)
 
 /// The ground of the passes still to be cut, without one of them.
 SweptGround NeedlessPasses::groundOfPasses(int without) const {
-    SweptGround ground(task_.clearing, task_.radius_mm);
+    SweptGround ground = task_.untouched;
     for (int i = 0; i < progress_.count(); ++i) {
         if (progress_.isDone(i) || i == without) continue;
         for (const Edge& edge : edgesOf(progress_.pass(i).path))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "stepmill/core/units.h"
 #include "stepmill/toolpath/path_frame.h"
@@ -63,17 +64,20 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
                                               RegionPatterns& weighed) const {
     std::optional<RegionCut> best;
     const Pattern wanted = task_.clearing.pattern;
+    const auto is_asked = [&](Pattern pattern) {
+        return wanted == Pattern::Best ? isAmong(task_.clearing.patterns, pattern) : pattern == wanted;
+    };
+    bool stands_in = false;  // the best so far, for a region that may not have what is asked for
     bool lone_ring = false;
     for (std::size_t i = 0; i < component.variants.size(); ++i) {
         const RingFamily::Variant& variant = component.variants[i];
-        // The first is made whatever is asked for: a region may not have the pattern.
-        if (i > 0 && wanted != Pattern::Best && variant.pattern != wanted) continue;
+        if (i > 0 && !is_asked(variant.pattern)) continue;
         // Lines in ground that one ring clears are cut in addition to it.
         if (i > 0 && wanted == Pattern::Best && lone_ring) break;
         const std::vector<Pass> passes = passes_.make(component, variant);
         if (passes.empty()) continue;
         lone_ring = i == 0 && passes.size() == 1 && passes.front().closed;
-        if (best && wanted == Pattern::Best) {
+        if (best && !stands_in && wanted == Pattern::Best) {
             const double least = leastTime(passes);
             if (least >= best->time.time_s) {
                 weighed.weighed.push_back({variant.pattern, degrees(variant.angle_rad), least, true});
@@ -83,8 +87,8 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
         RegionCut made = cut(component, entry, variant, passes);
         if (made.blocks.empty()) continue;
         weighed.weighed.push_back(made.time);
-        const bool better = !best || wanted == variant.pattern || isQuicker(made.time, best->time);
-        if (better) best = std::move(made);
+        if (!best || stands_in || isQuicker(made.time, best->time)) best = std::move(made);
+        stands_in = !is_asked(variant.pattern);
     }
     if (!best) return best;
     if (wanted != Pattern::Best) weighed.weighed = {best->time};
@@ -105,14 +109,15 @@ RegionCut RegionCutter::cut(const RingFamily::Component& component, const Entry&
     if (script.empty()) return made;
     script.apart = inShortOrder(std::move(script.apart));
     if (frame_.slot_feed_mm_per_min > 0) {
-        Engagement whole = untouched_;
-        markWideCuts(script.whole.steps, whole);
-        Engagement apart = untouched_;
-        for (DepthBlock& block : script.apart)
-            markWideCuts(block.steps, apart);
-        Engagement after_ring = untouched_;
-        for (DepthBlock& block : script.ring_first)
-            markWideCuts(block.steps, after_ring);
+        const auto mark = [&](std::span<DepthBlock> blocks) {
+            if (blocks.empty()) return;
+            Engagement engagement = untouched_;
+            for (DepthBlock& block : blocks)
+                markWideCuts(block.steps, engagement);
+        };
+        mark({&script.whole, 1});
+        mark(script.apart);
+        mark(script.ring_first);
     }
     made.blocks = {std::move(script.whole)};
     made.time = {variant.pattern, degrees(variant.angle_rad), timeOf(made), false};
@@ -157,8 +162,14 @@ double RegionCutter::floorOf(int depth) const {
 }
 
 DepthHeights RegionCutter::heights(int from_depth, int to_depth) const {
-    return {floorOf(from_depth),     floorOf(to_depth),           task_.clearing.floor_z_mm,
-            task_.clearing.top_z_mm, task_.clearing.retract_z_mm, ramp_angle_rad_};
+    const ClearingTask& clearing = task_.clearing;
+    return {floorOf(from_depth),
+            floorOf(to_depth),
+            clearing.floor_z_mm,
+            clearing.top_z_mm,
+            clearing.retract_z_mm,
+            ramp_angle_rad_,
+            clearing.retract_z_mm - machine_.safe_height_mm};
 }
 
 void RegionCutter::write(const std::vector<RegionCut>& cuts, std::vector<RegionPatterns> weighed,
@@ -182,33 +193,33 @@ void RegionCutter::write(const RegionCut& cut, Over first_over, MoveWriter& writ
     Over over = first_over;
     for (std::size_t k = 0; k < cut.blocks.size(); ++k) {
         const DepthBlock& block = cut.blocks[k];
-        if (writeLoneRing(block, writer)) continue;
         if (k > 0) over = task_.standing.isClearForAll(writer.at(), block.begin) ? Over::Top : Over::Retract;
+        if (writeLoneRing(block, over, writer)) continue;
         for (int i = 1; i <= frame_.depths; ++i)
             writer.writeDepth(block.steps, i == 1 ? over : block.next_over, heights(i - 1, i));
     }
 }
 
 /// A lone ring is cut on the way down, one depth of cut a turn at most, and levelled on the floor.
-bool RegionCutter::writeLoneRing(const DepthBlock& block, MoveWriter& writer) const {
+bool RegionCutter::writeLoneRing(const DepthBlock& block, Over first_over, MoveWriter& writer) const {
     const auto* ramp = std::get_if<RampAlong>(&block.steps.front());
     const bool only_leaves =
         std::all_of(block.steps.begin() + 1, block.steps.end(),
                     [](const ScriptStep& step) { return std::holds_alternative<Link>(step); });
     if (ramp == nullptr || !ramp->closed || !only_leaves) return false;
-    writeDownAlong(ramp->curve, writer);
+    writeDownAlong(ramp->curve, first_over, writer);
     writer.writeDepth({block.steps.begin() + 1, block.steps.end()}, Over::Retract,
                       heights(frame_.depths - 1, frame_.depths));
     return true;
 }
 
-void RegionCutter::writeDownAlong(const Path& ring, MoveWriter& writer) const {
+void RegionCutter::writeDownAlong(const Path& ring, Over first_over, MoveWriter& writer) const {
     const double turn_mm = length(ring);
     if (turn_mm > task_.rates.descent_mm + kLeastLevelMm) {
         std::vector<DepthHeights> depths;
         for (int i = 1; i <= frame_.depths; ++i)
             depths.push_back(heights(i - 1, i));
-        return writer.writeRing(ring, task_.rates.descent_mm, depths);
+        return writer.writeRing(ring, task_.rates.descent_mm, first_over, depths);
     }
     // A turn goes no deeper than one depth of cut.
     const double depth_mm = task_.clearing.top_z_mm - task_.clearing.floor_z_mm + kDescentStartMm;
@@ -217,7 +228,7 @@ void RegionCutter::writeDownAlong(const Path& ring, MoveWriter& writer) const {
     const double slope = task_.rates.may_plunge ? deepest : std::min(ramp_slope, deepest);
     RampAlong down = rampAlong(ring, true, depth_mm / slope);
     if (slope > ramp_slope) down.feed_mm_per_min = helixFeed(task_, turn_mm, slope * turn_mm);
-    writer.writeDepth({down}, Over::Retract, heights(0, frame_.depths));
+    writer.writeDepth({down}, first_over, heights(0, frame_.depths));
 }
 
 }  // namespace stepmill::toolpath

@@ -49,8 +49,8 @@ class RegionCutter {
     double floorOf(int depth) const;
     DepthHeights heights(int from_depth, int to_depth) const;
     void takeIfQuicker(RegionCut& cut, std::vector<DepthBlock> blocks) const;
-    bool writeLoneRing(const DepthBlock& block, MoveWriter& writer) const;
-    void writeDownAlong(const Path& ring, MoveWriter& writer) const;
+    bool writeLoneRing(const DepthBlock& block, Over first_over, MoveWriter& writer) const;
+    void writeDownAlong(const Path& ring, Over first_over, MoveWriter& writer) const;
 
     const DepthTask& task_;
     const PassMaker& passes_;
