@@ -133,11 +133,17 @@ void addPockets(Checks& checks, const Measures& in, const PlannedSetup& setup) {
     }
 }
 
+/// A through hole is as deep as the part.
+std::string deepWords(const HoleGroup& hole, const Measures& in) {
+    if (hole.through && !hole.isMadeInPart()) return {};
+    return fmt::format(", {} deep", in.length(hole.top_mm - hole.made_to_mm));
+}
+
 void addHoles(Checks& checks, const Measures& in, const std::vector<HoleGroup>& holes) {
     for (const HoleGroup& hole : holes)
         if (hole.last >= 0)
             checks.add(fmt::format("holes {} ({}): Ø", hole.name, hole.centres.size()),
-                       "Ø " + in.length(hole.diameter_mm, 3), hole.last);
+                       "Ø " + in.length(hole.diameter_mm, 3) + deepWords(hole, in), hole.last);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -19,11 +20,15 @@ namespace {
 
 /// Holes that differ less in diameter or height are equal [mm].
 constexpr double kEqualMm = 1e-3;
+/// A hole that ends higher than this over its floor is made in part: what a drill leaves that makes room for
+/// others is less [mm].
+constexpr double kMadeWholeMm = 0.2;
 
 struct HoleWork {
     std::string way;
-    int last = -1;      ///< place of its last operation
-    double time_s = 0;  ///< of all its operations, without tool changes
+    int last = -1;                                           ///< place of its last operation
+    double to_mm = std::numeric_limits<double>::infinity();  ///< the lowest that any ends at
+    double time_s = 0;                                       ///< of all its operations, without tool changes
 };
 
 /// "drilled", "tapped M8x1.25 17.50 mm deep".
@@ -51,6 +56,7 @@ HoleWork workOn(const SheetSubject& subject, const PlannedSetup& setup,
             work.time_s += operation.motionS();
             if (std::find(ways.begin(), ways.end(), way) == ways.end()) ways.push_back(std::move(way));
             work.last = static_cast<int>(i);
+            if (operation.role != Role::Spot) work.to_mm = std::min(work.to_mm, operation.z_floor_mm);
         }
     work.way = ways.empty() ? "not made" : listed(ways);
     return work;
@@ -77,9 +83,18 @@ std::string placesWords(const std::vector<Vec2>& centres, const Measures& in) {
 
 }  // namespace
 
+bool HoleGroup::isMadeInPart() const {
+    return last >= 0 && made_to_mm > floor_mm + kMadeWholeMm;
+}
+
+std::string HoleGroup::depthWords(const Measures& in) const {
+    const std::string whole = in.number(top_mm - floor_mm) + (through ? " through" : "");
+    return isMadeInPart() ? fmt::format("{} of {}", in.number(top_mm - made_to_mm), whole) : whole;
+}
+
 std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetup& setup) {
     std::vector<HoleGroup> groups;
-    std::map<std::tuple<long, long, long, bool, std::string>, std::size_t> known;
+    std::map<std::tuple<long, long, long, long, bool, std::string>, std::size_t> known;
     for (const WholeFeature<PlannedFeature>& whole : wholeFeatures(setup.features)) {
         if (!isHole(whole.featureClass()) || whole.lowest().target.empty()) continue;
         const Feature& lowest = whole.lowest();
@@ -89,9 +104,11 @@ std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetu
         hole.top_mm = whole.uppermost().top_z_mm;
         hole.floor_mm = whole.lowest().floor_z_mm;
         hole.through = !hasFloor(whole.featureClass());
-        const auto [found, is_new] = known.emplace(std::tuple(rounded(hole.diameter_mm), rounded(hole.top_mm),
-                                                              rounded(hole.floor_mm), hole.through, work.way),
-                                                   groups.size());
+        hole.made_to_mm = work.last < 0 ? hole.floor_mm : std::max(hole.floor_mm, work.to_mm);
+        const auto [found, is_new] =
+            known.emplace(std::tuple(rounded(hole.diameter_mm), rounded(hole.top_mm), rounded(hole.floor_mm),
+                                     rounded(hole.made_to_mm), hole.through, work.way),
+                          groups.size());
         if (is_new) {
             hole.name = groupName(groups.size());
             hole.way = work.way;
@@ -121,9 +138,8 @@ std::optional<Element> holeTable(const SheetSubject& subject, const std::vector<
     for (const HoleGroup& hole : groups)
         table.row(Element("b", hole.name), std::to_string(hole.centres.size()),
                   in.number(hole.diameter_mm, 3),
-                  fmt::format("{}, {}", in.number(hole.top_mm), in.number(hole.floor_mm)),
-                  in.number(hole.top_mm - hole.floor_mm) + (hole.through ? " through" : ""), hole.way,
-                  hole.last < 0 ? "-" : clockTime(hole.time_s),
+                  fmt::format("{}, {}", in.number(hole.top_mm), in.number(hole.made_to_mm)),
+                  hole.depthWords(in), hole.way, hole.last < 0 ? "-" : clockTime(hole.time_s),
                   hole.last < 0 ? "-" : fixed(hole.time_s / static_cast<double>(hole.centres.size()), 1),
                   placesWords(hole.centres, in));
     if (table.empty()) return std::nullopt;

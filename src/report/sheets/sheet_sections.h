@@ -47,10 +47,15 @@ struct HoleGroup {
     double top_mm = 0;
     double floor_mm = 0;
     bool through = false;
-    std::string way;    ///< "drilled T5 DR6, milled T3 EM4"
-    int last = -1;      ///< place of the last operation on any of them; -1: none is made
-    double time_s = 0;  ///< of all their operations, without tool changes
+    double made_to_mm = 0;  ///< the floor, or where this setup's operations end over it
+    std::string way;        ///< "drilled T5 DR6, milled T3 EM4"
+    int last = -1;          ///< place of the last operation on any of them; -1: none is made
+    double time_s = 0;      ///< of all their operations, without tool changes
     std::vector<Vec2> centres;
+
+    bool isMadeInPart() const;
+    /// "10.00", "13.50 of 32.00 through".
+    std::string depthWords(const Measures& in) const;
 };
 std::vector<HoleGroup> holeGroups(const SheetSubject& subject, const PlannedSetup& setup);
 std::optional<Element> holeTable(const SheetSubject& subject, const std::vector<HoleGroup>& groups);
