@@ -335,30 +335,67 @@ class ViseFinder {
             why_ = whyNoTop(grip, highestJaws(across, grip, use));
             return;
         }
-        const Hold hold = heldFromBest(across, grip, top->over_bottom_mm);
+        std::optional<Held> vise = heldBy(across, grip, *top);
+        if (!vise) return;
+        const double best_mm2 = best.length_mm * best.depth_mm;
+        const bool best_is_solid = best.isVise() && best.solid_share >= kLeastSolidShare;
+        // What holds less than a hold that bends nothing need not be looked at.
+        if (best_is_solid && vise->area_mm2() < best_mm2 * (1 - kSameHold)) return;
+        if (!isSolid(*vise) && use == ViseUse::Free)
+            if (const auto lower = solidBelow(across, grip, *top)) vise = lower;
+        if (best.isVise() && isSolid(*vise) == best_is_solid) {
+            if (vise->area_mm2() < best_mm2 * (1 - kSameHold)) return;
+            if (vise->area_mm2() < best_mm2 * (1 + kSameHold) && opening >= best.opening_mm) return;
+        } else if (best_is_solid) {
+            return;
+        }
+        best = made(across, *vise, use);
+    }
+
+    /// Jaws at a height, and what they hold there.
+    struct Held {
+        Grip grip;
+        JawTop top;
+        Hold hold;
+        double solid_share = 1;  ///< material between them when all is cut
+
+        double area_mm2() const { return hold.length_mm * (top.over_bottom_mm - grip.from_mm); }
+    };
+    static bool isSolid(const Held& held) { return held.solid_share >= kLeastSolidShare; }
+
+    std::optional<Held> heldBy(const Vec2& across, Grip grip, const JawTop& top) {
+        const Hold hold = heldFromBest(across, grip, top.over_bottom_mm);
         if (hold.length_mm < kLeastLengthMm) {
             if (why_ == kNoSides && hold.length_mm > 0)
                 why_ = fmt::format("{:.2g} mm of two sides face each other where its jaws would hold",
                                    hold.length_mm);
-            return;
+            return std::nullopt;
         }
         if (holdsOneEndAlone(vise_, hold.beside_mm)) {
             why_ = endsStickOut(hold.beside_mm);
-            return;
+            return std::nullopt;
         }
-        const double over_jaws_mm = height_mm_ - top->over_bottom_mm;
+        const double over_jaws_mm = height_mm_ - top.over_bottom_mm;
         if (over_jaws_mm > kMostLengthsOverJaws * hold.length_mm) {
             why_ =
                 fmt::format("{:.3g} mm of the stock would stand over jaws that hold {:.2g} mm of its length",
                             over_jaws_mm, hold.length_mm);
-            return;
+            return std::nullopt;
         }
-        const double depth = top->over_bottom_mm - grip.from_mm;
-        const double area = hold.length_mm * depth;
-        const double most = best.length_mm * best.depth_mm;
-        if (best.isVise() && area < most * (1 - kSameHold)) return;
-        if (best.isVise() && area < most * (1 + kSameHold) && opening >= best.opening_mm) return;
-        best = made(across, grip, *top, hold, use);
+        Held held{grip, top, hold};
+        held.solid_share = solidShare(across, held);
+        return held;
+    }
+
+    /// Lower jaws between which enough stands when all is cut, as on the base under fins.
+    std::optional<Held> solidBelow(const Vec2& across, const Grip& grip, const JawTop& than) {
+        for (const JawTop& top : tops_) {
+            if (top.over_bottom_mm > than.over_bottom_mm - kPlaneMm) continue;
+            if (top.over_bottom_mm - grip.from_mm < vise_.grip_mm - kPlaneMm) break;
+            const std::optional<Held> held = heldBy(across, grip, top);
+            if (held && isSolid(*held)) return held;
+        }
+        return std::nullopt;
     }
 
     /// Up to where stock is kept from cutting, over the stock's bottom; 0: it is not.
@@ -369,8 +406,8 @@ class ViseFinder {
                                          : std::max(over_jaws_mm, stock_.under_part_mm - kGripOverlapMm);
     }
 
-    Clamping made(const Vec2& across, const Grip& grip, const JawTop& top, const Hold& hold,
-                  ViseUse use) const {
+    Clamping made(const Vec2& across, const Held& held, ViseUse use) const {
+        const auto& [grip, top, hold, solid_share] = held;
         Clamping made;
         made.kind = HoldKind::Vise;
         made.across = Vec3(across.x(), across.y(), 0);
@@ -384,30 +421,38 @@ class ViseFinder {
         const double top_z_mm = bottom_mm_ + top.over_bottom_mm;
         made.fixtures = {viseJaw(vise_, growth_mm_, across, grip.right_mm, hold.middle_mm, top_z_mm),
                          viseJaw(vise_, growth_mm_, -across, grip.left_mm, -hold.middle_mm, top_z_mm)};
-        made.solid_share = solidShare(across, grip, top, hold);
+        made.solid_share = solid_share;
         made.text = viseText(made);
         askForSupport(made, vise_, hold.beside_mm);
         return made;
     }
 
-    /// How much of the ground between the jaws, as long as they hold, is material that stands.
-    double solidShare(const Vec2& across, const Grip& grip, const JawTop& top, const Hold& hold) const {
+    /// How much of the ground between the jaws, as long as they hold, is material that stands when all is
+    /// cut.
+    double solidShare(const Vec2& across, const Held& held) const {
+        const auto& [grip, top, hold, share] = held;
         const Vec2 along(-across.y(), across.x());
         const Vec2 begin = (hold.middle_mm - hold.length_mm / 2) * along;
         const Vec2 end = (hold.middle_mm + hold.length_mm / 2) * along;
         const Region between = makePolygon({begin - grip.left_mm * across, begin + grip.right_mm * across,
                                             end + grip.right_mm * across, end - grip.left_mm * across});
-        double all = 0;
-        double solid = 0;
+        double all_mm3 = 0;
+        double solid_mm3 = 0;
         for (std::size_t i = 0; i < stock_.arriving.size(); ++i) {
             const Prism& slab = stock_.arriving[i];
-            const double high = std::min(slab.top_z_mm - bottom_mm_, top.over_bottom_mm);
             const double low = std::max(slab.bottom_z_mm - bottom_mm_, grip.from_mm);
+            const double high = std::min(slab.top_z_mm - bottom_mm_, top.over_bottom_mm);
             if (high <= low) continue;
-            all += (high - low) * area(between);
-            solid += (high - low) * area(intersect(between, stock_.standing[i], tol_));
+            all_mm3 += (high - low) * area(between);
+            const Region standing = intersect(between, stock_.standing[i], tol_);
+            solid_mm3 += (high - low) * area(standing);
+            for (const Prism& cut : stock_.removed) {
+                const double from = std::max(low, cut.bottom_z_mm - bottom_mm_);
+                const double to = std::min(high, cut.top_z_mm - bottom_mm_);
+                if (to > from) solid_mm3 -= (to - from) * area(intersect(standing, cut.region, tol_));
+            }
         }
-        return all > 0 ? solid / all : 1;
+        return all_mm3 > 0 ? solid_mm3 / all_mm3 : 1;
     }
 
     static std::string viseText(const Clamping& vise) {

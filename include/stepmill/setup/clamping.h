@@ -50,8 +50,8 @@ struct Clamping {
     double length_mm = 0;     ///< of jaw that touches on both sides
     double parallels_mm = 0;  ///< height of the parallels under the stock; 0: it lies on the vise's bed
     double seat_mm2 = 0;      ///< of the stock's bottom that is flat and stays: what it rests on
-    double solid_share =
-        1;  ///< material, of what lies between a vise's jaws where they hold; 1: all, or not asked
+    /// Material, of what lies between a vise's jaws where they hold, when all is cut; 1: all, or not asked.
+    double solid_share = 1;
     double beside_mm = 0;  ///< of stock beside the jaws that needs support or a second vise; 0: none does
     /// Stock is not cut below this height over its bottom where it is held; 0: nothing is kept from cutting.
     double held_mm = 0;
@@ -86,6 +86,10 @@ struct StockToHold {
     double round_above_mm = std::numeric_limits<double>::infinity();
 };
 
+/// Of the ground between a vise's jaws so much is material, or the walls they press on want a block between
+/// them: a fork of two tines of a quarter of its width each bends, a plate with a row of holes does not.
+inline constexpr double kLeastSolidShare = 0.6;
+
 /// What the shop has, and which kind was asked for; nothing: the first of the order below that will do.
 struct HoldWish {
     Vise vise;
@@ -97,10 +101,11 @@ struct HoldWish {
 /// How to hold it, the first of:
 /// 1. The vise on two opposite, parallel, upright flat sides with nothing sticking out farther below them,
 ///    which the setup cuts nowhere along the jaws' height and the clearance over them, that face each other
-///    over enough length and no farther apart than the vise opens. Of several pairs the one with the largest
-///    area held, of equal ones the smaller opening. The stock stands on the lowest parallels that keep the
-///    jaws clear, and below leaning ground at its outside by a tip's length if the vise still holds enough
-///    so; on some where anything is cut through it.
+///    over enough length and no farther apart than the vise opens. Of several pairs those between which
+///    enough stands when all is cut, lower down if need be, of these the one with the largest area held, of
+///    equal ones the smaller opening. The stock stands on the lowest parallels that keep the jaws clear, and
+///    below leaning ground at its outside by a tip's length if the vise still holds enough so; on some where
+///    anything is cut through it.
 /// 2. The vise on stock below the part, which is not cut in this setup.
 /// 3. Soft jaws, where the lowest outline goes up far enough and is not cut.
 /// 4. Screws through two holes or more that the stock arrives with, whose heads no cutter comes near.

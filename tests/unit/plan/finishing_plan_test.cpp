@@ -57,7 +57,7 @@ TEST(FinishingPlan, OperationsTellTheirHeightsAndWhatTheyLeave) {
 }
 
 TEST(FinishingPlan, WarnsOfPlacesAsNarrowAsTheCutterAndNotOfDrilledHoles) {
-    EXPECT_FALSE(warnedOf(planSample("mold_core.step", kAllowance), "no-allowance").empty());
+    EXPECT_FALSE(warnedOf(planSample("bossed_pocket.step", kAllowance), "no-allowance").empty());
     const Plan plan = planSample("plate_with_holes.step", kAllowance);
     const std::vector<std::string> without = warnedOf(plan, "no-allowance");
     for (const Operation& operation : plan.setups.at(0).operations) {

@@ -21,9 +21,10 @@ PlannedFeature planPocket(const std::string& name, SurrogateRule rule) {
     request.sequence.surrogates = rule;
     const Part part = readStep(source + "/step_parts/" + name + ".step").front();
     const ToolLibrary library = readToolLibrary(source + "/samples/dsouza2006_tools.json");
-    // The paper's rapids touch.
+    // The paper's rapids and holders touch.
     Machine machine = defaultMachine();
     machine.side_clearance_mm = machine.top_clearance_mm = machine.inside_clearance_mm = 0;
+    machine.holder_clearance_mm = 0;
     const Plan plan = planPart(part, request, library, machine, kTol);
     EXPECT_TRUE(plan.complete(kTol)) << name;
     return plan.setups.front().features.back();

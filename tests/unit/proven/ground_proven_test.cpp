@@ -75,7 +75,7 @@ TEST(ChangedGround, IsNotWhatThePartSays) {
         saidOf(part, plan, [](Feature& ground) { ground.target = offset(ground.target, -1, kTol); }).empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, CutTogether, testing::Values("mold_core", "die_cavity"));
+INSTANTIATE_TEST_SUITE_P(Parts, CutTogether, testing::Values("die_cavity"));
 
 }  // namespace
 }  // namespace stepmill
