@@ -8,6 +8,7 @@
 
 #include "report/page/table.h"
 #include "report/page/words.h"
+#include "report/sheets/flip.h"
 #include "report/sheets/sheet_sections.h"
 #include "stepmill/feature/whole_feature.h"
 #include "stepmill/setup/stock_growth.h"
@@ -158,10 +159,13 @@ Element checkTable(const SheetSubject& subject, const PlannedSetup& setup,
     if (!subject.plan().request.roughing) {
         addPockets(checks, in, setup);
         addHoles(checks, in, holes);
-        if (last && !setup.operations.empty())
-            checks.add("part, X × Y × Z",
-                       in.size(subject.plan().part.bbox_mm.transformed(setup.setup.part_to_setup).sizes()),
+        if (last && !setup.operations.empty()) {
+            const Box3& part = subject.plan().part.bbox_mm;
+            const bool square = isSquare(setup.setup);
+            checks.add(square ? "part, X × Y × Z" : "part, x × y × z as drawn",
+                       in.size((square ? part.transformed(setup.setup.part_to_setup) : part).sizes()),
                        static_cast<int>(setup.operations.size()) - 1);
+        }
     }
     return std::move(checks).element();
 }

@@ -1,5 +1,6 @@
 #include "report/sheets/flip.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -81,6 +82,17 @@ std::string sideWords(const Vec3& direction) {
         if (std::abs(direction[axis] + 1) < kSameDirection) return kBehind[axis];
     }
     return {};
+}
+
+bool isSquare(const Setup& setup) {
+    return turnsOf(setup.part_to_setup.linear()).has_value();
+}
+
+std::string tiltWords(const Setup& setup) {
+    Eigen::Index nearest = 0;
+    const double along = setup.axis.cwiseAbs().maxCoeff(&nearest);
+    return fmt::format("{:.2f}° off its {}{}", radToDeg(std::acos(std::min(1.0, along))),
+                       setup.axis[nearest] > 0 ? '+' : '-', "xyz"[nearest]);
 }
 
 std::string flipWords(const Setup& before, const Setup& now) {

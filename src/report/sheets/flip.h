@@ -14,4 +14,10 @@ std::string flipWords(const Setup& before, const Setup& now);
 /// for one that is askew.
 std::string sideWords(const Vec3& direction);
 
+/// Do the part's axes lie along the setup's?
+bool isSquare(const Setup& setup);
+
+/// How the tool stands to a part that is tilted in its setup: "30.00° off its +z".
+std::string tiltWords(const Setup& setup);
+
 }  // namespace stepmill::report

@@ -67,6 +67,10 @@ std::string blankWords(const Measures& in, const Setup& setup) {
 }
 
 std::string partWords(const Measures& in, const Plan& plan, const Setup& setup) {
+    // A box is larger in a tilted one.
+    if (!isSquare(setup))
+        return fmt::format("{} as drawn; the tool's axis is {}.", in.size(plan.part.bbox_mm.sizes()),
+                           tiltWords(setup));
     const Box3 part = plan.part.bbox_mm.transformed(setup.part_to_setup);
     return fmt::format("{} in it, from {} to {}.", in.size(part.sizes()), in.place(part.min()),
                        in.place(part.max()));

@@ -59,5 +59,16 @@ TEST(FlipWords, TellAnAngleWhereThePartStandsAskew) {
     EXPECT_EQ(words.find("was down"), std::string::npos) << words;
 }
 
+TEST(TiltWords, TellHowFarTheToolLeansFromAnAxisOfTheDrawing) {
+    Setup setup = turned("S1", about(Vec3::UnitX(), 90));
+    EXPECT_TRUE(isSquare(setup));
+    setup = turned("S1", about(Vec3::UnitX(), 30));
+    setup.axis = about(Vec3::UnitX(), -30) * Vec3::UnitZ();
+    EXPECT_FALSE(isSquare(setup));
+    EXPECT_EQ(tiltWords(setup), "30.00° off its +z");
+    setup.axis = -Vec3(std::cos(degToRad(20)), std::sin(degToRad(20)), 0);
+    EXPECT_EQ(tiltWords(setup), "20.00° off its -x");
+}
+
 }  // namespace
 }  // namespace stepmill::report
