@@ -60,7 +60,7 @@ TEST(FlipWords, TellAnAngleWhereThePartStandsAskew) {
 }
 
 TEST(TiltWords, TellHowFarTheToolLeansFromAnAxisOfTheDrawing) {
-    Setup setup = turned("S1", about(Vec3::UnitX(), 90));
+    auto setup = turned("S1", about(Vec3::UnitX(), 90));
     EXPECT_TRUE(isSquare(setup));
     setup = turned("S1", about(Vec3::UnitX(), 30));
     setup.axis = about(Vec3::UnitX(), -30) * Vec3::UnitZ();
