@@ -97,11 +97,8 @@ class AllowanceTrial {
         }
         reaches_.reserve(used_.size());
         for (const Candidate* tool : used_) {
-            reaches_.push_back(toolReach(moved_in_, *tool->tool, task_.options.material));
+            reaches_.push_back(reachFor(moved_in_, *tool->tool, task_.options));
             ToolReach& reach = reaches_.back();
-            if (reach.exclusion() == nullptr && task_.options.clear_of_own_material)
-                if (auto trouble = access::ownMaterialTrouble(moved_in_, *tool->tool, reach))
-                    reach.use = std::move(*trouble);
             if (const Exclusion* excluded = reach.exclusion()) {
                 trouble_ = fmt::format("with one {} would not do: {}", tool->tool->id, excluded->text);
                 return false;

@@ -113,7 +113,7 @@ class FamilyMaker {
     FamilyMaker(const ClearingTask& task, double radius_mm, double step_over_mm, const Tolerances& tol)
         : task_(task), target_(task.target), radius_mm_(radius_mm), step_over_mm_(step_over_mm), tol_(tol) {}
 
-    RingFamily::Component make(const Region& region) const {
+    RingFamily::Component make(const Region& region) {
         RingFamily::Component component;
         component.region = region;
         component.indexed = IndexedRegion(region);
@@ -209,16 +209,17 @@ class FamilyMaker {
                 if (ring.level == 0) leadIntoCusps(component.indexed, cusps, tol_, ring.path);
     }
 
-    void addLines(RingFamily::Component& component) const {
+    void addLines(RingFamily::Component& component) {
         std::vector<RingFamily::Ring> wall_rings;
         const RingFamily::Variant& contour = component.variants.front();
         for (const RingFamily::Ring& ring : contour.rings)
             if (ring.level == 0) wall_rings.push_back({ring.path, 0, false});
         component.line_ground = component.guarded;
         // A disc on a line need not go beyond an open side farther than clears the target's edge.
-        if (!component.open_sides.empty())
-            component.line_ground =
-                intersect(component.guarded, offset(task_.target, step_over_mm_ / 2, tol_), tol_);
+        if (!component.open_sides.empty()) {
+            if (near_target_.empty()) near_target_ = offset(task_.target, step_over_mm_ / 2, tol_);
+            component.line_ground = intersect(component.guarded, near_target_, tol_);
+        }
         RingFamily::Variant lines = zigzag(component, wall_rings, step_over_mm_);
         if (lines.lines.empty()) return;
         lines.leaves_component = contour.leaves_component;
@@ -275,6 +276,7 @@ class FamilyMaker {
 
     const ClearingTask& task_;
     IndexedRegion target_;
+    Region near_target_;  ///< half a step-over beyond it; made when a component asks for it
     double radius_mm_;
     double step_over_mm_;
     const Tolerances& tol_;
@@ -285,7 +287,7 @@ class FamilyMaker {
 RingFamily::RingFamily(const ClearingTask& task, double radius_mm, double step_over_mm, const Tolerances& tol)
     : radius_mm_(radius_mm), step_over_mm_(step_over_mm) {
     STEPMILL_CHECK(step_over_mm > 0 && step_over_mm <= radius_mm, "rings further apart than the radius");
-    const FamilyMaker maker(task, radius_mm, step_over_mm, tol);
+    FamilyMaker maker(task, radius_mm, step_over_mm, tol);
     for (const Region& region : stepmill::components(task.free_centres))
         components_.push_back(maker.make(region));
 }

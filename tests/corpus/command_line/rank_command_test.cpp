@@ -245,7 +245,7 @@ TEST_F(RankCommand, TheSequenceAtTheMachinesValueIsThePlans) {
 }
 
 TEST_F(RankCommand, WhatToBuyStartsFromThePlansTimes) {
-    const std::string short_tools = write("short.json", shortTools(8).dump());
+    const std::string short_tools = write("short.json", shortTools(9).dump());
     const std::string part = kSource + "/step_parts/shoulder_block.step";
     // On an exact blank no feature takes another tool than its own best for company.
     const Json plan =

@@ -217,7 +217,7 @@ TEST_F(SpoiltProgram, ShowsAHolderThatWouldTouch) {
     std::ofstream(dir_ / "plan.json") << plan;
     const ProgramRun run = verify(dir_);
     EXPECT_EQ(run.exit_code, 2) << run.out;
-    EXPECT_TRUE(test::tells(run.out, {"8 mm over the tip", "into material"}));
+    EXPECT_TRUE(test::tells(run.out, {"7 mm over the tip", "with 1 mm of clearance", "into material"}));
 }
 
 TEST_F(SpoiltProgram, ShowsAClampInTheWay) {

@@ -117,9 +117,10 @@ class Run {
 
     void stand(const Vec3& tip, const CanonEvent& event, const Spindle& spindle) {
         const double radius_mm = spindle.cutter.radius_mm;
-        if (event.kind != Kind::Rapid)
-            stock_.cut(tip, spindle.cutter);
-        else if (stock_.meets(tip.head<2>(), radius_mm - rimMm(), tip.z() + cell_mm_,
+        if (event.kind != Kind::Rapid) stock_.cut(tip, spindle.cutter);
+        // A drill is as wide as that from the end of its point on.
+        else if (stock_.meets(tip.head<2>(), radius_mm - rimMm(),
+                              tip.z() + spindle.cutter.heightAt(radius_mm) + cell_mm_,
                               tip.z() + spindle.flutes_mm))
             note(hits_.rapids, "a rapid", tip, event);
         fixture({radius_mm, 0, spindle.flutes_mm}, tip, event);
