@@ -32,7 +32,7 @@ constexpr double kGougeMm = 0.02;
 /// the wall by the machine's inside clearance and feeds over, which is much of its way where a millimetre is
 /// left in a corner, and less is left there with an allowance.
 constexpr double kAirShare = 0.65;
-/// ... and of a way that cuts half a millimetre, which is all that some corners have left, so much more [mm].
+/// ... and from each descent on so much more: some corners have no more than half a millimetre left [mm].
 constexpr double kLeadMm = 0.5;
 
 using test::kTol;
@@ -114,8 +114,10 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
             const double air_share =
                 operation.role == Role::Finish || operation.role == Role::Form ? 1 : kAirShare;
             // The cells tell to one of them where each way of a few millimetres begins to cut.
-            const auto ways = static_cast<double>(std::max<std::size_t>(1, operation.path.regions.size()));
-            const double leads_mm = (kCellMm + kLeadMm) * ways * std::max(1, operation.path.depths);
+            const std::vector<Move>& moves = operation.path.moves;
+            const auto descents = std::count_if(
+                moves.begin(), moves.end(), [](const Move& move) { return move.kind == MoveKind::Plunge; });
+            const double leads_mm = (kCellMm + kLeadMm) * static_cast<double>(descents);
             EXPECT_LE(cut.level_air_mm, air_share * cut.level_mm + leads_mm) << operation.id;
         }
         EXPECT_EQ(gouged(stock, part), 0) << setup.setup.id;
