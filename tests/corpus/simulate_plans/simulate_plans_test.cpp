@@ -32,7 +32,8 @@ constexpr double kGougeMm = 0.02;
 /// the wall by the machine's inside clearance and feeds over, which is much of its way where a millimetre is
 /// left in a corner, and less is left there with an allowance.
 constexpr double kAirShare = 0.65;
-/// ... and from each descent on so much more: some corners have no more than half a millimetre left [mm].
+/// ... and each time that it comes down so much more: some corners have no more than half a millimetre left
+/// [mm].
 constexpr double kLeadMm = 0.5;
 
 using test::kTol;
@@ -84,6 +85,20 @@ double wallArea(const PlannedSetup& planned) {
     return sum;
 }
 
+/// How often the cutter begins to be fed on the level, having come down.
+int levelWays(const Toolpath& path) {
+    int ways = 0;
+    bool goes_on = false;
+    Vec3 from = path.start;
+    for (const Move& move : path.moves) {
+        const bool level = move.kind != MoveKind::Rapid && move.to.z() == from.z();
+        ways += level && !goes_on ? 1 : 0;
+        goes_on = level;
+        from = move.to;
+    }
+    return ways;
+}
+
 void expectCutsWhatItSays(const Plan& planned, const char* name) {
     double removed = 0;
     double margin = 0;
@@ -114,10 +129,7 @@ void expectCutsWhatItSays(const Plan& planned, const char* name) {
             const double air_share =
                 operation.role == Role::Finish || operation.role == Role::Form ? 1 : kAirShare;
             // The cells tell to one of them where each way of a few millimetres begins to cut.
-            const std::vector<Move>& moves = operation.path.moves;
-            const auto descents = std::count_if(
-                moves.begin(), moves.end(), [](const Move& move) { return move.kind == MoveKind::Plunge; });
-            const double leads_mm = (kCellMm + kLeadMm) * static_cast<double>(descents);
+            const double leads_mm = (kCellMm + kLeadMm) * levelWays(operation.path);
             EXPECT_LE(cut.level_air_mm, air_share * cut.level_mm + leads_mm) << operation.id;
         }
         EXPECT_EQ(gouged(stock, part), 0) << setup.setup.id;
