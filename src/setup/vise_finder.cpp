@@ -339,8 +339,9 @@ class ViseFinder {
         if (!vise) return;
         const double best_mm2 = best.length_mm * best.depth_mm;
         const bool best_is_solid = best.isVise() && best.solid_share >= kLeastSolidShare;
-        // What holds less than a hold that bends nothing need not be looked at.
+        // What holds less than a hold that bends nothing need not be measured.
         if (best_is_solid && vise->area_mm2() < best_mm2 * (1 - kSameHold)) return;
+        vise->solid_share = solidShare(across, *vise);
         if (!isSolid(*vise) && use == ViseUse::Free)
             if (const auto lower = solidBelow(across, grip, *top)) vise = lower;
         if (best.isVise() && isSolid(*vise) == best_is_solid) {
@@ -363,6 +364,8 @@ class ViseFinder {
     };
     static bool isSolid(const Held& held) { return held.solid_share >= kLeastSolidShare; }
 
+    /// What jaws hold at that height, how much stands between them not measured; nothing where that is too
+    /// little.
     std::optional<Held> heldBy(const Vec2& across, Grip grip, const JawTop& top) {
         const Hold hold = heldFromBest(across, grip, top.over_bottom_mm);
         if (hold.length_mm < kLeastLengthMm) {
@@ -382,9 +385,7 @@ class ViseFinder {
                             over_jaws_mm, hold.length_mm);
             return std::nullopt;
         }
-        Held held{grip, top, hold};
-        held.solid_share = solidShare(across, held);
-        return held;
+        return Held{grip, top, hold};
     }
 
     /// Lower jaws between which enough stands when all is cut, as on the base under fins.
@@ -392,8 +393,10 @@ class ViseFinder {
         for (const JawTop& top : tops_) {
             if (top.over_bottom_mm > than.over_bottom_mm - kPlaneMm) continue;
             if (top.over_bottom_mm - grip.from_mm < vise_.grip_mm - kPlaneMm) break;
-            const std::optional<Held> held = heldBy(across, grip, top);
-            if (held && isSolid(*held)) return held;
+            std::optional<Held> held = heldBy(across, grip, top);
+            if (!held) continue;
+            held->solid_share = solidShare(across, *held);
+            if (isSolid(*held)) return held;
         }
         return std::nullopt;
     }

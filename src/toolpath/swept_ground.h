@@ -11,8 +11,6 @@ namespace stepmill::toolpath {
 /// Material thinner than this share of the disc's radius counts as none: cusps between passes.
 /// A share of the radius, since cusps grow with it.
 inline constexpr double kCuspShare = 0.01;
-/// A pass that would only take skins thinner than this many slivers may be left out.
-inline constexpr double kSkinSlivers = 2;
 
 /// The part of a task's target that a disc has swept. It answers whether a way lies wholly in it.
 ///

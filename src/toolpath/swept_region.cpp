@@ -17,11 +17,10 @@ std::vector<Region> sweeps(const std::vector<Path>& ways, double radius_mm, cons
 }  // namespace
 
 std::vector<Region> piecesBeyondSkins(const Region& region, const Tolerances& tol) {
-    constexpr double kThinSlivers = 2;
     std::vector<Region> pieces = components(region);
     std::erase_if(pieces, [&](const Region& piece) {
         const double mean_width_mm = 2 * area(piece) / perimeter(piece);
-        return area(piece) <= tol.area_mm2 || mean_width_mm <= kThinSlivers * tol.sliver_mm;
+        return area(piece) <= tol.area_mm2 || mean_width_mm <= kSkinSlivers * tol.sliver_mm;
     });
     return pieces;
 }

@@ -9,6 +9,7 @@
 #include "sequence/steps/hole_room.h"
 #include "stepmill/core/units.h"
 #include "stepmill/feature/hole_group.h"
+#include "stepmill/toolpath/swept_region.h"
 
 namespace stepmill {
 namespace {
@@ -51,9 +52,6 @@ double tipByFlutesZ(const Feature& hole, const ToolAssembly& drill) {
     return drill.flute_length_mm > 0 ? hole.top_z_mm - drill.flute_length_mm
                                      : -std::numeric_limits<double>::infinity();
 }
-
-/// What is no thicker than so many slivers stands in no mill's way.
-constexpr double kSkinSlivers = 2;
 
 /// The tip of a drill that makes room stays so far over the floor [mm].
 constexpr double kOverFloorMm = 0.1;
@@ -126,6 +124,13 @@ std::optional<double> widthThatMeets(const Feature& hole, const ToolAssembly& to
             if (meetsObstacle(hole, axis, bottom_z_mm, cylinder.diameter_mm / 2)) return cylinder.diameter_mm;
     }
     return std::nullopt;
+}
+
+std::string troubleBeside(const Feature& hole, const ToolAssembly& tool, double tip_z_mm) {
+    const auto width_mm = widthThatMeets(hole, tool, {tool.diameter_mm, 0, tool.flute_length_mm}, tip_z_mm);
+    if (!width_mm) return {};
+    return fmt::format("{} would touch what stands beside the hole, {:g} mm wide{}", tool.id, *width_mm,
+                       clearanceWords(tool));
 }
 
 bool meetsObstacle(const Feature& feature, const Vec2& axis, double bottom_z_mm, double radius_mm) {
@@ -215,7 +220,7 @@ CutterArea preDrilledArea(const Feature& feature, const ToolAssembly& drill, con
     area.coverable_area_mm2 = stepmill::area(area.coverable);
     area.access_volume_mm3 = area.coverable_area_mm2 * feature.depth_mm();
     // A mill as wide as the drill comes down in the hole too: skins are nothing to it.
-    area.swept = SureSweep(offset(area.coverable, kSkinSlivers * tol.sliver_mm, tol), tol);
+    area.swept = SureSweep(offset(area.coverable, toolpath::kSkinSlivers * tol.sliver_mm, tol), tol);
     return area;
 }
 

@@ -69,11 +69,7 @@ std::string sizingTrouble(const SizingTask& task, const ToolAssembly& sizer) {
     if (hole.top_z_mm - tip_z_mm > reach_mm)
         return fmt::format("{} reaches {:.4g} mm, its tip must go {:.4g} mm deep", sizer.id, reach_mm,
                            hole.top_z_mm - tip_z_mm);
-    if (const auto width_mm =
-            widthThatMeets(hole, sizer, {sizer.diameter_mm, 0, sizer.flute_length_mm}, tip_z_mm))
-        return fmt::format("{} would touch what stands beside the hole, {:g} mm wide{}", sizer.id, *width_mm,
-                           clearanceWords(sizer));
-    return {};
+    return troubleBeside(hole, sizer, tip_z_mm);
 }
 
 double leftByLeadMm3(const SizingTask& task, const ToolAssembly& sizer, double before_mm) {

@@ -86,10 +86,7 @@ std::string tapShankTrouble(const Feature& hole, const ToolAssembly& tap, double
     if (depth_mm > slim_mm)
         return fmt::format("{} reaches {:.4g} mm into a hole of {:.4g} mm, its tip must go {:.4g} mm deep",
                            tap.id, slim_mm, hole_mm, depth_mm);
-    if (const auto width_mm = widthThatMeets(hole, tap, {tap.diameter_mm, 0, tap.flute_length_mm}, tip_z_mm))
-        return fmt::format("{} would touch what stands beside the hole, {:g} mm wide{}", tap.id, *width_mm,
-                           clearanceWords(tap));
-    return {};
+    return troubleBeside(hole, tap, tip_z_mm);
 }
 
 double tapSpeedRpm(const ToolAssembly& tap, const CuttingData& cutting, const Machine& machine) {

@@ -56,7 +56,7 @@ constexpr double kLoopLeadTurnsDeg[] = {30, 45, 60, 75, 90, 120, 150};
 /// [mm].
 constexpr double kLeadMm = 0.1;
 /// What reaches no farther from the cleared ground than so many slivers gets no pass.
-constexpr double kSkinSlivers = 1;
+constexpr double kGrownSlivers = 1;
 /// A way that is not straight goes by the start of one of so many passes.
 constexpr std::size_t kMostVias = 8;
 /// After so many bites skins are taken without a pass.
@@ -119,7 +119,7 @@ class Growth {
         std::erase_if(pieces, [&](const Region& piece) {
             for (const Edge& edge : edgesOf(piece))
                 for (const double share : {0.5, 1.0})
-                    if (distanceToRegion(cleared_, pointAt(edge, share)) > kSkinSlivers * tol_.sliver_mm)
+                    if (distanceToRegion(cleared_, pointAt(edge, share)) > kGrownSlivers * tol_.sliver_mm)
                         return false;
             return true;
         });

@@ -20,11 +20,6 @@ namespace {
 
 /// Four guards tell "on the boundary" from "beside it" with rounding to spare.
 constexpr double kGuardsOnBoundary = 4;
-/// Where the boundary of free centres turns back so sharply, the guard keeps rings out of its corner by more
-/// than sixteen guards: the product of its directions is less.
-constexpr double kTurnsBack = -0.992;
-/// Rings lead into such a corner no farther [mm].
-constexpr double kDeepestCuspMm = 0.3;
 /// Rings of neighbouring levels are one step-over apart, but for rounding.
 constexpr double kNeighbourSlack = 1.01;
 
@@ -45,41 +40,15 @@ bool cutsNothing(const IndexedRegion& target, double radius_mm, const Edge& edge
     return true;
 }
 
+bool isAskedFor(const ClearingTask& task, Pattern pattern) {
+    return task.pattern == Pattern::Best ? isAmong(task.patterns, pattern) : task.pattern == pattern;
+}
+
 bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm) {
     const double reach = kNeighbourSlack * step_over_mm;
     if (!grown(a.box(), reach).intersects(b.box())) return false;
     return std::any_of(b.edges().begin(), b.edges().end(),
                        [&](const Edge& edge) { return a.anyNearer(edge, reach); });
-}
-
-std::vector<Vec2> cuspsOf(const Region& region) {
-    std::vector<Vec2> cusps;
-    for (const Loop& loop : region.loops) {
-        const std::vector<Edge> edges = edgesOf(loop);
-        for (std::size_t i = 0; i < edges.size(); ++i)
-            if (tangentAt(edges[i], 1).dot(tangentAt(edges[(i + 1) % edges.size()], 0)) < kTurnsBack)
-                cusps.push_back(edges[i].to());
-    }
-    return cusps;
-}
-
-void leadIntoCusps(const IndexedRegion& region, const std::vector<Vec2>& cusps, const Tolerances& tol,
-                   Loop& ring) {
-    for (const Vec2& cusp : cusps) {
-        const auto nearest = std::min_element(
-            ring.segments.begin(), ring.segments.end(), [&](const Segment& one, const Segment& other) {
-                return (one.to - cusp).squaredNorm() < (other.to - cusp).squaredNorm();
-            });
-        const Vec2 corner = nearest->to;
-        const double deep_mm = (corner - cusp).norm();
-        if (deep_mm <= 2 * tol.sliver_mm || deep_mm > kDeepestCuspMm) continue;
-        const auto on = [&](double share) { return Vec2(corner + share * (cusp - corner)); };
-        const auto isFree = [&](double share) { return region.isNear(on(share), tol.linear_mm); };
-        if (!isFree(0.25) || !isFree(0.5) || !isFree(0.75)) continue;
-        // A sliver short of where the disc would touch both walls.
-        const Vec2 end = snapToGrid(on(1 - tol.sliver_mm / deep_mm));
-        ring.segments.insert(std::next(nearest), {{end, std::nullopt}, {corner, std::nullopt}});
-    }
 }
 
 bool isFreeWay(const RingFamily::Component& component, const Vec2& a, const Vec2& b, const Tolerances& tol) {
@@ -98,6 +67,12 @@ namespace {
 
 using namespace toolpath;
 
+/// Where the boundary of free centres turns back so sharply, the guard keeps rings out of its corner by more
+/// than sixteen guards: the product of its directions is less.
+constexpr double kTurnsBack = -0.992;
+/// Rings lead into such a corner no farther [mm].
+constexpr double kDeepestCuspMm = 0.3;
+
 enum class Openness { Walled, Mixed, Open };
 
 /// A ring, and whether the disc along it does no more than touch the target.
@@ -107,6 +82,39 @@ struct Inset {
     Openness openness = Openness::Walled;
     bool outside_in = false;
 };
+
+/// Where the boundary turns back: between walls that are there exactly as far apart as the cutter is wide.
+std::vector<Vec2> cuspsOf(const Region& region) {
+    std::vector<Vec2> cusps;
+    for (const Loop& loop : region.loops) {
+        const std::vector<Edge> edges = edgesOf(loop);
+        for (std::size_t i = 0; i < edges.size(); ++i)
+            if (tangentAt(edges[i], 1).dot(tangentAt(edges[(i + 1) % edges.size()], 0)) < kTurnsBack)
+                cusps.push_back(edges[i].to());
+    }
+    return cusps;
+}
+
+/// The guard keeps a ring out of a cusp, which between round walls is ten times as deep as the corner that a
+/// disc leaves: where it comes near one, the ring goes there and back.
+void leadIntoCusps(const IndexedRegion& region, const std::vector<Vec2>& cusps, const Tolerances& tol,
+                   Loop& ring) {
+    for (const Vec2& cusp : cusps) {
+        const auto nearest = std::min_element(
+            ring.segments.begin(), ring.segments.end(), [&](const Segment& one, const Segment& other) {
+                return (one.to - cusp).squaredNorm() < (other.to - cusp).squaredNorm();
+            });
+        const Vec2 corner = nearest->to;
+        const double deep_mm = (corner - cusp).norm();
+        if (deep_mm <= 2 * tol.sliver_mm || deep_mm > kDeepestCuspMm) continue;
+        const auto on = [&](double share) { return Vec2(corner + share * (cusp - corner)); };
+        const auto isFree = [&](double share) { return region.isNear(on(share), tol.linear_mm); };
+        if (!isFree(0.25) || !isFree(0.5) || !isFree(0.75)) continue;
+        // A sliver short of where the disc would touch both walls.
+        const Vec2 end = snapToGrid(on(1 - tol.sliver_mm / deep_mm));
+        ring.segments.insert(std::next(nearest), {{end, std::nullopt}, {corner, std::nullopt}});
+    }
+}
 
 class FamilyMaker {
   public:
@@ -135,9 +143,7 @@ class FamilyMaker {
     }
 
   private:
-    bool isWanted(Pattern pattern) const {
-        return task_.pattern == Pattern::Best ? isAmong(task_.patterns, pattern) : task_.pattern == pattern;
-    }
+    bool isWanted(Pattern pattern) const { return isAskedFor(task_, pattern); }
 
     /// In slots as wide as the cutter one pass along the middle of each is all.
     bool addMiddles(RingFamily::Component& component) const {

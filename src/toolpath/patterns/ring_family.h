@@ -68,15 +68,11 @@ bool cutsNothing(const IndexedRegion& target, double radius_mm, const Vec2& p, c
 /// up to a wall in between, the disc touches the target in one place and cuts on both sides of it.
 bool cutsNothing(const IndexedRegion& target, double radius_mm, const Edge& edge, const Tolerances& tol);
 
+/// May a region be cut by that pattern?
+bool isAskedFor(const ClearingTask& task, Pattern pattern);
+
 /// Do curves of neighbouring levels run side by side somewhere?
 bool adjacent(const EdgeIndex& a, const EdgeIndex& b, double step_over_mm);
-
-/// Where the boundary turns back: between walls that are there exactly as far apart as the cutter is wide.
-std::vector<Vec2> cuspsOf(const Region& region);
-/// The guard keeps a ring out of a cusp, which between round walls is ten times as deep as the corner that a
-/// disc leaves: where it comes near one, the ring goes there and back.
-void leadIntoCusps(const IndexedRegion& region, const std::vector<Vec2>& cusps, const Tolerances& tol,
-                   Loop& ring);
 
 /// May the axis go straight from a to b, both known to be free centres of the component? Keeps the guard
 /// from walls; over open sides, where no guard is needed, the ends may lie on the boundary.

@@ -27,6 +27,7 @@ constexpr double kRounding = 1e-9;
 /// A hole less than a quarter wider than the cutter leaves chips no room beside it: the places of its axis
 /// are less than so many radii apart.
 constexpr double kRoomForChipsRadii = 0.5;
+
 /// Is it more than a way to leave a wall?
 bool isCutOrDescent(const ScriptStep& step) {
     return !std::holds_alternative<Link>(step);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "stepmill/toolpath/swept_region.h"
+
 namespace stepmill::toolpath {
 
 NeedlessPasses::NeedlessPasses(const DepthTask& task, DepthProgress& progress)

@@ -64,14 +64,11 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
                                               RegionPatterns& weighed) const {
     std::optional<RegionCut> best;
     const Pattern wanted = task_.clearing.pattern;
-    const auto is_asked = [&](Pattern pattern) {
-        return wanted == Pattern::Best ? isAmong(task_.clearing.patterns, pattern) : pattern == wanted;
-    };
     bool stands_in = false;  // the best so far, for a region that may not have what is asked for
     bool lone_ring = false;
     for (std::size_t i = 0; i < component.variants.size(); ++i) {
         const RingFamily::Variant& variant = component.variants[i];
-        if (i > 0 && !is_asked(variant.pattern)) continue;
+        if (i > 0 && !isAskedFor(task_.clearing, variant.pattern)) continue;
         // Lines in ground that one ring clears are cut in addition to it.
         if (i > 0 && wanted == Pattern::Best && lone_ring) break;
         const std::vector<Pass> passes = passes_.make(component, variant);
@@ -88,7 +85,7 @@ std::optional<RegionCut> RegionCutter::choose(const RingFamily::Component& compo
         if (made.blocks.empty()) continue;
         weighed.weighed.push_back(made.time);
         if (!best || stands_in || isQuicker(made.time, best->time)) best = std::move(made);
-        stands_in = !is_asked(variant.pattern);
+        stands_in = !isAskedFor(task_.clearing, variant.pattern);
     }
     if (!best) return best;
     if (wanted != Pattern::Best) weighed.weighed = {best->time};
